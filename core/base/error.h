@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+namespace odo {
+
+/// What kind of failure it was; decides the exit status and what a window offers, never the words.
+enum class ErrorCode {
+    InvalidInput,  ///< the content given cannot be used (bad file content, bad geometry, bad value)
+    NotFound,      ///< something named does not exist
+    AlreadyExists, ///< something of that name is there already
+    Io,            ///< reading or writing failed
+    NewerFormat,   ///< a project written by a newer Odograph
+    ReadOnly,      ///< the place cannot be written to
+    Undetermined,  ///< the data do not determine what was asked (too few points, no board, no robot)
+    Cancelled,     ///< the user stopped it
+    Internal,      ///< a library failed in a way that no input should cause
+};
+
+/// An expected failure, told in one line: "WHAT: WHY; DO THIS". Plain value, safe to pass between threads.
+struct Error
+{
+    ErrorCode code = ErrorCode::Internal;
+    std::string what;   ///< what could not be done, with the file or name at fault
+    std::string why;    ///< the cause, with line or figure where there is one
+    std::string advice; ///< what the user can do now
+
+    /// "what: why; advice", on one line: control characters are replaced by spaces.
+    std::string message() const;
+};
+
+/// A value, or the Error that stood in its way. Expected failures travel so; broken invariants assert.
+template <class T>
+using Result = tl::expected<T, Error>;
+
+/// Shorthand for returning a failure from a function that gives a Result.
+tl::unexpected<Error> fail(ErrorCode code, std::string what, std::string why, std::string advice);
+
+/// The failure of a cancelled job.
+tl::unexpected<Error> cancelled(std::string what);
+
+} // namespace odo

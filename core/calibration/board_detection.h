@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/video/frame.h"
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+enum class BoardPattern { Checkerboard, Charuco };
+
+/// What board to look for. Columns and rows count inner corners.
+struct BoardSpec
+{
+    BoardPattern pattern = BoardPattern::Checkerboard;
+    int columns = 0, rows = 0;    ///< 0: find out
+    double squareM = 0.025;
+    double markerRatio = 0.5;     ///< ChArUco: marker side / square side
+    std::string dictionary;       ///< ChArUco: e.g. "DICT_6X6_250"; empty: find out
+};
+
+/// Corners found in one picture, with their places on the board (metres, z = 0).
+struct BoardView
+{
+    std::string source; ///< file, or file@frame
+    int columns = 0, rows = 0;
+    std::vector<Eigen::Vector2d> pixels;
+    std::vector<Eigen::Vector2d> pointsOnBoard;
+};
+
+/// Looks for the board in the luma plane. Error Undetermined with the reason: none found, another size found, too
+/// blurred, cut off.
+Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std::string &source);
+
+} // namespace odo

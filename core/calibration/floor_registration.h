@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/calibration/marker_layout.h"
+#include "core/geometry/camera_model.h"
+#include "core/geometry/floor_view.h"
+
+#include <string>
+#include <vector>
+
+namespace odo {
+
+struct MarkerError
+{
+    std::string label;
+    double errorM = 0;  ///< on the floor
+    double errorPx = 0; ///< in the picture
+};
+
+/// One camera to the floor.
+struct FloorRegistration
+{
+    RigidTransform worldFromCamera;
+    Eigen::Matrix<double, 6, 6> poseCovariance; ///< as FloorView says
+    double rmsPx = 0, rmsM = 0;
+    std::vector<MarkerError> markers;
+    std::string verdict; ///< one sentence for a person; says when the camera was taken as free of distortion
+};
+
+/// Homography by normalised DLT from undistorted pixels, decomposed to a pose (Zhang 2000), refined with the lens model
+/// on pixel distance (Levenberg–Marquardt); covariance from the Jacobian with the larger of the residual σ and 0.3 px.
+/// Refuses by name: fewer than four markers common to both lists, doubled labels or points, collinear markers, mirrored
+/// or swapped order, non-finite values, a camera below the floor, markers beyond the horizon.
+/// With intrinsicsKnown = false, the focal length is estimated from the homography as well where it is determined.
+Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::vector<MarkerPixel> &pixels,
+                                        const CameraModel &camera, bool intrinsicsKnown);
+
+} // namespace odo

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/project/records.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+class QSqlDatabase;
+
+namespace odo {
+
+class CameraRepository;
+class LayoutRepository;
+class RobotRepository;
+class TeamRepository;
+class TrialRepository;
+class AnalysisRepository;
+
+/// One thing that `check` found.
+struct ProjectProblem
+{
+    std::string what, where, advice;
+};
+
+/// An open project file: one SQLite connection, owned by the thread that opened it and used on no other.
+/// Repositories are reached through it and live as long as it. Each of their changes is one transaction of its own,
+/// unless it happens inside inTransaction.
+class Project
+{
+public:
+    enum class Access { ReadWrite, ReadOnly };
+
+    /// Makes a new file with the current schema. AlreadyExists where a file of that name is; nothing is left behind on
+    /// failure.
+    static Result<std::unique_ptr<Project>> create(const std::filesystem::path &file, const std::string &title);
+    /// Opens a file; older schemas are migrated after a verified backup ("<name>.odo.bak-<version>"). Errors: missing,
+    /// not a project, corrupt, newer (NewerFormat), no write access (ReadOnly).
+    static Result<std::unique_ptr<Project>> open(const std::filesystem::path &file, Access access);
+    ~Project();
+    Project(const Project &) = delete;
+    Project &operator=(const Project &) = delete;
+
+    const std::filesystem::path &file() const;
+    /// "<name>.media" beside the file; made when first needed by those who write there.
+    std::filesystem::path mediaFolder() const;
+    /// Absolute path of a recording.
+    std::filesystem::path resolve(const RecordingRecord &recording) const;
+
+    std::string title() const;
+    Result<void> setTitle(const std::string &title);
+
+    CameraRepository &cameras();
+    LayoutRepository &layouts();
+    RobotRepository &robots();
+    TeamRepository &teams();
+    TrialRepository &trials();
+    AnalysisRepository &analyses();
+
+    /// Runs work in one transaction that is rolled back when work fails. Does not nest.
+    Result<void> inTransaction(const std::function<Result<void>()> &work);
+    /// Copies the whole project to another file through SQLite's backup API.
+    Result<void> saveCopy(const std::filesystem::path &file) const;
+    /// Integrity of the database, references, and recordings (present, size; hashes when asked).
+    Result<std::vector<ProjectProblem>> check(bool withHashes) const;
+
+private:
+    struct Impl;
+    explicit Project(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> m_impl;
+};
+
+} // namespace odo

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/units.h"
+#include "core/calibration/floor_registration.h"
+#include "core/calibration/intrinsic_calibration.h"
+#include "core/calibration/marker_layout.h"
+#include "core/tracking/observation.h"
+#include "core/trajectory/analyser.h"
+#include "core/trajectory/profile.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// Identity of a row. 0: not stored yet.
+using RecordId = std::int64_t;
+
+/// Wall-clock instants are stored as milliseconds since 1970 UTC.
+using Instant = std::chrono::sys_time<std::chrono::milliseconds>;
+
+struct CameraRecord
+{
+    RecordId id = 0;
+    std::string name;
+    std::string deviceUri; ///< may be empty
+};
+
+/// A revision of a camera's intrinsics; the newest is in force, old ones are kept.
+struct IntrinsicsRecord
+{
+    RecordId id = 0;
+    RecordId camera = 0;
+    Instant made;
+    std::string origin; ///< "calibrated", "imported from A.yaml"
+    IntrinsicCalibration calibration; ///< for an import: rmsPx 0 and no pictures
+};
+
+/// A revision of a camera's registration to the floor.
+struct RegistrationRecord
+{
+    RecordId id = 0;
+    RecordId camera = 0;
+    RecordId layout = 0;
+    RecordId intrinsics = 0; ///< 0: the camera was taken as free of distortion
+    Instant made;
+    Intrinsics assumedIntrinsics; ///< what was used when intrinsics is 0
+    std::vector<MarkerPixel> pixels;
+    FloorRegistration registration;
+};
+
+struct LayoutRecord
+{
+    RecordId id = 0;
+    MarkerLayout layout;
+};
+
+struct RobotRecord
+{
+    RecordId id = 0;
+    std::string name;
+    RgbColour colour;
+    enum class Height { Told, Automatic, Free } heightMode = Height::Automatic;
+    std::optional<double> heightM;          ///< when Told
+    std::optional<double> lengthM, widthM;
+};
+
+struct TeamRecord
+{
+    RecordId id = 0;
+    std::string name, className;
+};
+
+struct TrialRecord
+{
+    RecordId id = 0;
+    std::string name;
+    RecordId team = 0; ///< 0: none
+    std::string teamName, className; ///< read only, joined
+    std::string task;
+    Instant date;
+    std::string notes;
+    std::string syncMethod;       ///< "none", "told", "auto"
+    double syncOffsetS = 0;       ///< how much later the second view's first frame was taken than the first's
+    double syncOffsetSigmaS = 0;
+    double syncScore = 0;
+    std::vector<RecordId> robots; ///< that are expected in it
+    std::vector<std::string> robotNames; ///< read only, joined
+    double durationS = 0;
+    int viewCount = 0;            ///< read only
+};
+
+/// A video of one view of a trial. Frame times are kept here, whatever becomes of the file.
+struct RecordingRecord
+{
+    RecordId id = 0;
+    RecordId trial = 0;
+    RecordId camera = 0;
+    std::string cameraName;      ///< read only, joined
+    int position = 0;            ///< 0: the first view
+    std::string path;            ///< relative to the project's folder when beside it, else absolute
+    std::string sha256;
+    std::int64_t bytes = 0;
+    int widthPx = 0, heightPx = 0;
+    double framesPerSecond = 0;
+    double startOffsetS = 0;     ///< against the first view
+    std::vector<Nanoseconds> frameTimes;
+};
+
+/// What the tracker saw of one robot in one recording.
+struct ObservationSeries
+{
+    RecordId recording = 0;
+    RecordId robot = 0;
+    std::string algorithm; ///< name and version of the tracker
+    std::vector<Observation> observations;
+};
+
+/// One computed result for one robot of a trial, with all that went into it.
+struct AnalysisRecord
+{
+    RecordId id = 0;
+    RecordId trial = 0;
+    RecordId robot = 0;
+    std::string robotName; ///< read only, joined
+    Instant made;
+    std::string softwareVersion;
+    AnalysisOptions options;
+    std::vector<RecordId> registrations; ///< one a view, in the views' order; 0 where unregistered
+    std::vector<std::string> views;      ///< names of the views, bit i of Sample::views
+    Profile profile;
+};
+
+/// A figure from elsewhere that belongs to a trial: the demo's truth.
+struct TruthSeries
+{
+    RecordId trial = 0;
+    RecordId robot = 0;
+    std::vector<Nanoseconds> times; ///< since the first view's first frame
+    std::vector<Eigen::Vector2d> positions, velocities, accelerations;
+};
+
+} // namespace odo

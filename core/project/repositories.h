@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+struct ProjectConnection; ///< the open database; private to core/project
+
+/// All repositories: plain synchronous calls on the project's thread. `find…` gives NotFound with a message that names
+/// what there is instead; `add` gives AlreadyExists for a name that is taken, and the stored record with its id.
+
+class CameraRepository
+{
+public:
+    explicit CameraRepository(ProjectConnection &connection);
+    Result<CameraRecord> add(const CameraRecord &camera);
+    Result<std::vector<CameraRecord>> all() const;
+    Result<CameraRecord> find(const std::string &name) const;
+    Result<CameraRecord> get(RecordId id) const;
+    Result<IntrinsicsRecord> addIntrinsics(const IntrinsicsRecord &intrinsics);
+    /// The newest; nullopt when the camera was never calibrated.
+    Result<std::optional<IntrinsicsRecord>> currentIntrinsics(RecordId camera) const;
+    Result<IntrinsicsRecord> intrinsics(RecordId id) const;
+    Result<RegistrationRecord> addRegistration(const RegistrationRecord &registration);
+    Result<std::optional<RegistrationRecord>> currentRegistration(RecordId camera) const;
+    Result<RegistrationRecord> registration(RecordId id) const;
+
+private:
+    ProjectConnection &m_connection;
+};
+
+class LayoutRepository
+{
+public:
+    explicit LayoutRepository(ProjectConnection &connection);
+    Result<LayoutRecord> add(const MarkerLayout &layout);
+    Result<std::vector<LayoutRecord>> all() const;
+    Result<LayoutRecord> find(const std::string &name) const;
+    Result<LayoutRecord> get(RecordId id) const;
+
+private:
+    ProjectConnection &m_connection;
+};
+
+class RobotRepository
+{
+public:
+    explicit RobotRepository(ProjectConnection &connection);
+    Result<RobotRecord> add(const RobotRecord &robot);
+    Result<std::vector<RobotRecord>> all() const;
+    Result<RobotRecord> find(const std::string &name) const;
+    Result<RobotRecord> get(RecordId id) const;
+
+private:
+    ProjectConnection &m_connection;
+};
+
+class TeamRepository
+{
+public:
+    explicit TeamRepository(ProjectConnection &connection);
+    Result<TeamRecord> add(const TeamRecord &team);
+    Result<std::vector<TeamRecord>> all() const;
+    Result<TeamRecord> find(const std::string &name) const;
+
+private:
+    ProjectConnection &m_connection;
+};
+
+class TrialRepository
+{
+public:
+    explicit TrialRepository(ProjectConnection &connection);
+    Result<TrialRecord> add(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings);
+    Result<std::vector<TrialRecord>> all() const; ///< newest first
+    Result<TrialRecord> find(const std::string &name) const;
+    Result<TrialRecord> get(RecordId id) const;
+    Result<void> setNotes(RecordId trial, const std::string &notes);
+    Result<void> setRobots(RecordId trial, const std::vector<RecordId> &robots);
+    Result<std::vector<RecordingRecord>> recordings(RecordId trial) const; ///< in the order of the views
+    /// Replaces the offset of a view against the first one.
+    Result<void> setSync(const TrialRecord &trial);
+    /// A new series for a recording and robot joins the older ones; the newest is the current one.
+    Result<void> addObservations(const ObservationSeries &series);
+    Result<std::optional<ObservationSeries>> currentObservations(RecordId recording, RecordId robot) const;
+    Result<void> setTruth(const TruthSeries &truth);
+    Result<std::optional<TruthSeries>> truth(RecordId trial, RecordId robot) const;
+
+private:
+    ProjectConnection &m_connection;
+};
+
+class AnalysisRepository
+{
+public:
+    explicit AnalysisRepository(ProjectConnection &connection);
+    Result<AnalysisRecord> add(const AnalysisRecord &analysis);
+    /// The newest analysis of each robot of the trial, with all its series.
+    Result<std::vector<AnalysisRecord>> current(RecordId trial) const;
+    /// Metrics alone, for lists: the newest of each robot, cheap.
+    Result<std::vector<AnalysisRecord>> currentMetrics(RecordId trial) const;
+
+private:
+    ProjectConnection &m_connection;
+};
+
+} // namespace odo

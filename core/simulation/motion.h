@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+namespace odo {
+
+/// Exact state of a simulated robot: of its footprint's centre, world frame, SI.
+struct MotionState
+{
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();
+    Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
+    Eigen::Vector2d acceleration = Eigen::Vector2d::Zero();
+    double headingRad = 0; ///< of the robot's length axis; along the velocity, the last one while standing
+};
+
+/// A known trajectory, exact at every time: twice continuously differentiable. Immutable.
+class Motion
+{
+public:
+    virtual ~Motion() = default;
+    /// Before 0 s the state at 0 s stands still where the motion begins at rest.
+    virtual MotionState at(double timeS) const = 0;
+};
+
+/// Stands, then runs from start to end with a smooth (quintic) ramp, then stands.
+std::shared_ptr<const Motion> makeLineMotion(Eigen::Vector2d start, Eigen::Vector2d end, double startS,
+                                             double durationS);
+/// Circles, starting from rest over rampS to the steady angular speed.
+std::shared_ptr<const Motion> makeCircleMotion(Eigen::Vector2d centre, double radiusM, double speedMps, double rampS);
+/// Lissajous figure eight (x = a·sin ωt, y = b·sin 2ωt), starting from rest over rampS.
+std::shared_ptr<const Motion> makeFigureEightMotion(Eigen::Vector2d centre, double halfWidthM, double halfHeightM,
+                                                    double periodS, double rampS);
+/// Legs between way points, each a smooth ramp of legS, with a stop of pauseS at each.
+std::shared_ptr<const Motion> makeStopAndGoMotion(std::vector<Eigen::Vector2d> points, double legS, double pauseS);
+/// Twice continuously differentiable (clamped cubic) spline through points at equal time steps, at rest at both ends.
+std::shared_ptr<const Motion> makeSplineMotion(std::vector<Eigen::Vector2d> points, double stepS);
+
+} // namespace odo

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/simulation/scene.h"
+#include "core/video/frame.h"
+#include "core/video/video_writer.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace odo {
+
+/// Paints what one camera of a scene sees, frame by frame, with edges antialiased to a small part of a pixel.
+/// The still floor is painted once; a frame costs only what moves. Not thread-safe; make one a thread.
+class SceneRenderer
+{
+public:
+    SceneRenderer(SimulatedScene scene, int camera);
+    ~SceneRenderer();
+    SceneRenderer(const SceneRenderer &) = delete;
+    SceneRenderer &operator=(const SceneRenderer &) = delete;
+
+    std::int64_t frameCount() const;
+    /// 4:2:0, limited range, BT.601, with the sensor's siting, noise and blur.
+    Frame render(std::int64_t frame);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// Renders one camera to a video file.
+Result<void> renderVideo(const SimulatedScene &scene, int camera, const std::filesystem::path &file,
+                         const VideoWriterOptions &options, const JobControl &control);
+
+/// A calibration board held before a camera, painted through its lens. Checkerboard or ChArUco 6X6_250.
+struct SimulatedBoard
+{
+    bool charuco = false;
+    int columns = 9, rows = 6; ///< inner corners
+    double squareM = 0.025;
+    RigidTransform cameraFromBoard; ///< board: origin at the first inner corner, x along columns, y along rows
+};
+Frame renderBoard(const CameraModel &camera, const SimulatedBoard &board, double noiseSigma, std::uint32_t seed);
+
+} // namespace odo

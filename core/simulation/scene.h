@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/units.h"
+#include "core/calibration/marker_layout.h"
+#include "core/geometry/floor_view.h"
+#include "core/simulation/motion.h"
+#include "core/video/frame.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+enum class SimulatedShape { Box, Cylinder };
+
+struct SimulatedRobot
+{
+    std::string name;
+    RgbColour colour;
+    SimulatedShape shape = SimulatedShape::Box;
+    double lengthM = 0.26, widthM = 0.19, heightM = 0.06; ///< cylinder: length is the diameter
+    std::shared_ptr<const Motion> motion;
+};
+
+/// A flat patch on the floor of any colour: tape, or a distractor of the robot's own colour. Corners in order.
+struct FloorPatch
+{
+    RgbColour colour;
+    std::vector<Eigen::Vector2d> corners;
+};
+
+/// A short bright spot of a colour that appears on the floor and is gone again: what makes spikes.
+struct Reflection
+{
+    RgbColour colour;
+    Eigen::Vector2d position;
+    double radiusM = 0.05;
+    double startS = 0, durationS = 0.1;
+    int camera = -1; ///< seen by this camera only; -1: by all
+};
+
+/// An upright board that hides what is behind it, for a while.
+struct Occluder
+{
+    RgbColour colour;
+    Eigen::Vector2d from, to; ///< its foot on the floor
+    double heightM = 0.5;
+    double startS = 0, durationS = 1e9;
+};
+
+/// What a simulated camera adds to the perfect picture.
+struct SensorModel
+{
+    double exposureS = 0.008;        ///< motion blur, averaged over sub-steps
+    double noiseSigma = 2.0;         ///< of 255, luma; chroma the same before subsampling
+    double flickerAmplitude = 0;     ///< of light, 0.05 = ±5 %
+    double flickerHz = 100;
+    double gainDriftPerS = 0;        ///< relative, 0.01 = +1 % a second
+    ChromaSiting siting = ChromaSiting::Left;
+    std::vector<std::int64_t> droppedFrames; ///< frames that are never delivered
+    std::vector<std::int64_t> doubledFrames; ///< frames that show the picture before them again
+};
+
+struct SimulatedCamera
+{
+    std::string name;
+    FloorView view;
+    double framesPerSecond = 30;
+    double startOffsetS = 0;   ///< when the first frame is taken, in the scene's time
+    double clockDriftPpm = 0;  ///< the camera's clock runs faster by this much
+    SensorModel sensor;
+};
+
+/// The floor: a texture of tiles and grain that is the same for a seed, with tags as markers where a layout says.
+struct SimulatedFloor
+{
+    RgbColour colour{176, 170, 158};
+    double textureAmplitude = 0.06; ///< relative
+    double tileM = 0.5;
+    MarkerLayout markers;
+    double markerSideM = 0.16; ///< side of the tag's black square; 0: no markers drawn
+    std::vector<FloorPatch> patches;
+};
+
+/// A whole simulated testbed with known truth. Rendering is deterministic for a seed, whatever the order of frames.
+struct SimulatedScene
+{
+    SimulatedFloor floor;
+    std::vector<SimulatedRobot> robots;
+    std::vector<Reflection> reflections;
+    std::vector<Occluder> occluders;
+    std::vector<SimulatedCamera> cameras;
+    double durationS = 10;
+    std::uint32_t seed = 1;
+};
+
+/// The camera's own number of delivered frames in the scene's duration.
+std::int64_t frameCount(const SimulatedScene &scene, int camera);
+/// Scene time of the middle of the exposure of delivered frame i.
+double frameSceneTime(const SimulatedScene &scene, int camera, std::int64_t frame);
+/// The time stamp that the camera gives it (its own, drifting clock), zero at its first frame.
+Nanoseconds frameStamp(const SimulatedScene &scene, int camera, std::int64_t frame);
+
+} // namespace odo

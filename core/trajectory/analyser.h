@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/geometry/floor_view.h"
+#include "core/tracking/observation.h"
+#include "core/trajectory/profile.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// How the curves are made from the samples.
+enum class Smoother {
+    Rts,     ///< Kalman filter and Rauch–Tung–Striebel smoother, process noise estimated from the data
+    SavGol,  ///< Savitzky–Golay, cubic, 11 points
+    Tracker, ///< the differences that Tracker uses
+    None,    ///< the paper's raw differences
+};
+/// "rts", "savgol", "tracker", "none"; NotFound for another word.
+Result<Smoother> parseSmoother(std::string_view name);
+std::string_view smootherName(Smoother smoother);
+
+/// One view's part of a trial for one robot.
+struct ViewTrack
+{
+    std::string view;                      ///< camera's name
+    std::optional<FloorView> floorView;    ///< empty: the camera is not registered; its observations are left out
+    Nanoseconds startOffset{0};            ///< how much later this view's first frame was taken than the first view's
+    std::vector<Observation> observations; ///< in order of time
+};
+
+struct RobotShape
+{
+    /// Height of the robot's top; empty: estimated from the views' disagreement (one view alone: taken as 0).
+    std::optional<double> heightM;
+    std::optional<double> lengthM, widthM;
+};
+
+struct AnalysisOptions
+{
+    Smoother smoother = Smoother::Rts;
+    double maxSpeedMps = 10;  ///< physical limit, for flags
+    double maxAccelMps2 = 50;
+    Nanoseconds longestBridgedGap = std::chrono::milliseconds(1500);
+};
+
+/// Observations of all views → samples → spikes → profile → metrics. Times of the samples are the first view's frame
+/// times; other views are interpolated to them. Pure and thread-safe. Errors: no view registered, robot never found.
+Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &shape, const AnalysisOptions &options);
+
+} // namespace odo

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/video/frame.h"
+
+namespace odo {
+
+double FrameFormat::chromaOffsetX() const
+{
+    if (chromaShiftX == 0 || siting != ChromaSiting::Center)
+        return 0.0;
+    return 0.5;
+}
+
+double FrameFormat::chromaOffsetY() const
+{
+    if (chromaShiftY == 0 || siting == ChromaSiting::TopLeft)
+        return 0.0;
+    return 0.5;
+}
+
+FrameBuffer::FrameBuffer(const FrameFormat &format)
+    : m_format(format),
+      m_chromaWidth((format.width + (1 << format.chromaShiftX) - 1) >> format.chromaShiftX),
+      m_chromaHeight((format.height + (1 << format.chromaShiftY) - 1) >> format.chromaShiftY),
+      m_y(static_cast<std::size_t>(format.width) * format.height),
+      m_u(static_cast<std::size_t>(m_chromaWidth) * m_chromaHeight),
+      m_v(static_cast<std::size_t>(m_chromaWidth) * m_chromaHeight)
+{}
+
+Frame FrameBuffer::toFrame(std::shared_ptr<FrameBuffer> buffer, std::int64_t index, Nanoseconds time)
+{
+    const FrameBuffer &b = *buffer;
+    Frame frame;
+    frame.format = b.m_format;
+    frame.y = {b.m_y.data(), b.m_format.width, b.m_format.height, b.m_format.width};
+    frame.u = {b.m_u.data(), b.m_chromaWidth, b.m_chromaHeight, b.m_chromaWidth};
+    frame.v = {b.m_v.data(), b.m_chromaWidth, b.m_chromaHeight, b.m_chromaWidth};
+    frame.index = index;
+    frame.time = time;
+    frame.owner = std::move(buffer);
+    return frame;
+}
+
+} // namespace odo

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/units.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace odo {
+
+/// Where a chroma sample lies among the luma samples it covers (H.273 §8.7). Left: MPEG-2 and H.264's default;
+/// Center: MPEG-1 and JPEG; TopLeft: HEVC and DV.
+enum class ChromaSiting { Unknown, Left, Center, TopLeft };
+
+/// How luma and chroma were made from RGB.
+enum class YuvMatrix { Bt601, Bt709 };
+
+/// A read-only look at one plane of bytes.
+struct PlaneView
+{
+    const std::uint8_t *data = nullptr;
+    int width = 0, height = 0;
+    std::ptrdiff_t stride = 0; ///< bytes from one row to the next
+
+    const std::uint8_t *row(int y) const { return data + y * stride; }
+    std::uint8_t at(int x, int y) const { return data[y * stride + x]; }
+};
+
+/// What is common to all frames of a stream.
+struct FrameFormat
+{
+    int width = 0, height = 0;            ///< of luma
+    int chromaShiftX = 1, chromaShiftY = 1; ///< 4:2:0 is 1,1; 4:2:2 is 1,0; 4:4:4 is 0,0
+    ChromaSiting siting = ChromaSiting::Unknown;
+    YuvMatrix matrix = YuvMatrix::Bt601;
+    bool fullRange = false; ///< false: luma 16–235, chroma 16–240
+
+    /// Luma pixel coordinates of the chroma sample (cx, cy): x = (cx << shift) + chromaOffsetX(). Unknown siting is
+    /// taken as Left where chroma is halved (the default of H.264 and MPEG-2).
+    double chromaOffsetX() const;
+    double chromaOffsetY() const;
+};
+
+/// One picture as planes of 8 bits, exactly as the decoder or camera gave it. A value that is cheap to copy: copies
+/// share the immutable memory, which `owner` keeps alive. Safe to pass between threads.
+struct Frame
+{
+    FrameFormat format;
+    PlaneView y, u, v;
+    std::int64_t index = 0;    ///< 0-based place in its recording
+    Nanoseconds time{0};       ///< since the recording's first frame, from the file's time stamps (or the device's)
+    std::shared_ptr<const void> owner;
+};
+
+/// Owns the memory of a frame that is filled by us (simulator, converters).
+class FrameBuffer
+{
+public:
+    explicit FrameBuffer(const FrameFormat &format);
+    std::uint8_t *yRow(int row) { return m_y.data() + static_cast<std::ptrdiff_t>(row) * m_format.width; }
+    std::uint8_t *uRow(int row) { return m_u.data() + static_cast<std::ptrdiff_t>(row) * m_chromaWidth; }
+    std::uint8_t *vRow(int row) { return m_v.data() + static_cast<std::ptrdiff_t>(row) * m_chromaWidth; }
+    int chromaWidth() const { return m_chromaWidth; }
+    int chromaHeight() const { return m_chromaHeight; }
+
+    /// Hands the memory over to an immutable Frame.
+    static Frame toFrame(std::shared_ptr<FrameBuffer> buffer, std::int64_t index, Nanoseconds time);
+
+private:
+    FrameFormat m_format;
+    int m_chromaWidth, m_chromaHeight;
+    std::vector<std::uint8_t> m_y, m_u, m_v;
+};
+
+} // namespace odo

