@@ -16,6 +16,7 @@ enum class ErrorCode {
     NewerFormat,   ///< a project written by a newer Odograph
     ReadOnly,      ///< the place cannot be written to
     Undetermined,  ///< the data do not determine what was asked (too few points, no board, no robot)
+    WrongCall,     ///< the command line was not understood
     Cancelled,     ///< the user stopped it
     Internal,      ///< a library failed in a way that no input should cause
 };

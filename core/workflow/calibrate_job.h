@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/board_detection.h"
+#include "core/project/records.h"
+#include "core/workflow/job.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+struct CalibrateSettings
+{
+    std::string camera; ///< made when the project has none of that name
+    std::vector<std::filesystem::path> files; ///< pictures and videos of the board
+    BoardSpec board;
+    LensModel model = LensModel::Standard;
+};
+
+/// Finds the board in pictures, computes a camera's intrinsics and stores them as its newest ones.
+class CalibrateJob : public Job
+{
+public:
+    explicit CalibrateJob(CalibrateSettings settings);
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const CalibrateSettings &settings() const { return m_settings; }
+    int picturesUsed() const { return static_cast<int>(m_views.size()); }
+    const IntrinsicCalibration &calibration() const { return m_calibration; } ///< after run
+
+private:
+    Result<void> searchFile(const std::filesystem::path &file, const JobControl &control);
+    void searchPicture(const Frame &frame, const std::string &name);
+
+    CalibrateSettings m_settings;
+    std::vector<BoardView> m_views;
+    std::vector<RejectedPicture> m_rejected;
+    int m_widthPx = 0, m_heightPx = 0;
+    IntrinsicCalibration m_calibration;
+};
+
+} // namespace odo

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+#include "core/workflow/job.h"
+#include "core/workflow/registered_view.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace odo {
+
+struct ImportSettings
+{
+    enum class Sync { Automatic, None, Told };
+
+    std::string trial;
+    std::vector<std::pair<std::string, std::filesystem::path>> videos; ///< camera's name and file, first view first
+    Sync sync = Sync::Automatic;
+    double offsetS = 0; ///< when told: how much later the second view's first frame was taken
+    std::string team;   ///< made when new; empty: none
+    std::string task;
+    std::vector<std::string> robots;
+    std::optional<double> rate; ///< of the camera, where the file's frame rate is another
+    std::optional<Instant> date; ///< empty: now
+};
+
+/// Brings the videos of one trial into the project: each is copied beside it (with its hash), its frame times are
+/// read, and the views are synchronised. A failed import leaves no file behind.
+class ImportTrialJob : public Job
+{
+public:
+    explicit ImportTrialJob(ImportSettings settings);
+    ~ImportTrialJob() override;
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const TrialRecord &trial() const { return m_trial; }                       ///< after commit
+    const std::vector<RecordingRecord> &recordings() const { return m_recordings; } ///< after run
+    /// What the user should know although the import succeeded: unequal lengths, no synchronisation, damaged ends.
+    const std::vector<std::string> &warnings() const { return m_warnings; }
+
+private:
+    Result<void> readVideo(std::size_t view);
+    Result<void> copyVideo(std::size_t view, const JobControl &control);
+    Result<void> synchronise(const JobControl &control);
+    Result<void> compareViews();
+    void removeCopies();
+
+    ImportSettings m_settings;
+    std::filesystem::path m_mediaFolder, m_projectFolder;
+    std::vector<RobotRecord> m_robots;
+    std::vector<RegisteredView> m_views; ///< only to synchronise
+    TrialRecord m_trial;
+    std::vector<RecordingRecord> m_recordings;
+    std::vector<std::filesystem::path> m_copies;
+    std::vector<std::string> m_warnings;
+    bool m_committed = false;
+};
+
+} // namespace odo

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/video/frame.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace odo {
+
+/// Gives the pictures of a file one after another, named "file" or "file@frame": one for a still, every step-th for a
+/// video. Stops early when visit returns false. Errors: neither a picture nor a video.
+Result<void> visitPictures(const std::filesystem::path &file, int videoStep,
+                           const std::function<bool(const Frame &, const std::string &)> &visit);
+
+} // namespace odo

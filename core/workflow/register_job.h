@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+#include "core/workflow/job.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+struct RegisterSettings
+{
+    std::string camera;
+    std::string layout;
+    std::filesystem::path pixelsFile; ///< label,u,v; or empty
+    std::filesystem::path pictureFile; ///< a picture or video in which the markers are looked for, or (with pixelsFile)
+                                       ///< which tells the picture's size to a camera without intrinsics; or empty
+    std::vector<MarkerPixel> pixels;  ///< picked in a window; instead of pixelsFile
+};
+
+/// Registers one camera to the floor by the markers of a layout and stores the registration as its newest one.
+/// Without a picture to look in, the markers are looked for in the camera's newest recording.
+class RegisterJob : public Job
+{
+public:
+    explicit RegisterJob(RegisterSettings settings);
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const RegisterSettings &settings() const { return m_settings; }
+    const RegistrationRecord &record() const { return m_record; } ///< after run
+
+private:
+    Result<void> findInPictures(const JobControl &control);
+    Result<CameraModel> cameraModel() const;
+
+    RegisterSettings m_settings;
+    MarkerLayout m_layout;
+    bool m_intrinsicsKnown = false;
+    Intrinsics m_intrinsics; ///< stored ones, or only the picture's size
+    RegistrationRecord m_record;
+};
+
+} // namespace odo

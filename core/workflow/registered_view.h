@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/floor_view.h"
+#include "core/project/records.h"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+class Project;
+
+/// A view of a trial with the calibration that is in force for its camera.
+struct RegisteredView
+{
+    RecordingRecord recording;
+    std::filesystem::path file;
+    std::optional<RegistrationRecord> registration;
+    std::optional<FloorView> floorView; ///< empty: not registered, or registered at another picture shape
+};
+
+/// The camera registered to the floor, from the stored registration and the intrinsics that it was made with.
+Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &registration);
+
+/// The views of a trial in their order. A recording of another picture size than its camera was calibrated at is an
+/// Error: the figures would be wrong in silence. Project's thread.
+Result<std::vector<RegisteredView>> registeredViews(Project &project, const TrialRecord &trial);
+
+/// The robots named; or else those of the trial; or else all of the project. NotFound for a name that is not there,
+/// and when there is no robot at all.
+Result<std::vector<RobotRecord>> robotsToTrack(Project &project, const TrialRecord &trial,
+                                               const std::vector<std::string> &names);
+
+} // namespace odo

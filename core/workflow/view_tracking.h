@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/project/records.h"
+#include "core/workflow/registered_view.h"
+
+#include <vector>
+
+namespace odo {
+
+/// What one view gave: a series of observations for each robot, in the robots' order.
+struct TrackedView
+{
+    std::vector<ObservationSeries> series;
+    std::int64_t frames = 0;
+    std::int64_t damagedFrames = 0;
+    Nanoseconds decodeCpuTime{0};
+};
+
+/// Decodes and tracks all views at once, a thread to track and a thread to decode for each. Touches no project.
+/// Errors: a recording that is missing or is no video; cancelled.
+Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
+                                            const std::vector<RobotRecord> &robots, const JobControl &control);
+
+/// One robot's part of what trackViews gave, ready to be analysed.
+std::vector<ViewTrack> viewTracks(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked,
+                                  std::size_t robot);
+
+RobotShape shapeOf(const RobotRecord &robot);
+
+/// An analysis with its provenance filled in and its profile still empty.
+AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
+                           const std::vector<RegisteredView> &views, Smoother smoother);
+
+} // namespace odo
