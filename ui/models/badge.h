@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/floor_registration.h"
+
+#include <QString>
+#include <optional>
+
+namespace odo {
+
+enum class BadgeState { Neutral, Good, Warning, Bad };
+
+/// A short verdict on a coloured ground; the words alone must say it.
+struct Badge
+{
+    QString text;
+    BadgeState state = BadgeState::Neutral;
+};
+
+/// How well a camera is registered: "±1.6 mm". Good up to 5 mm, bad from 20 mm on.
+Badge registrationBadge(const std::optional<FloorRegistration> &registration);
+
+} // namespace odo

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/project/records.h"
+#include "ui/models/badge.h"
+
+#include <QAbstractTableModel>
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+class Project;
+
+/// A camera of the project with what is known of it.
+struct CameraRow
+{
+    CameraRecord camera;
+    std::optional<IntrinsicsRecord> intrinsics;     ///< in force
+    std::optional<RegistrationRecord> registration; ///< in force
+};
+
+/// On the project's thread.
+Result<std::vector<CameraRow>> loadCameraRows(Project &project);
+
+/// The cameras of a project and how far they are set up.
+class CameraListModel : public QAbstractTableModel
+{
+    Q_OBJECT
+public:
+    enum Columns { NameColumn, CalibrationColumn, RegistrationColumn, VerdictColumn, ColumnCount };
+    enum Roles {
+        BadgeTextRole = Qt::UserRole, ///< QString, "±1.6 mm", "not registered"
+        BadgeStateRole,               ///< int, BadgeState
+        NameRole,                     ///< QString
+    };
+
+    explicit CameraListModel(QObject *parent = nullptr);
+    void setRows(std::vector<CameraRow> rows);
+    const CameraRow &row(int index) const { return m_rows.at(static_cast<std::size_t>(index)); }
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+
+private:
+    QString display(const CameraRow &row, int column) const;
+
+    std::vector<CameraRow> m_rows;
+};
+
+} // namespace odo

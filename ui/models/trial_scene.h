@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/geometry/floor_view.h"
+#include "core/project/records.h"
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+class Project;
+
+/// One view of a trial as the windows show it.
+struct SceneView
+{
+    std::string camera;
+    RecordingRecord recording;                     ///< its frame times are there even when the file is lost
+    std::filesystem::path file;                    ///< absolute
+    std::optional<FloorView> floorView;            ///< empty: the camera is not registered
+    std::optional<FloorRegistration> registration; ///< as floorView
+    Nanoseconds startOffset{0}; ///< how much later its first frame was taken than the first view's
+};
+
+/// One robot of a trial.
+struct SceneRobot
+{
+    RobotRecord robot;
+    std::optional<AnalysisRecord> analysis;             ///< the newest; empty: not tracked yet
+    std::vector<std::vector<Observation>> observations; ///< one list a view, in order of frames; may be empty
+};
+
+/// Everything that Review shows of one trial: an immutable value, made on the project's thread and safe to
+/// share with any other. World frame and SI throughout.
+struct TrialScene
+{
+    TrialRecord trial;
+    std::vector<SceneView> views;
+    std::vector<SceneRobot> robots;
+    std::optional<MarkerLayout> layout; ///< of the first registered view
+
+    /// Frame times of the first view, which is the time line of the trial; empty without views.
+    const std::vector<Nanoseconds> &frameTimes() const;
+    /// The frame of a view that was on its sensor at a time of the first view; nullopt before its first or
+    /// after its last frame (by more than half an interval).
+    std::optional<std::int64_t> frameAt(std::size_t view, Nanoseconds time) const;
+    /// What a view saw of a robot in a frame; nullptr when nothing.
+    const Observation *observationAt(std::size_t view, std::size_t robot, std::int64_t frame) const;
+    /// The robot's height over the floor that was used for its positions; 0 before an analysis.
+    double heightM(std::size_t robot) const;
+    /// The rectangle of the floor that matters: markers and valid track points; a unit square where there are
+    /// none.
+    Eigen::AlignedBox2d floorBounds() const;
+    /// A marker of the layout by its label.
+    std::optional<Eigen::Vector2d> marker(const std::string &label) const;
+};
+
+using TrialScenePtr = std::shared_ptr<const TrialScene>;
+
+/// Reads a trial on the project's thread. The registrations are those of the analysis, or else those in
+/// force. Errors: NotFound with the names there are; those of the repositories.
+Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialName);
+
+} // namespace odo

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/trial_scene.h"
+#include "ui/views/card.h"
+
+namespace odo {
+
+class PictureArea;
+class Timeline;
+
+/// One view of a trial: its picture at the shared time, and on it the robots' ellipses, their trails, the
+/// world's axes and the floor grid, all through the registered camera.
+class CameraView : public Card
+{
+    Q_OBJECT
+public:
+    explicit CameraView(Timeline &timeline, QWidget *parent = nullptr);
+    ~CameraView() override;
+
+    /// The view of this index of the scene; a null scene or an index beyond its views clears.
+    void setScene(TrialScenePtr scene, std::size_t view);
+    /// True when the picture that belongs to the current time is shown (or cannot be had).
+    bool isSettled() const;
+
+    /// Where a point of the recording's picture lies in the picture area, in its widget coordinates.
+    QPointF fromPicture(const QPointF &pixel) const;
+    QWidget *pictureArea() const;
+
+Q_SIGNALS:
+    void settled();
+
+private:
+    PictureArea *m_area;
+};
+
+} // namespace odo

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/badge.h"
+
+#include <QFrame>
+
+class QHBoxLayout;
+class QLabel;
+class QVBoxLayout;
+
+namespace odo {
+
+/// A panel as all of Odograph uses it: rounded frame, bold title at the left with an optional badge, a remark
+/// at the right, the content below a thin line. Follows the palette.
+class Card : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit Card(const QString &title, QWidget *parent = nullptr);
+
+    QString title() const;
+    void setTitle(const QString &title);
+    void setRemark(const QString &remark);
+    /// An empty text hides the badge.
+    void setBadge(const Badge &badge);
+    /// The one widget below the title; replaces (and deletes) an earlier one.
+    void setContent(QWidget *content);
+    QWidget *content() const { return m_content; }
+    /// Puts a small widget (a button, a choice) at the right end of the title row.
+    void addToHeader(QWidget *widget);
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    void applyColours();
+
+    QWidget *m_header;
+    QLabel *m_title;
+    QLabel *m_badge;
+    QLabel *m_remark;
+    QHBoxLayout *m_headerLayout;
+    QVBoxLayout *m_layout;
+    QWidget *m_content = nullptr;
+    Badge m_badgeShown;
+};
+
+} // namespace odo

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/trial_scene.h"
+#include "ui/views/card.h"
+
+namespace odo {
+
+class ChartArea;
+class Timeline;
+
+/// What a chart shows of a profile.
+enum class Quantity { Speed, Acceleration };
+
+/// One quantity against time for all robots of a trial: smoothed line with its 95 % band, measured points,
+/// spikes, and a cursor at the shared time with the value there. A click or drag moves the time.
+class ProfileChart : public Card
+{
+    Q_OBJECT
+public:
+    ProfileChart(Timeline &timeline, Quantity quantity, QWidget *parent = nullptr);
+    ~ProfileChart() override;
+
+    void setScene(TrialScenePtr scene);
+    QWidget *chartArea() const;
+
+private:
+    ChartArea *m_area;
+    Quantity m_quantity;
+};
+
+} // namespace odo

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/trial_scene.h"
+#include "ui/views/card.h"
+
+class QComboBox;
+
+namespace odo {
+
+class FigureGrid;
+
+/// The figures of one robot's run, two in a row, each with its unit and ±.
+class ResultPanel : public Card
+{
+    Q_OBJECT
+public:
+    explicit ResultPanel(QWidget *parent = nullptr);
+    void setScene(TrialScenePtr scene);
+
+private:
+    void showRobot(int robot);
+
+    TrialScenePtr m_scene;
+    FigureGrid *m_grid;
+    QComboBox *m_robots; ///< shown for more than one robot
+};
+
+} // namespace odo

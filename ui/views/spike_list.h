@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/trial_scene.h"
+#include "ui/views/card.h"
+
+class QTableView;
+
+namespace odo {
+
+class SpikeModel;
+class Timeline;
+
+/// The spikes with their reasons; choosing one moves the time there, and the time chooses the one it stands
+/// on.
+class SpikeList : public Card
+{
+    Q_OBJECT
+public:
+    explicit SpikeList(Timeline &timeline, QWidget *parent = nullptr);
+    void setScene(TrialScenePtr scene);
+    QTableView *table() const { return m_table; }
+
+private:
+    void followTime();
+
+    Timeline &m_timeline;
+    SpikeModel *m_model;
+    QTableView *m_table;
+};
+
+} // namespace odo

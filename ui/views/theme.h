@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/badge.h"
+
+#include <QColor>
+#include <QPalette>
+#include <Qt>
+
+namespace odo {
+
+/// The palettes of Odograph. A window takes one of them; every view derives its colours from whatever palette
+/// is in force (ThemeColours::of) and follows when it changes.
+QPalette lightPalette();
+QPalette darkPalette();
+bool isDark(const QPalette &palette);
+
+/// What the views paint with; contrast of text to its ground is 4.5:1 or better.
+struct ThemeColours
+{
+    QColor card, border, text, muted;
+    QColor grid;   ///< of a chart
+    QColor accent; ///< play button, slider
+    QColor spike;  ///< always with a triangle
+    QColor point;  ///< measured points
+    QColor bubble, bubbleText;
+    QColor pictureGround; ///< around a letter-boxed picture
+    QColor mapGround, mapGrid;
+
+    static ThemeColours of(const QPalette &palette);
+};
+
+/// Ground and text of a badge.
+struct BadgeColours
+{
+    QColor ground, text;
+};
+BadgeColours badgeColours(BadgeState state, const QPalette &palette);
+
+/// The colour of the n-th robot in charts and maps (Okabe and Ito 2008); never the only difference, see
+/// seriesDash.
+QColor seriesColour(int index, const QPalette &palette);
+Qt::PenStyle seriesDash(int index);
+/// cividis (Nuñez, Anderton and Renslow 2018) at 0 to 1.
+QColor cividis(double fraction);
+
+} // namespace odo
