@@ -27,6 +27,13 @@ Result<double> parseNumber(std::string_view text)
     return value;
 }
 
+std::string formatNumber(double value, int decimals)
+{
+    char text[400]; // the longest double has 309 digits before its point
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals).ptr;
+    return std::string(text, end);
+}
+
 Result<double> parseLengthM(std::string_view text)
 {
     struct Unit

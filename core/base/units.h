@@ -24,6 +24,9 @@ constexpr double fromMillimetres(double millimetres) { return millimetres / mill
 /// Reads a whole text as a finite decimal number, independent of the locale. nullopt-like Error where it is none.
 Result<double> parseNumber(std::string_view text);
 
+/// Writes a number with so many decimals, with a point whatever the locale.
+std::string formatNumber(double value, int decimals);
+
 /// Reads a length as the command line promises: "25mm", "2.5cm", "0.3m"; a bare number is millimetres. Gives metres.
 Result<double> parseLengthM(std::string_view text);
 

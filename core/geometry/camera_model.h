@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -34,27 +35,33 @@ class CameraModel
 public:
     /// Refuses non-finite values, non-positive focal lengths or sizes, and a wrong number of coefficients.
     static Result<CameraModel> create(Intrinsics intrinsics);
-    /// A camera without distortion whose field of view is a guess: f = 1.2 · the longer side, centre in the middle.
+    /// A camera without distortion whose field of view is a guess: f = 1.2 · the longer side, centre in the
+    /// middle.
     static CameraModel assumed(int widthPx, int heightPx);
 
     const Intrinsics &intrinsics() const { return m_intrinsics; }
 
-    /// Pixel of a point in the camera frame (metres); nullopt behind the camera, or where the distortion polynomial
-    /// has turned back (a point far outside the picture that would fold into it).
+    /// Pixel of a point in the camera frame (metres); nullopt behind the camera, or where the distortion
+    /// polynomial has turned back (a point far outside the picture that would fold into it).
     std::optional<Eigen::Vector2d> project(const Eigen::Vector3d &pointInCamera) const;
 
     /// As project, with the derivative of the pixel by the point (2×3).
     std::optional<Eigen::Vector2d> project(const Eigen::Vector3d &pointInCamera,
                                            Eigen::Matrix<double, 2, 3> &pixelByPoint) const;
 
-    /// Direction (x, y, 1) in the camera frame seen by a pixel; for a fisheye beyond 90° (x, y, z) with unit norm.
-    /// nullopt where the inversion does not converge (Newton, to 1e-12).
+    /// Direction (x, y, 1) in the camera frame seen by a pixel; for a fisheye beyond 90° (x, y, z) with unit
+    /// norm. nullopt where the inversion does not converge (Newton, to 1e-12).
     std::optional<Eigen::Vector3d> unproject(const Eigen::Vector2d &pixel) const;
 
 private:
     explicit CameraModel(Intrinsics intrinsics);
+    std::optional<Eigen::Vector2d> projectFisheye(const Eigen::Vector3d &point,
+                                                  Eigen::Matrix<double, 2, 3> &pixelByPoint) const;
+    std::optional<Eigen::Vector3d> unprojectFisheye(const Eigen::Vector2d &distorted) const;
+
     Intrinsics m_intrinsics;
-    double m_maxRadiusSquared = 0; ///< of (x/z, y/z): beyond it the distortion is no longer monotone
+    std::array<double, 8> m_coefficients{}; ///< the distortion, padded with zeros
+    double m_limit = 0; ///< radius in (x/z, y/z), for a fisheye the angle: where the distortion stops growing
 };
 
 } // namespace odo

@@ -13,18 +13,20 @@ namespace odo {
 struct FloorPosition
 {
     Eigen::Vector2d pointInWorld;
-    Eigen::Matrix2d pixelCovariance;        ///< m², from the pixel alone: independent from frame to frame
-    Eigen::Matrix2d calibrationCovariance;  ///< m², from the camera's pose: common to all frames
-    Eigen::Vector2d displacementPerMetreHeight; ///< d(pointInWorld)/d(height): how an error of the height shifts it
+    Eigen::Matrix2d pixelCovariance;       ///< m², from the pixel alone: independent from frame to frame
+    Eigen::Matrix2d calibrationCovariance; ///< m², from the camera's pose: common to all frames
+    Eigen::Vector2d
+        displacementPerMetreHeight; ///< d(pointInWorld)/d(height): how an error of the height shifts it
 };
 
 /// One camera registered to the floor: its lens, its place, and the covariance of its place.
-/// World: X along O→U, Y towards V, Z up, right-handed, floor at z = 0. Immutable, safe to share between threads.
+/// World: X along O→U, Y towards V, Z up, right-handed, floor at z = 0. Immutable, safe to share between
+/// threads.
 class FloorView
 {
 public:
-    /// poseCovariance: 6×6 of (rotation vector of a left-applied perturbation of the camera's axes, in radians, in the
-    /// world frame; then camera position, in metres, in the world frame); zero where unknown.
+    /// poseCovariance: 6×6 of (rotation vector of a left-applied perturbation of the camera's axes, in
+    /// radians, in the world frame; then camera position, in metres, in the world frame); zero where unknown.
     FloorView(CameraModel camera, RigidTransform worldFromCamera, Eigen::Matrix<double, 6, 6> poseCovariance);
 
     const CameraModel &camera() const { return m_camera; }
@@ -33,14 +35,16 @@ public:
     const Eigen::Matrix<double, 6, 6> &poseCovariance() const { return m_poseCovariance; }
     Eigen::Vector3d cameraInWorld() const { return m_worldFromCamera.translation; }
 
-    /// Where the ray of a pixel meets the plane z = heightM; nullopt at or beyond the horizon, or within 1° of it.
+    /// Where the ray of a pixel meets the plane z = heightM; nullopt at or beyond the horizon, or within 1°
+    /// of it.
     std::optional<Eigen::Vector2d> floorFromPixel(const Eigen::Vector2d &pixel, double heightM) const;
 
     /// As floorFromPixel, with covariances propagated to first order.
     std::optional<FloorPosition> locate(const Eigen::Vector2d &pixel, const Eigen::Matrix2d &pixelCovariance,
                                         double heightM) const;
 
-    /// Pixel of a world point; nullopt behind the camera or where the lens model folds. May lie outside the picture.
+    /// Pixel of a world point; nullopt behind the camera or where the lens model folds. May lie outside the
+    /// picture.
     std::optional<Eigen::Vector2d> pixelFromWorld(const Eigen::Vector3d &pointInWorld) const;
 
 private:

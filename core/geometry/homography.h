@@ -19,16 +19,18 @@ struct PointPair
     std::string label; ///< for messages; may be empty
 };
 
-/// A projective map between two planes; 3×3, scaled so that its Frobenius norm is 1 and the points it was estimated
-/// from have a positive third coordinate (so the sign tells on which side of the horizon a point lies).
+/// A projective map between two planes; 3×3, scaled so that its Frobenius norm is 1 and the points it was
+/// estimated from have a positive third coordinate (so the sign tells on which side of the horizon a point
+/// lies).
 class Homography
 {
 public:
     explicit Homography(const Eigen::Matrix3d &targetFromSource);
 
-    /// Normalised DLT (Hartley and Zisserman 2004, algorithm 4.2) followed by Levenberg–Marquardt on the distance in
-    /// the target plane. Needs four points, no three of any minimal four collinear. Refuses, naming the labels at fault:
-    /// fewer than four points, doubled points, collinear layouts, and correspondences that fold the plane (bow tie).
+    /// Normalised DLT (Hartley and Zisserman 2004, algorithm 4.2) followed by Levenberg–Marquardt on the
+    /// distance in the target plane. Needs four points, no three of any minimal four collinear. Refuses,
+    /// naming the labels at fault: fewer than four points, doubled points, collinear layouts, and
+    /// correspondences that fold the plane (bow tie).
     static Result<Homography> estimate(std::span<const PointPair> pairs);
 
     const Eigen::Matrix3d &matrix() const { return m_matrix; }

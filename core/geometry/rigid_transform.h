@@ -5,8 +5,8 @@
 
 namespace odo {
 
-/// A rotation followed by a translation, named targetFromSource: pointInTarget = targetFromSource * pointInSource.
-/// Metres. A plain value.
+/// A rotation followed by a translation, named targetFromSource: pointInTarget = targetFromSource *
+/// pointInSource. Metres. A plain value.
 struct RigidTransform
 {
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();

@@ -46,6 +46,7 @@ private Q_SLOTS:
         // With a decimal comma in force std::stod would read 1.
         std::setlocale(LC_ALL, "de_DE.UTF-8");
         QCOMPARE(parseNumber("1.5").value(), 1.5);
+        QCOMPARE(formatNumber(-1234.567, 2), std::string("-1234.57"));
         std::setlocale(LC_ALL, "C");
     }
     void coloursRoundTrip()

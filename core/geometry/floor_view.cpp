@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/floor_view.h"
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double sineOfGrazing = 0.017452406437283512; // 1°: nearer to the horizon a pixel covers metres
+
+Eigen::Matrix3d crossMatrix(const Vector3d &v)
+{
+    Eigen::Matrix3d matrix;
+    matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+    return matrix;
+}
+
+} // namespace
+
+FloorView::FloorView(CameraModel camera, RigidTransform worldFromCamera,
+                     Eigen::Matrix<double, 6, 6> poseCovariance)
+    : m_camera(std::move(camera)), m_worldFromCamera(worldFromCamera),
+      m_cameraFromWorld(worldFromCamera.inverse()), m_poseCovariance(std::move(poseCovariance))
+{
+}
+
+std::optional<Vector2d> FloorView::floorFromPixel(const Vector2d &pixel, double heightM) const
+{
+    const auto direction = m_camera.unproject(pixel);
+    if (!direction)
+        return std::nullopt;
+    const Vector3d ray = m_worldFromCamera.rotation * direction->normalized();
+    const double climb = heightM - m_worldFromCamera.translation.z();
+    // The plane must lie ahead on the ray: below a camera above it, above one that is lower.
+    if (!(std::abs(ray.z()) > sineOfGrazing) || !(climb * ray.z() > 0))
+        return std::nullopt;
+    return Vector2d(m_worldFromCamera.translation.head<2>() + ray.head<2>() * (climb / ray.z()));
+}
+
+std::optional<FloorPosition> FloorView::locate(const Vector2d &pixel, const Eigen::Matrix2d &pixelCovariance,
+                                               double heightM) const
+{
+    const auto floor = floorFromPixel(pixel, heightM);
+    if (!floor)
+        return std::nullopt;
+    const Vector3d point(floor->x(), floor->y(), heightM);
+    const Vector3d fromCamera = point - m_worldFromCamera.translation;
+    Eigen::Matrix<double, 2, 3> pixelByPoint;
+    if (!m_camera.project(m_cameraFromWorld * point, pixelByPoint))
+        return std::nullopt;
+    // The pixel is a function of point, rotation and camera position; it stays where it is, so by the
+    // implicit function theorem each derivative of the point is the negative quotient of the pixel's
+    // derivatives.
+    const Eigen::Matrix<double, 2, 3> pixelByWorld =
+        pixelByPoint * m_cameraFromWorld.rotation.toRotationMatrix();
+    const Eigen::Matrix2d pointByPixel = pixelByWorld.leftCols<2>().inverse();
+    if (!pointByPixel.allFinite())
+        return std::nullopt;
+    Eigen::Matrix<double, 2, 6> pixelByPose;
+    pixelByPose << pixelByWorld * crossMatrix(fromCamera), -pixelByWorld;
+    const Eigen::Matrix<double, 2, 6> pointByPose = -pointByPixel * pixelByPose;
+    return FloorPosition{*floor, pointByPixel * pixelCovariance * pointByPixel.transpose(),
+                         pointByPose * m_poseCovariance * pointByPose.transpose(),
+                         -pointByPixel * pixelByWorld.col(2)};
+}
+
+std::optional<Vector2d> FloorView::pixelFromWorld(const Vector3d &pointInWorld) const
+{
+    return m_camera.project(m_cameraFromWorld * pointInWorld);
+}
+
+} // namespace odo

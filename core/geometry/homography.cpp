@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/homography.h"
+
+#include "core/geometry/least_squares.h"
+#include "core/geometry/point_layout.h"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <cmath>
+#include <numbers>
+
+namespace odo {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr const char *what = "no homography";
+
+std::string nameOf(std::span<const PointPair> pairs, int index)
+{
+    const std::string &label = pairs[static_cast<std::size_t>(index)].label;
+    return label.empty() ? "point " + std::to_string(index + 1) : label;
+}
+
+std::string namesOf(std::span<const PointPair> pairs, std::span<const int> indices)
+{
+    std::string text;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        if (i > 0)
+            text += i + 1 == indices.size() ? " and " : ", ";
+        text += nameOf(pairs, indices[i]);
+    }
+    return text;
+}
+
+/// Moves the points' centroid to the origin and their mean distance to √2 (Hartley 1997).
+Matrix3d normalisation(const std::vector<Vector2d> &points)
+{
+    const auto count = static_cast<double>(points.size());
+    Vector2d centroid = Vector2d::Zero();
+    for (const Vector2d &point : points)
+        centroid += point / count;
+    double distance = 0;
+    for (const Vector2d &point : points)
+        distance += (point - centroid).norm() / count;
+    const double scale = std::numbers::sqrt2 / distance;
+    Matrix3d matrix;
+    matrix << scale, 0, -scale * centroid.x(), 0, scale, -scale * centroid.y(), 0, 0, 1;
+    return matrix;
+}
+
+Matrix3d directLinearTransform(const std::vector<Vector2d> &sources, const std::vector<Vector2d> &targets)
+{
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(2 * sources.size()), 9);
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const Eigen::RowVector3d source = sources[i].homogeneous().transpose();
+        const auto row = static_cast<Eigen::Index>(2 * i);
+        rows.block<1, 3>(row, 0) = source;
+        rows.block<1, 3>(row, 6) = -targets[i].x() * source;
+        rows.block<1, 3>(row + 1, 3) = source;
+        rows.block<1, 3>(row + 1, 6) = -targets[i].y() * source;
+    }
+    const Eigen::Matrix<double, 9, 9> normal = rows.transpose() * rows;
+    // The normal matrix would square the condition; with as few rows as this the SVD itself is cheap.
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows.rows() > 200 ? Eigen::MatrixXd(normal) : rows,
+                                                Eigen::ComputeFullV);
+    const Eigen::Matrix<double, 9, 1> h = svd.matrixV().col(8);
+    Matrix3d matrix;
+    matrix << h.segment<3>(0).transpose(), h.segment<3>(3).transpose(), h.segment<3>(6).transpose();
+    return matrix;
+}
+
+Matrix3d refine(const Matrix3d &start, const std::vector<Vector2d> &sources,
+                const std::vector<Vector2d> &targets)
+{
+    LeastSquaresProblem<Matrix3d> problem;
+    problem.evaluate = [&](const Matrix3d &h, Eigen::VectorXd &residuals, Eigen::MatrixXd *byStep) {
+        residuals.resize(static_cast<Eigen::Index>(2 * sources.size()));
+        if (byStep)
+            byStep->setZero(residuals.size(), 9);
+        for (std::size_t i = 0; i < sources.size(); ++i) {
+            const auto row = static_cast<Eigen::Index>(2 * i);
+            const Vector3d source = sources[i].homogeneous();
+            const Vector3d mapped = h * source;
+            if (!(mapped.z() > 0))
+                return false;
+            const Vector2d target = mapped.hnormalized();
+            residuals.segment<2>(row) = target - targets[i];
+            if (!byStep)
+                continue;
+            byStep->block<1, 3>(row, 0) = source.transpose() / mapped.z();
+            byStep->block<1, 3>(row + 1, 3) = source.transpose() / mapped.z();
+            byStep->block<2, 3>(row, 6) = -target * source.transpose() / mapped.z();
+        }
+        return true;
+    };
+    problem.move = [](const Matrix3d &h, const Eigen::VectorXd &step) {
+        Matrix3d moved = h;
+        for (int row = 0; row < 3; ++row)
+            moved.row(row) += step.segment<3>(3 * row).transpose();
+        return Matrix3d(moved / moved.norm());
+    };
+    return minimise(problem, start);
+}
+
+Result<void> checkPoints(std::span<const PointPair> pairs, const std::vector<Vector2d> &sources,
+                         const std::vector<Vector2d> &targets)
+{
+    if (pairs.size() < 4)
+        return fail(ErrorCode::Undetermined, what,
+                    "four points are needed, " + std::to_string(pairs.size()) + " given", "add points");
+    for (int i = 0; i < static_cast<int>(pairs.size()); ++i) {
+        if (!pairs[static_cast<std::size_t>(i)].source.allFinite() ||
+            !pairs[static_cast<std::size_t>(i)].target.allFinite())
+            return fail(ErrorCode::InvalidInput, what,
+                        "a coordinate of " + nameOf(pairs, i) + " is not a finite number", "correct it");
+    }
+    for (const auto *points : {&sources, &targets}) {
+        if (const auto twice = coincidentPoints(*points))
+            return fail(ErrorCode::Undetermined, what,
+                        namesOf(pairs, *twice) + " lie at one place" +
+                            (points == &sources ? "" : " in the picture"),
+                        "correct one of them");
+    }
+    for (const auto *points : {&sources, &targets}) {
+        const double least = points == &sources ? 0.01 : 0.003;
+        const Spread spread = widestQuadrilateral(*points);
+        if (spread.flatness < least)
+            return fail(ErrorCode::Undetermined, what,
+                        namesOf(pairs, spread.flattest) + " lie on one line" +
+                            (points == &sources ? "" : " in the picture"),
+                        "use four points of which no three are in line");
+    }
+    return {};
+}
+
+} // namespace
+
+Homography::Homography(const Matrix3d &targetFromSource)
+    : m_matrix(targetFromSource / targetFromSource.norm())
+{
+}
+
+Result<Homography> Homography::estimate(std::span<const PointPair> pairs)
+{
+    std::vector<Vector2d> sources, targets;
+    for (const PointPair &pair : pairs) {
+        sources.push_back(pair.source);
+        targets.push_back(pair.target);
+    }
+    if (auto sound = checkPoints(pairs, sources, targets); !sound)
+        return tl::unexpected(sound.error());
+    const Matrix3d sourceScale = normalisation(sources), targetScale = normalisation(targets);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        sources[i] = (sourceScale * sources[i].homogeneous()).hnormalized();
+        targets[i] = (targetScale * targets[i].homogeneous()).hnormalized();
+    }
+    Matrix3d matrix = directLinearTransform(sources, targets);
+    // All points must lie on one side of the horizon; the third coordinate says on which side each lies.
+    std::vector<int> before, beyond;
+    for (int i = 0; i < static_cast<int>(sources.size()); ++i)
+        (matrix.row(2).dot(sources[static_cast<std::size_t>(i)].homogeneous()) > 0 ? before : beyond)
+            .push_back(i);
+    if (!before.empty() && !beyond.empty())
+        return fail(ErrorCode::Undetermined, what,
+                    namesOf(pairs, before.size() < beyond.size() ? before : beyond) +
+                        " would lie beyond the horizon: the order of the points crosses over like a bow tie",
+                    "check which point is which");
+    if (before.empty())
+        matrix = -matrix;
+    matrix = targetScale.inverse() * refine(matrix, sources, targets) * sourceScale;
+    if (!matrix.allFinite() || !(std::abs((matrix / matrix.norm()).determinant()) > 0))
+        return fail(ErrorCode::Undetermined, what, "the points do not determine it", "spread the points");
+    return Homography(matrix);
+}
+
+std::optional<Vector2d> Homography::map(const Vector2d &source) const
+{
+    const Vector3d mapped = m_matrix * source.homogeneous();
+    // Relative to the parts it is summed from: beneath that the sign is rounding noise.
+    const double scale = m_matrix.row(2).cwiseAbs() * source.homogeneous().cwiseAbs();
+    if (!(mapped.z() > 1e-12 * scale))
+        return std::nullopt;
+    return Vector2d(mapped.hnormalized());
+}
+
+Homography Homography::inverse() const
+{
+    return Homography(m_matrix.inverse());
+}
+
+Homography Homography::operator*(const Homography &middleFromSource) const
+{
+    return Homography(m_matrix * middleFromSource.m_matrix);
+}
+
+} // namespace odo
