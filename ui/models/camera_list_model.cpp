@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/camera_list_model.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "ui/models/figure_text.h"
+
+namespace odo {
+
+Result<std::vector<CameraRow>> loadCameraRows(Project &project)
+{
+    auto cameras = project.cameras().all();
+    if (!cameras)
+        return tl::make_unexpected(cameras.error());
+    std::vector<CameraRow> rows;
+    rows.reserve(cameras->size());
+    for (const CameraRecord &camera : *cameras) {
+        auto intrinsics = project.cameras().currentIntrinsics(camera.id);
+        if (!intrinsics)
+            return tl::make_unexpected(intrinsics.error());
+        auto registration = project.cameras().currentRegistration(camera.id);
+        if (!registration)
+            return tl::make_unexpected(registration.error());
+        rows.push_back({camera, std::move(*intrinsics), std::move(*registration)});
+    }
+    return rows;
+}
+
+CameraListModel::CameraListModel(QObject *parent) : QAbstractTableModel(parent) {}
+
+void CameraListModel::setRows(std::vector<CameraRow> rows)
+{
+    beginResetModel();
+    m_rows = std::move(rows);
+    endResetModel();
+}
+
+int CameraListModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int CameraListModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QString CameraListModel::display(const CameraRow &row, int column) const
+{
+    switch (column) {
+    case NameColumn:
+        return QString::fromStdString(row.camera.name);
+    case CalibrationColumn:
+        if (!row.intrinsics)
+            return tr("not calibrated");
+        if (row.intrinsics->calibration.rmsPx > 0)
+            return tr("calibrated, \u00b1%1 px")
+                .arg(QLocale().toString(row.intrinsics->calibration.rmsPx, 'f', 2));
+        return QString::fromStdString(row.intrinsics->origin);
+    case RegistrationColumn:
+        if (!row.registration)
+            return tr("not registered");
+        return tr("registered, \u00b1%1").arg(millimetresText(row.registration->registration.rmsM));
+    case VerdictColumn:
+        if (row.registration)
+            return QString::fromStdString(row.registration->registration.verdict);
+        if (row.intrinsics)
+            return QString::fromStdString(row.intrinsics->calibration.verdict);
+        return tr("Calibrate the lens, then register the camera to the floor.");
+    default:
+        return {};
+    }
+}
+
+QVariant CameraListModel::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const CameraRow &row = m_rows[static_cast<std::size_t>(index.row())];
+    const auto badge = [&row] {
+        return registrationBadge(row.registration ? std::optional(row.registration->registration)
+                                                  : std::nullopt);
+    };
+    switch (role) {
+    case Qt::DisplayRole:
+        return display(row, index.column());
+    case Qt::ToolTipRole:
+        return display(row, VerdictColumn).toHtmlEscaped();
+    case BadgeTextRole:
+        return badge().text;
+    case BadgeStateRole:
+        return static_cast<int>(badge().state);
+    case NameRole:
+        return QString::fromStdString(row.camera.name);
+    default:
+        return {};
+    }
+}
+
+QVariant CameraListModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case NameColumn:
+        return tr("Camera");
+    case CalibrationColumn:
+        return tr("Lens");
+    case RegistrationColumn:
+        return tr("Floor");
+    case VerdictColumn:
+        return tr("Verdict");
+    default:
+        return {};
+    }
+}
+
+} // namespace odo

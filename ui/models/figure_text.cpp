@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/figure_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <array>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr int mostDecimals = 6;
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("odo::FigureText", text);
+}
+
+/// The place of the first significant digit: 0 for 1 to 9.99, -1 for 0.1 to 0.999.
+int leadingPlace(double magnitude)
+{
+    return static_cast<int>(std::floor(std::log10(magnitude)));
+}
+
+/// Digits after the point (negative: before it) that a σ allows.
+int decimalsForSigma(double sigma)
+{
+    const int place = leadingPlace(sigma);
+    const bool leadsWithOne = sigma / std::pow(10.0, place) < 1.95; // 1.96 is written as 2
+    return -place + (leadsWithOne ? 1 : 0);
+}
+
+QString rounded(double value, int decimals, const QLocale &locale)
+{
+    const double unit = std::pow(10.0, -decimals);
+    double result = decimals < 0 ? std::round(value / unit) * unit : value;
+    if (std::abs(result) < unit / 2)
+        result = 0; // no "-0.00"
+    QLocale plain = locale;
+    plain.setNumberOptions(QLocale::OmitGroupSeparator);
+    return plain.toString(result, 'f', std::clamp(decimals, 0, mostDecimals));
+}
+
+} // namespace
+
+QString FigureText::text() const
+{
+    QString all = value;
+    if (!sigma.isEmpty())
+        all += QStringLiteral(" \u00b1") + sigma;
+    if (!unit.isEmpty())
+        all += QChar(u'\u00a0') + unit;
+    return all;
+}
+
+QString FigureText::smallPrint() const
+{
+    if (sigma.isEmpty())
+        return unit;
+    const QString plusMinus = QStringLiteral("\u00b1") + sigma;
+    return unit.isEmpty() ? plusMinus : unit + u' ' + plusMinus;
+}
+
+FigureText figureText(double value, std::optional<double> sigma, const QString &unit, const QLocale &locale)
+{
+    if (!std::isfinite(value))
+        return {QStringLiteral("\u2013"), {}, unit};
+    const bool sigmaKnown = sigma && std::isfinite(*sigma) && *sigma >= std::pow(10.0, -mostDecimals);
+    if (sigmaKnown) {
+        const int decimals = decimalsForSigma(*sigma);
+        return {rounded(value, decimals, locale), rounded(*sigma, decimals, locale), unit};
+    }
+    const double magnitude = std::abs(value);
+    const int decimals =
+        magnitude < std::pow(10.0, -mostDecimals) ? 0 : std::max(0, 2 - leadingPlace(magnitude));
+    return {rounded(value, decimals, locale), {}, unit};
+}
+
+FigureText metricFigure(const Metric &metric, const QLocale &locale)
+{
+    const QString unit = metric.unit == "1" ? QString() : QString::fromStdString(metric.unit);
+    return figureText(metric.value, metric.sigma, unit, locale);
+}
+
+QString metricName(const std::string &name)
+{
+    struct Word
+    {
+        const char *name, *words;
+    };
+    static constexpr std::array<Word, 12> words = {{
+        {"duration", QT_TRANSLATE_NOOP("odo::FigureText", "Time")},
+        {"path_length", QT_TRANSLATE_NOOP("odo::FigureText", "Path")},
+        {"max_speed", QT_TRANSLATE_NOOP("odo::FigureText", "Top speed")},
+        {"mean_speed", QT_TRANSLATE_NOOP("odo::FigureText", "Mean speed")},
+        {"max_acceleration", QT_TRANSLATE_NOOP("odo::FigureText", "Top acceleration")},
+        {"max_accel", QT_TRANSLATE_NOOP("odo::FigureText", "Top acceleration")},
+        {"mean_acceleration", QT_TRANSLATE_NOOP("odo::FigureText", "Mean acceleration")},
+        {"cross_track", QT_TRANSLATE_NOOP("odo::FigureText", "Off the line")},
+        {"displacement", QT_TRANSLATE_NOOP("odo::FigureText", "Displacement")},
+        {"moving_time", QT_TRANSLATE_NOOP("odo::FigureText", "Time in motion")},
+        {"mean_view_disagreement", QT_TRANSLATE_NOOP("odo::FigureText", "Views disagree by")},
+        {"height", QT_TRANSLATE_NOOP("odo::FigureText", "Robot's height")},
+    }};
+    for (const Word &word : words) {
+        if (name == word.name)
+            return tr(word.words);
+    }
+    QString readable = QString::fromStdString(name).replace(u'_', u' ');
+    if (!readable.isEmpty())
+        readable[0] = readable[0].toUpper();
+    return readable;
+}
+
+QString timeCode(Nanoseconds time)
+{
+    using namespace std::chrono;
+    const auto total = round<milliseconds>(abs(time)).count();
+    const auto ms = total % 1000, s = total / 1000 % 60, min = total / 60'000 % 60, h = total / 3'600'000;
+    const QString sign = time < Nanoseconds(0) && total > 0 ? QStringLiteral("-") : QString();
+    const QString rest = QStringLiteral("%1:%2.%3")
+                             .arg(min, 2, 10, QChar(u'0'))
+                             .arg(s, 2, 10, QChar(u'0'))
+                             .arg(ms, 3, 10, QChar(u'0'));
+    return h == 0 ? sign + rest : sign + QString::number(h) + u':' + rest;
+}
+
+QString secondsText(Nanoseconds time, const QLocale &locale)
+{
+    return rounded(toSeconds(time), 2, locale) + QStringLiteral("\u00a0s");
+}
+
+QString millimetresText(double metres, const QLocale &locale)
+{
+    const double millimetres = toMillimetres(metres);
+    if (!std::isfinite(millimetres))
+        return QStringLiteral("\u2013");
+    return rounded(millimetres, std::abs(millimetres) < 100 ? 1 : 0, locale) + QStringLiteral("\u00a0mm");
+}
+
+} // namespace odo

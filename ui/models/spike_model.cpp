@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/spike_model.h"
+
+#include "ui/models/figure_text.h"
+
+#include <QStringList>
+
+namespace odo {
+
+SpikeModel::SpikeModel(QObject *parent) : QAbstractTableModel(parent) {}
+
+void SpikeModel::setScene(TrialScenePtr scene)
+{
+    beginResetModel();
+    m_scene = std::move(scene);
+    m_rows.clear();
+    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
+        const auto &analysis = m_scene->robots[robot].analysis;
+        if (!analysis)
+            continue;
+        for (const Spike &spike : analysis->profile.spikes) {
+            // A person's mark on a sample that no longer counts as rejected means that it was restored.
+            const bool restored = hasFlag(spike.flags, SampleFlag::ByHand) && !isRejected(spike.flags);
+            m_rows.push_back({static_cast<int>(robot), spike, restored});
+        }
+    }
+    std::stable_sort(m_rows.begin(), m_rows.end(),
+                     [](const Row &a, const Row &b) { return a.spike.time < b.spike.time; });
+    endResetModel();
+}
+
+QString SpikeModel::summary() const
+{
+    const auto restored =
+        std::count_if(m_rows.begin(), m_rows.end(), [](const Row &row) { return row.restored; });
+    const auto flagged = static_cast<qsizetype>(m_rows.size()) - restored;
+    QString text = flagged == 0 ? tr("none") : tr("%1 flagged").arg(flagged);
+    if (restored > 0)
+        text += QStringLiteral(" \u00b7 ") + tr("%1 restored").arg(restored);
+    return text;
+}
+
+int SpikeModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int SpikeModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant SpikeModel::display(const Row &row, int column) const
+{
+    switch (column) {
+    case TimeColumn:
+        return secondsText(row.spike.time);
+    case ReasonColumn: {
+        const QString reason = QString::fromStdString(row.spike.reason);
+        return row.restored ? tr("%1 (restored by hand)").arg(reason) : reason;
+    }
+    case StateColumn:
+        return row.restored ? QStringLiteral("\u21ba") : QStringLiteral("\u2691");
+    default:
+        return {};
+    }
+}
+
+QVariant SpikeModel::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const Row &row = m_rows[static_cast<std::size_t>(index.row())];
+    switch (role) {
+    case Qt::DisplayRole:
+        return display(row, index.column());
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole:
+        if (index.column() == StateColumn)
+            return row.restored ? tr("Restored by hand") : tr("Flagged, not used for the curve");
+        if (index.column() == ReasonColumn && m_scene->robots.size() > 1)
+            return QStringLiteral("%1: %2").arg(
+                QString::fromStdString(m_scene->robots[static_cast<std::size_t>(row.robot)].robot.name),
+                display(row, ReasonColumn).toString());
+        return display(row, index.column());
+    case Qt::TextAlignmentRole:
+        return QVariant::fromValue(Qt::Alignment(
+            Qt::AlignVCenter | (index.column() == StateColumn ? Qt::AlignHCenter : Qt::AlignLeft)));
+    case TimeRole:
+        return QVariant::fromValue<qint64>(row.spike.time.count());
+    case SampleIndexRole:
+        return QVariant::fromValue<qint64>(row.spike.sampleIndex);
+    case RobotRole:
+        return row.robot;
+    case FlagsRole:
+        return row.spike.flags;
+    case RestoredRole:
+        return row.restored;
+    case SortRole:
+        if (index.column() == TimeColumn)
+            return QVariant::fromValue<qint64>(row.spike.time.count());
+        return display(row, index.column());
+    default:
+        return {};
+    }
+}
+
+QVariant SpikeModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::TextAlignmentRole)
+        return QVariant::fromValue(Qt::Alignment(Qt::AlignLeft | Qt::AlignVCenter));
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case TimeColumn:
+        return tr("Time");
+    case ReasonColumn:
+        return tr("Reason");
+    default:
+        return {};
+    }
+}
+
+} // namespace odo

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/trial_scene.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+/// The value of a Result, or out of this function with its error.
+template <class T>
+tl::unexpected<Error> passOn(const Result<T> &result)
+{
+    return tl::make_unexpected(result.error());
+}
+
+/// The registration that a view's positions were made with, or else the one in force.
+Result<std::optional<RegistrationRecord>> registrationOf(Project &project, std::size_t view, RecordId camera,
+                                                         const std::vector<AnalysisRecord> &analyses)
+{
+    for (const AnalysisRecord &analysis : analyses) {
+        if (view >= analysis.registrations.size() || analysis.registrations[view] == 0)
+            continue;
+        auto used = project.cameras().registration(analysis.registrations[view]);
+        if (!used)
+            return passOn(used);
+        return std::optional(std::move(*used));
+    }
+    return project.cameras().currentRegistration(camera);
+}
+
+Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &registration)
+{
+    Intrinsics intrinsics = registration.assumedIntrinsics;
+    if (registration.intrinsics != 0) {
+        auto stored = project.cameras().intrinsics(registration.intrinsics);
+        if (!stored)
+            return passOn(stored);
+        intrinsics = std::move(stored->calibration.intrinsics);
+    }
+    auto camera = CameraModel::create(std::move(intrinsics));
+    if (!camera)
+        return passOn(camera);
+    return FloorView(*camera, registration.registration.worldFromCamera,
+                     registration.registration.poseCovariance);
+}
+
+Result<void> loadViews(Project &project, const std::vector<AnalysisRecord> &analyses, TrialScene &scene)
+{
+    auto recordings = project.trials().recordings(scene.trial.id);
+    if (!recordings)
+        return passOn(recordings);
+    for (RecordingRecord &recording : *recordings) {
+        SceneView view;
+        view.camera = recording.cameraName;
+        view.file = project.resolve(recording);
+        view.startOffset = fromSeconds(recording.startOffsetS);
+        auto registration = registrationOf(project, scene.views.size(), recording.camera, analyses);
+        if (!registration)
+            return passOn(registration);
+        if (*registration) {
+            auto floorView = floorViewOf(project, **registration);
+            if (!floorView)
+                return passOn(floorView);
+            view.floorView = std::move(*floorView);
+            view.registration = (*registration)->registration;
+            if (!scene.layout) {
+                auto layout = project.layouts().get((*registration)->layout);
+                if (!layout)
+                    return passOn(layout);
+                scene.layout = std::move(layout->layout);
+            }
+        }
+        view.recording = std::move(recording);
+        scene.views.push_back(std::move(view));
+    }
+    return {};
+}
+
+Result<SceneRobot> loadRobot(Project &project, const TrialScene &scene, RecordId id,
+                             const std::vector<AnalysisRecord> &analyses)
+{
+    auto robot = project.robots().get(id);
+    if (!robot)
+        return passOn(robot);
+    SceneRobot result;
+    result.robot = std::move(*robot);
+    const auto analysis = std::find_if(analyses.begin(), analyses.end(),
+                                       [id](const AnalysisRecord &each) { return each.robot == id; });
+    if (analysis != analyses.end())
+        result.analysis = *analysis;
+    for (const SceneView &view : scene.views) {
+        auto series = project.trials().currentObservations(view.recording.id, id);
+        if (!series)
+            return passOn(series);
+        result.observations.push_back(*series ? std::move((*series)->observations)
+                                              : std::vector<Observation>());
+    }
+    return result;
+}
+
+/// The robots that the trial names, and those that an analysis knows besides.
+std::vector<RecordId> robotsOf(const TrialRecord &trial, const std::vector<AnalysisRecord> &analyses)
+{
+    std::vector<RecordId> robots = trial.robots;
+    for (const AnalysisRecord &analysis : analyses) {
+        if (std::find(robots.begin(), robots.end(), analysis.robot) == robots.end())
+            robots.push_back(analysis.robot);
+    }
+    return robots;
+}
+
+} // namespace
+
+const std::vector<Nanoseconds> &TrialScene::frameTimes() const
+{
+    static const std::vector<Nanoseconds> none;
+    return views.empty() ? none : views.front().recording.frameTimes;
+}
+
+std::optional<std::int64_t> TrialScene::frameAt(std::size_t view, Nanoseconds time) const
+{
+    const SceneView &seen = views.at(view);
+    const std::vector<Nanoseconds> &times = seen.recording.frameTimes;
+    if (times.empty())
+        return std::nullopt;
+    const Nanoseconds own = time - seen.startOffset;
+    const Nanoseconds halfInterval =
+        times.size() < 2 ? Nanoseconds(0)
+                         : (times.back() - times.front()) / static_cast<std::int64_t>(2 * (times.size() - 1));
+    if (own < times.front() - halfInterval || own > times.back() + halfInterval)
+        return std::nullopt;
+    const auto after = std::lower_bound(times.begin(), times.end(), own);
+    if (after == times.begin())
+        return 0;
+    if (after == times.end() || own - *(after - 1) <= *after - own)
+        return (after - times.begin()) - 1;
+    return after - times.begin();
+}
+
+const Observation *TrialScene::observationAt(std::size_t view, std::size_t robot, std::int64_t frame) const
+{
+    const auto &all = robots.at(robot).observations;
+    if (view >= all.size())
+        return nullptr;
+    const auto &list = all[view];
+    const auto at =
+        std::lower_bound(list.begin(), list.end(), frame,
+                         [](const Observation &each, std::int64_t wanted) { return each.frame < wanted; });
+    return at != list.end() && at->frame == frame && at->found ? &*at : nullptr;
+}
+
+double TrialScene::heightM(std::size_t robot) const
+{
+    const auto &analysis = robots.at(robot).analysis;
+    return analysis ? analysis->profile.heightM : 0.0;
+}
+
+Eigen::AlignedBox2d TrialScene::floorBounds() const
+{
+    Eigen::AlignedBox2d box;
+    if (layout) {
+        for (const Marker &marker : layout->markers)
+            box.extend(marker.pointInWorld);
+    }
+    for (const SceneRobot &robot : robots) {
+        if (!robot.analysis)
+            continue;
+        for (const ProfilePoint &point : robot.analysis->profile.points) {
+            if (point.valid)
+                box.extend(point.position);
+        }
+    }
+    if (box.isEmpty() || box.sizes().maxCoeff() <= 0)
+        return {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)};
+    return box;
+}
+
+std::optional<Eigen::Vector2d> TrialScene::marker(const std::string &label) const
+{
+    if (!layout)
+        return std::nullopt;
+    for (const Marker &each : layout->markers) {
+        if (each.label == label)
+            return each.pointInWorld;
+    }
+    return std::nullopt;
+}
+
+Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialName)
+{
+    auto scene = std::make_shared<TrialScene>();
+    auto trial = project.trials().find(trialName);
+    if (!trial)
+        return passOn(trial);
+    scene->trial = std::move(*trial);
+    auto analyses = project.analyses().current(scene->trial.id);
+    if (!analyses)
+        return passOn(analyses);
+    if (auto loaded = loadViews(project, *analyses, *scene); !loaded)
+        return passOn(loaded);
+    for (const RecordId id : robotsOf(scene->trial, *analyses)) {
+        auto robot = loadRobot(project, *scene, id, *analyses);
+        if (!robot)
+            return passOn(robot);
+        scene->robots.push_back(std::move(*robot));
+    }
+    return TrialScenePtr(std::move(scene));
+}
+
+} // namespace odo
