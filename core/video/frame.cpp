@@ -18,13 +18,13 @@ double FrameFormat::chromaOffsetY() const
 }
 
 FrameBuffer::FrameBuffer(const FrameFormat &format)
-    : m_format(format),
-      m_chromaWidth((format.width + (1 << format.chromaShiftX) - 1) >> format.chromaShiftX),
+    : m_format(format), m_chromaWidth((format.width + (1 << format.chromaShiftX) - 1) >> format.chromaShiftX),
       m_chromaHeight((format.height + (1 << format.chromaShiftY) - 1) >> format.chromaShiftY),
       m_y(static_cast<std::size_t>(format.width) * format.height),
       m_u(static_cast<std::size_t>(m_chromaWidth) * m_chromaHeight),
       m_v(static_cast<std::size_t>(m_chromaWidth) * m_chromaHeight)
-{}
+{
+}
 
 Frame FrameBuffer::toFrame(std::shared_ptr<FrameBuffer> buffer, std::int64_t index, Nanoseconds time)
 {

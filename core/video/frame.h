@@ -10,8 +10,8 @@
 
 namespace odo {
 
-/// Where a chroma sample lies among the luma samples it covers (H.273 §8.7). Left: MPEG-2 and H.264's default;
-/// Center: MPEG-1 and JPEG; TopLeft: HEVC and DV.
+/// Where a chroma sample lies among the luma samples it covers (H.273 §8.7). Left: MPEG-2 and H.264's
+/// default; Center: MPEG-1 and JPEG; TopLeft: HEVC and DV.
 enum class ChromaSiting { Unknown, Left, Center, TopLeft };
 
 /// How luma and chroma were made from RGB.
@@ -31,26 +31,26 @@ struct PlaneView
 /// What is common to all frames of a stream.
 struct FrameFormat
 {
-    int width = 0, height = 0;            ///< of luma
+    int width = 0, height = 0;              ///< of luma
     int chromaShiftX = 1, chromaShiftY = 1; ///< 4:2:0 is 1,1; 4:2:2 is 1,0; 4:4:4 is 0,0
     ChromaSiting siting = ChromaSiting::Unknown;
     YuvMatrix matrix = YuvMatrix::Bt601;
     bool fullRange = false; ///< false: luma 16–235, chroma 16–240
 
-    /// Luma pixel coordinates of the chroma sample (cx, cy): x = (cx << shift) + chromaOffsetX(). Unknown siting is
-    /// taken as Left where chroma is halved (the default of H.264 and MPEG-2).
+    /// Luma pixel coordinates of the chroma sample (cx, cy): x = (cx << shift) + chromaOffsetX(). Unknown
+    /// siting is taken as Left where chroma is halved (the default of H.264 and MPEG-2).
     double chromaOffsetX() const;
     double chromaOffsetY() const;
 };
 
-/// One picture as planes of 8 bits, exactly as the decoder or camera gave it. A value that is cheap to copy: copies
-/// share the immutable memory, which `owner` keeps alive. Safe to pass between threads.
+/// One picture as planes of 8 bits, exactly as the decoder or camera gave it. A value that is cheap to copy:
+/// copies share the immutable memory, which `owner` keeps alive. Safe to pass between threads.
 struct Frame
 {
     FrameFormat format;
     PlaneView y, u, v;
-    std::int64_t index = 0;    ///< 0-based place in its recording
-    Nanoseconds time{0};       ///< since the recording's first frame, from the file's time stamps (or the device's)
+    std::int64_t index = 0; ///< 0-based place in its recording
+    Nanoseconds time{0}; ///< since the recording's first frame, from the file's time stamps (or the device's)
     std::shared_ptr<const void> owner;
 };
 

@@ -8,12 +8,13 @@
 
 namespace odo {
 
-/// Reads one video from its first frame to its last on its own thread, a few frames ahead of the consumer, through a
-/// bounded queue. Destroying it stops the thread. pop() is called from one thread.
+/// Reads one video from its first frame to its last on its own thread, a few frames ahead of the consumer,
+/// through a bounded queue. Destroying it stops the thread. pop() is called from one thread.
 class FrameStream
 {
 public:
-    static Result<std::unique_ptr<FrameStream>> open(const std::filesystem::path &file, std::size_t ahead = 8);
+    static Result<std::unique_ptr<FrameStream>> open(const std::filesystem::path &file,
+                                                     std::size_t ahead = 8);
     ~FrameStream();
     FrameStream(const FrameStream &) = delete;
     FrameStream &operator=(const FrameStream &) = delete;

@@ -20,7 +20,8 @@ struct ScreenPicture
 /// Scales and converts a frame for the screen in one go (libyuv); 0.3 to 0.6 ms for a 960×540 view of 1080p.
 ScreenPicture toScreen(const Frame &frame, int width, int height);
 
-/// Reads a still picture (PNG, JPEG, ...) as a full-range 4:4:4 frame. Refuses more than 100 megapixels before decoding.
+/// Reads a still picture (PNG, JPEG, ...) as a full-range 4:4:4 frame. Refuses more than 100 megapixels
+/// before decoding.
 Result<Frame> readPicture(const std::filesystem::path &file);
 
 } // namespace odo

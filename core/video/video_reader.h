@@ -16,32 +16,34 @@ namespace odo {
 struct VideoInfo
 {
     FrameFormat format;
-    std::string codec;                    ///< libav's name, e.g. "h264"
-    std::vector<Nanoseconds> frameTimes;  ///< presentation times since the first frame, strictly increasing
-    double framesPerSecond = 0;           ///< 1 / median interval; 0 for a single frame
-    bool variableRate = false;            ///< intervals differ by more than 10 % of the median
-    Nanoseconds duration{0};              ///< last frame time − first frame time + median interval
-    std::string warning;                  ///< empty, or e.g. "ends early at 12.4 s: …" for a truncated file
+    std::string codec;                   ///< libav's name, e.g. "h264"
+    std::vector<Nanoseconds> frameTimes; ///< presentation times since the first frame, strictly increasing
+    double framesPerSecond = 0;          ///< 1 / median interval; 0 for a single frame
+    bool variableRate = false;           ///< intervals differ by more than 10 % of the median
+    Nanoseconds duration{0};             ///< last frame time − first frame time + median interval
+    std::string warning;                 ///< empty, or e.g. "ends early at 12.4 s: …" for a truncated file
 };
 
-/// Decodes one local video file to planes, exactly as coded, frame-accurately. Only ordinary container formats and the
-/// file protocol are allowed, so that a playlist dressed up as a video cannot open another file.
-/// Not thread-safe: one thread at a time uses a reader. See FrameStream for reading ahead on its own thread.
+/// Decodes one local video file to planes, exactly as coded, frame-accurately. Only ordinary container
+/// formats and the file protocol are allowed, so that a playlist dressed up as a video cannot open another
+/// file. Not thread-safe: one thread at a time uses a reader. See FrameStream for reading ahead on its own
+/// thread.
 class VideoReader
 {
 public:
-    /// Opens the file and indexes its packets (no decoding). Errors: missing file, not a video, unsupported pixel
-    /// format, no video stream.
+    /// Opens the file and indexes its packets (no decoding). Errors: missing file, not a video, unsupported
+    /// pixel format, no video stream.
     static Result<std::unique_ptr<VideoReader>> open(const std::filesystem::path &file);
     ~VideoReader();
     VideoReader(const VideoReader &) = delete;
     VideoReader &operator=(const VideoReader &) = delete;
 
     const VideoInfo &info() const;
-    /// The next frame in order of presentation; nullopt at the end. A damaged frame is an Error that can be skipped by
-    /// calling again.
+    /// The next frame in order of presentation; nullopt at the end. A damaged frame is an Error that can be
+    /// skipped by calling again.
     Result<std::optional<Frame>> next();
-    /// Makes next() give the frame of this index. Exact for every codec: seeks to a key frame before it and decodes on.
+    /// Makes next() give the frame of this index. Exact for every codec: seeks to a key frame before it and
+    /// decodes on.
     Result<void> seek(std::int64_t frameIndex);
     /// seek and next; reading in order costs no seek.
     Result<Frame> frameAt(std::int64_t frameIndex);

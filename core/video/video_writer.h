@@ -14,24 +14,29 @@ enum class VideoCodec { H264, Mjpeg, Ffv1 };
 struct VideoWriterOptions
 {
     VideoCodec codec = VideoCodec::H264;
-    double nominalFramesPerSecond = 30; ///< for rate control and players; the frames' own times are what is written
-    int bitRate = 8'000'000;            ///< H264 only, bits a second
-    int mjpegQuality = 3;               ///< libav's qscale, 2 (best) to 31
+    double nominalFramesPerSecond =
+        30;                  ///< for rate control and players; the frames' own times are what is written
+    int bitRate = 8'000'000; ///< H264 only, bits a second
+    int mjpegQuality = 3;    ///< libav's qscale, 2 (best) to 31
+    int maxBFrames = 0;      ///< H264 in MP4 only: frames that are coded out of order
 };
 
-/// Writes frames with their exact times (variable rate allowed, microsecond time base in Matroska) to a file that
-/// appears under its name only when finish() succeeded: it is written beside it as ".part" first.
-/// Not thread-safe.
+/// Writes frames with their exact times (variable rate allowed, microseconds, counted from the first frame)
+/// to a file that appears under its name only when finish() succeeded: it is written beside it as ".part"
+/// first, and takes the place of an older file of that name. The ending decides the container: .mkv or .mp4
+/// (not for FFV1). The same frames and options give the same bytes on every machine. Not thread-safe.
 class VideoWriter
 {
 public:
-    static Result<std::unique_ptr<VideoWriter>> create(const std::filesystem::path &file, const FrameFormat &format,
-                                                       const VideoWriterOptions &options);
+    /// Errors: unknown ending, a folder that cannot be written to, a format that the codec cannot take (H264
+    /// needs an even size).
+    static Result<std::unique_ptr<VideoWriter>>
+    create(const std::filesystem::path &file, const FrameFormat &format, const VideoWriterOptions &options);
     ~VideoWriter(); ///< without finish(): removes the partial file
     VideoWriter(const VideoWriter &) = delete;
     VideoWriter &operator=(const VideoWriter &) = delete;
 
-    /// Times must increase strictly. The frame's format must be the one given to create.
+    /// Times must increase by at least a microsecond. The frame's format must be the one given to create.
     Result<void> write(const Frame &frame);
     Result<void> finish();
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavcodec/bsf.h>
+#include <libavformat/avformat.h>
+#include <libavutil/opt.h>
+}
+
+#include <memory>
+#include <string>
+
+/// Owners for the things of libav. Private to core/video: no public header includes this one.
+namespace odo::libav {
+
+struct Delete
+{
+    void operator()(AVFrame *frame) const { av_frame_free(&frame); }
+    void operator()(AVPacket *packet) const { av_packet_free(&packet); }
+    void operator()(AVCodecContext *codec) const { avcodec_free_context(&codec); }
+    void operator()(AVBSFContext *filter) const { av_bsf_free(&filter); }
+    void operator()(AVCodecParameters *parameters) const { avcodec_parameters_free(&parameters); }
+};
+
+using FramePtr = std::unique_ptr<AVFrame, Delete>;
+using PacketPtr = std::unique_ptr<AVPacket, Delete>;
+using CodecPtr = std::unique_ptr<AVCodecContext, Delete>;
+using FilterPtr = std::unique_ptr<AVBSFContext, Delete>;
+using ParametersPtr = std::unique_ptr<AVCodecParameters, Delete>;
+
+/// An options dictionary that frees what libav left in it.
+class Options
+{
+public:
+    ~Options() { av_dict_free(&m_options); }
+    Options() = default;
+    Options(const Options &) = delete;
+    Options &operator=(const Options &) = delete;
+    void set(const char *name, const char *value) { av_dict_set(&m_options, name, value, 0); }
+    void set(const char *name, int value) { av_dict_set_int(&m_options, name, value, 0); }
+    AVDictionary **get() { return &m_options; }
+
+private:
+    AVDictionary *m_options = nullptr;
+};
+
+/// libav's words for one of its error numbers.
+std::string errorText(int error);
+
+/// Sends libav's own log to nowhere; what matters to the user comes as an Error. Done once, from any thread.
+void quieten();
+
+} // namespace odo::libav

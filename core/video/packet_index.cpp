@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/video/packet_index.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace odo {
+
+namespace {
+
+constexpr AVRational nanosecondBase{1, 1'000'000'000};
+constexpr std::int64_t longestVideoNs = 100LL * 24 * 3600 * 1'000'000'000LL;
+
+/// A VP8 packet may hold a picture that is only referred to and never shown (RFC 6386 §9.1: bit 4,
+/// show_frame).
+bool isNeverShown(const AVPacket &packet, AVCodecID codec)
+{
+    if ((packet.flags & AV_PKT_FLAG_DISCARD) != 0)
+        return true;
+    return codec == AV_CODEC_ID_VP8 && (packet.data[0] & 0x10) == 0;
+}
+
+std::string secondsText(Nanoseconds time)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, "%.2f s", toSeconds(time));
+    return text;
+}
+
+void addWarning(PacketIndex &index, const std::string &text)
+{
+    index.warning += (index.warning.empty() ? "" : "; ") + text;
+}
+
+struct Walk
+{
+    std::vector<std::int64_t> decodeTimes; ///< of shown packets
+    bool ptsMissing = false, dtsMissing = false;
+    bool corrupt = false;
+    int endError = AVERROR_EOF;
+};
+
+Walk walkPackets(VideoInput &input, PacketIndex &index)
+{
+    Walk walk;
+    const libav::PacketPtr packet(av_packet_alloc());
+    const AVCodecID codec = input.stream().codecpar->codec_id;
+    const bool reorders = input.stream().codecpar->video_delay > 0;
+    for (;;) {
+        walk.endError = input.read(*packet);
+        if (walk.endError < 0)
+            return walk;
+        if ((packet->flags & AV_PKT_FLAG_CORRUPT) != 0) {
+            walk.corrupt = true;
+            continue;
+        }
+        walk.ptsMissing |= packet->pts == AV_NOPTS_VALUE && (reorders || packet->dts == AV_NOPTS_VALUE);
+        walk.dtsMissing |= packet->dts == AV_NOPTS_VALUE;
+        const std::int64_t pts = timeStampOf(*packet);
+        index.packets.push_back({pts, packet->dts, (packet->flags & AV_PKT_FLAG_KEY) != 0});
+        if (!isNeverShown(*packet, codec)) {
+            index.frames.push_back({pts, index.packets.size() - 1});
+            walk.decodeTimes.push_back(packet->dts);
+        }
+    }
+}
+
+/// Order of presentation by time stamp; of frames with one and the same time stamp only the first is kept.
+void sortByPresentation(PacketIndex &index)
+{
+    auto &frames = index.frames;
+    std::stable_sort(frames.begin(), frames.end(),
+                     [](const auto &a, const auto &b) { return a.pts < b.pts; });
+    const auto end = std::unique(frames.begin(), frames.end(),
+                                 [](const auto &a, const auto &b) { return a.pts == b.pts; });
+    if (const auto doubled = frames.end() - end; doubled > 0)
+        addWarning(index,
+                   std::to_string(doubled) + " frames left out: their time stamps repeat the frame before");
+    frames.erase(end, frames.end());
+}
+
+std::vector<std::int64_t> evenTimes(std::size_t count)
+{
+    std::vector<std::int64_t> times(count);
+    for (std::size_t i = 0; i < count; ++i)
+        times[i] = static_cast<std::int64_t>(i);
+    return times;
+}
+
+/// Times without pts: each frame of such a file is shown at one of its decoding times, in order; failing
+/// these, at an even rate.
+void timeByCounting(PacketIndex &index, const Walk &walk, const AVStream &stream)
+{
+    index.counted = true;
+    std::vector<std::int64_t> stamps = walk.decodeTimes;
+    AVRational base = stream.time_base;
+    if (walk.dtsMissing) {
+        const AVRational rate = stream.avg_frame_rate.num > 0 ? stream.avg_frame_rate : stream.r_frame_rate;
+        base = rate.num > 0 ? av_inv_q(rate) : AVRational{1, 25};
+        stamps = evenTimes(index.frames.size());
+        char text[120];
+        std::snprintf(text, sizeof text, "the file has no time stamps: an even %.3f frames/s is assumed",
+                      1.0 / av_q2d(base));
+        addWarning(index, text);
+    }
+    std::sort(stamps.begin(), stamps.end());
+    stamps.erase(std::unique(stamps.begin(), stamps.end()), stamps.end());
+    index.frames.resize(std::min(index.frames.size(), stamps.size()));
+    for (std::size_t i = 0; i < index.frames.size(); ++i)
+        index.times.emplace_back(av_rescale_q(stamps[i] - stamps[0], base, nanosecondBase));
+}
+
+void timeByStamps(PacketIndex &index, const AVStream &stream)
+{
+    sortByPresentation(index);
+    for (const auto &frame : index.frames)
+        index.times.emplace_back(
+            av_rescale_q(frame.pts - index.frames.front().pts, stream.time_base, nanosecondBase));
+}
+
+void warnIfCutShort(PacketIndex &index, const VideoInput &input, const Walk &walk)
+{
+    const AVFormatContext &container = input.container();
+    std::string why;
+    if (walk.corrupt)
+        why = "a packet there is damaged";
+    else if (walk.endError != AVERROR_EOF)
+        why = libav::errorText(walk.endError);
+    else if (container.duration_estimation_method != AVFMT_DURATION_FROM_BITRATE &&
+             container.duration != AV_NOPTS_VALUE) {
+        // Half a second and a twentieth: rounding of headers and a sound track of other length are no damage.
+        const std::int64_t missing = container.duration - input.lastEnd();
+        if (missing > AV_TIME_BASE / 2 && missing > container.duration / 20)
+            why = "its header promises " + secondsText(Nanoseconds(container.duration * 1000));
+    }
+    if (!why.empty())
+        addWarning(index, "ends early at " + secondsText(index.times.back()) + ": " + why);
+}
+
+} // namespace
+
+std::int64_t timeStampOf(const AVPacket &packet)
+{
+    return packet.pts != AV_NOPTS_VALUE ? packet.pts : packet.dts;
+}
+
+std::size_t PacketIndex::keyPacketFor(std::size_t frame) const
+{
+    for (std::size_t i = frames[frame].packet; i > 0; --i)
+        if (packets[i].key && packets[i].pts <= frames[frame].pts)
+            return i;
+    return 0;
+}
+
+std::int64_t PacketIndex::frameOf(std::int64_t pts) const
+{
+    const auto at =
+        std::lower_bound(frames.begin(), frames.end(), pts,
+                         [](const ShownFrame &frame, std::int64_t value) { return frame.pts < value; });
+    return at != frames.end() && at->pts == pts ? at - frames.begin() : -1;
+}
+
+std::int64_t PacketIndex::packetOf(std::int64_t pts) const
+{
+    const auto at = std::find_if(packets.begin(), packets.end(),
+                                 [pts](const Packet &packet) { return packet.pts == pts; });
+    return at != packets.end() ? at - packets.begin() : -1;
+}
+
+Result<PacketIndex> indexPackets(VideoInput &input)
+{
+    PacketIndex index;
+    const Walk walk = walkPackets(input, index);
+    if (index.frames.empty())
+        return fail(ErrorCode::InvalidInput, "cannot open the video " + input.file().string(),
+                    "not one whole frame is in it", "copy it from the camera again");
+    if (walk.ptsMissing)
+        timeByCounting(index, walk, input.stream());
+    else
+        timeByStamps(index, input.stream());
+    if (index.times.back().count() > longestVideoNs)
+        return fail(ErrorCode::InvalidInput, "cannot open the video " + input.file().string(),
+                    "its time stamps span " + secondsText(index.times.back()),
+                    "copy it from the camera again");
+    warnIfCutShort(index, input, walk);
+    return index;
+}
+
+} // namespace odo

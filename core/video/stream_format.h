@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/video/frame.h"
+#include "core/video/video_input.h"
+
+namespace odo {
+
+/// What the stream and its container say about the frames. Errors: pixel format that is not 8-bit YUV or
+/// grey, more than 100 megapixels. `videoName` is for the error's words.
+Result<FrameFormat> streamFormat(const VideoInput &input);
+
+/// A decoded picture as a Frame that keeps it alive; its planes are referred to, except for semi-planar
+/// chroma (taken apart) and grey (given chroma 128). Index and time are left to the caller. The picture must
+/// have the format's size and pixel format.
+Frame frameOf(libav::FramePtr picture, const FrameFormat &format);
+
+/// Whether frameOf can take this picture as one of the stream's.
+bool fits(const AVFrame &picture, const FrameFormat &format, AVPixelFormat pixelFormat);
+
+} // namespace odo

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/video/video_reader.h"
+
+#include "core/video/packet_index.h"
+#include "core/video/stream_format.h"
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+constexpr double variableRateTolerance = 0.10;
+
+Nanoseconds medianInterval(const std::vector<Nanoseconds> &times)
+{
+    if (times.size() < 2)
+        return Nanoseconds(0);
+    std::vector<Nanoseconds> intervals;
+    for (std::size_t i = 1; i < times.size(); ++i)
+        intervals.push_back(times[i] - times[i - 1]);
+    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+    std::nth_element(intervals.begin(), middle, intervals.end());
+    return *middle;
+}
+
+VideoInfo describe(const VideoInput &input, const PacketIndex &index, const FrameFormat &format)
+{
+    VideoInfo info;
+    info.format = format;
+    info.codec = avcodec_get_name(input.stream().codecpar->codec_id);
+    info.frameTimes = index.times;
+    info.warning = index.warning;
+    const Nanoseconds median = medianInterval(index.times);
+    if (median.count() > 0)
+        info.framesPerSecond = 1.0 / toSeconds(median);
+    info.duration = index.times.back() + median;
+    for (std::size_t i = 1; i < index.times.size(); ++i) {
+        const Nanoseconds interval = index.times[i] - index.times[i - 1];
+        info.variableRate |=
+            std::abs(toSeconds(interval - median)) > variableRateTolerance * toSeconds(median);
+    }
+    return info;
+}
+
+Result<libav::CodecPtr> openDecoder(const VideoInput &input)
+{
+    const AVCodecParameters &parameters = *input.stream().codecpar;
+    const std::string what = "cannot open the video " + input.file().string();
+    const AVCodec *codec = avcodec_find_decoder(parameters.codec_id);
+    if (!codec)
+        return fail(ErrorCode::InvalidInput, what,
+                    std::string("there is no decoder for ") + avcodec_get_name(parameters.codec_id),
+                    "convert it to H.264");
+    libav::CodecPtr decoder(avcodec_alloc_context3(codec));
+    int error = avcodec_parameters_to_context(decoder.get(), &parameters);
+    decoder->pkt_timebase = input.stream().time_base;
+    decoder->thread_count = 1; // one thread a file: the views of a trial are decoded side by side
+    decoder->max_pixels = 100'000'000;
+    // Our own lossless recordings carry checksums; elsewhere a decoder's idea of "broken" is too strict.
+    if (codec->id == AV_CODEC_ID_FFV1)
+        decoder->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;
+    if (error >= 0)
+        error = avcodec_open2(decoder.get(), codec, nullptr);
+    if (error < 0)
+        return fail(ErrorCode::InvalidInput, what,
+                    "its decoder would not start (" + libav::errorText(error) + ")", "convert it to H.264");
+    return decoder;
+}
+
+} // namespace
+
+struct VideoReader::Impl
+{
+    std::filesystem::path file;
+    std::unique_ptr<VideoInput> input;
+    libav::CodecPtr decoder;
+    PacketIndex index;
+    VideoInfo info;
+    AVPixelFormat pixelFormat = AV_PIX_FMT_NONE;
+
+    std::size_t nextIndex = 0;  ///< of the frame that next() gives
+    std::optional<Frame> ahead; ///< decoded already, index >= nextIndex
+    libav::PacketPtr packet{av_packet_alloc()};
+    bool packetWaits = false;    ///< `packet` is read but not yet given to the decoder
+    std::size_t packetsRead = 0; ///< place of the next packet to be read
+    std::int64_t counted = 0;    ///< pictures since the start, where frames are told by counting
+    bool draining = false;
+    bool beganMidway = false; ///< nothing has come out of the decoder since it began at a key frame
+
+    std::string name(std::size_t frame) const
+    {
+        return "frame " + std::to_string(frame) + " of " + file.string();
+    }
+    Result<void> restart();
+    bool startAt(std::size_t keyPacket);
+    bool sendPacket();
+    libav::FramePtr decodePicture();
+    std::optional<Frame> decodeFrame();
+    void decodeTo(std::size_t frame);
+    bool isOnTheWay(std::size_t frame) const;
+};
+
+/// From the very beginning, in a way that works with every container.
+Result<void> VideoReader::Impl::restart()
+{
+    auto reopened = VideoInput::open(file);
+    if (!reopened)
+        return tl::unexpected(reopened.error());
+    input = std::move(*reopened);
+    avcodec_flush_buffers(decoder.get());
+    packetsRead = 0;
+    counted = 0;
+    packetWaits = draining = beganMidway = false;
+    ahead.reset();
+    return {};
+}
+
+/// Makes this packet the next one that is decoded. False when the container could not lead there; then where
+/// the input stands is unknown.
+bool VideoReader::Impl::startAt(std::size_t keyPacket)
+{
+    const PacketIndex::Packet &key = index.packets[keyPacket];
+    const bool byDecodeTime = std::string_view(input->container().iformat->name).starts_with("mov");
+    if (!input->seek(byDecodeTime && key.dts != AV_NOPTS_VALUE ? key.dts : key.pts))
+        return false;
+    do {
+        if (input->read(*packet) < 0)
+            return false;
+        const std::int64_t place = index.packetOf(timeStampOf(*packet));
+        if (place > static_cast<std::int64_t>(keyPacket))
+            return false;
+        packetsRead = static_cast<std::size_t>(std::max<std::int64_t>(place, 0)) + 1;
+    } while (timeStampOf(*packet) != key.pts);
+    avcodec_flush_buffers(decoder.get());
+    packetWaits = true;
+    draining = false;
+    beganMidway = keyPacket > 0;
+    ahead.reset();
+    return true;
+}
+
+/// Gives the decoder one more packet, or the word that there is none. False when it has all.
+bool VideoReader::Impl::sendPacket()
+{
+    if (draining)
+        return false;
+    if (!packetWaits) {
+        if (input->read(*packet) < 0) {
+            draining = true;
+            avcodec_send_packet(decoder.get(), nullptr);
+            return true;
+        }
+        ++packetsRead;
+    }
+    packetWaits = false;
+    if (packet->pts == AV_NOPTS_VALUE)
+        packet->pts = packet->dts;
+    // A damaged packet is refused here; its frame is then missing in what comes out, which next() reports.
+    avcodec_send_packet(decoder.get(), packet.get());
+    av_packet_unref(packet.get());
+    return true;
+}
+
+libav::FramePtr VideoReader::Impl::decodePicture()
+{
+    libav::FramePtr picture(av_frame_alloc());
+    for (;;) {
+        const int error = avcodec_receive_frame(decoder.get(), picture.get());
+        if (error == 0)
+            return picture;
+        if (error == AVERROR_EOF || (error == AVERROR(EAGAIN) && !sendPacket()))
+            return nullptr;
+    }
+}
+
+/// The next good picture as a frame with its index; nullopt at the end.
+std::optional<Frame> VideoReader::Impl::decodeFrame()
+{
+    while (libav::FramePtr picture = decodePicture()) {
+        const std::int64_t place = index.counted ? counted++ : index.frameOf(picture->pts);
+        const bool whole = picture->decode_error_flags == 0 && (picture->flags & AV_FRAME_FLAG_CORRUPT) == 0;
+        if (place < 0 || place >= static_cast<std::int64_t>(index.frames.size()) || !whole ||
+            !fits(*picture, info.format, pixelFormat))
+            continue;
+        Frame frame = frameOf(std::move(picture), info.format);
+        frame.index = place;
+        frame.time = index.times[static_cast<std::size_t>(place)];
+        return frame;
+    }
+    return std::nullopt;
+}
+
+/// Fills `ahead` with the first frame that is not before this one.
+void VideoReader::Impl::decodeTo(std::size_t frame)
+{
+    while (!ahead || ahead->index < static_cast<std::int64_t>(frame)) {
+        ahead = decodeFrame();
+        if (!ahead)
+            return;
+    }
+}
+
+/// Whether decoding on is the shortest way to this frame.
+bool VideoReader::Impl::isOnTheWay(std::size_t frame) const
+{
+    return frame >= nextIndex && (index.counted || index.keyPacketFor(frame) <= packetsRead);
+}
+
+VideoReader::VideoReader(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+VideoReader::~VideoReader() = default;
+
+Result<std::unique_ptr<VideoReader>> VideoReader::open(const std::filesystem::path &file)
+{
+    auto impl = std::make_unique<Impl>();
+    impl->file = file;
+    auto input = VideoInput::open(file);
+    if (!input)
+        return tl::unexpected(input.error());
+    const auto format = streamFormat(**input);
+    if (!format)
+        return tl::unexpected(format.error());
+    auto decoder = openDecoder(**input);
+    if (!decoder)
+        return tl::unexpected(decoder.error());
+    auto index = indexPackets(**input);
+    if (!index)
+        return tl::unexpected(index.error());
+    impl->info = describe(**input, *index, *format);
+    impl->pixelFormat = static_cast<AVPixelFormat>((*input)->stream().codecpar->format);
+    impl->input = std::move(*input);
+    impl->index = std::move(*index);
+    impl->decoder = std::move(*decoder);
+    if (auto ready = impl->restart(); !ready)
+        return tl::unexpected(ready.error());
+    return std::unique_ptr<VideoReader>(new VideoReader(std::move(impl)));
+}
+
+const VideoInfo &VideoReader::info() const
+{
+    return m_impl->info;
+}
+
+Result<std::optional<Frame>> VideoReader::next()
+{
+    Impl &d = *m_impl;
+    if (d.nextIndex >= d.index.frames.size())
+        return std::nullopt;
+    d.decodeTo(d.nextIndex);
+    const auto wanted = static_cast<std::int64_t>(d.nextIndex);
+    if (d.beganMidway && (!d.ahead || d.ahead->index > wanted)) {
+        // What the container calls a key frame was none (gradual refresh): only the long way is exact.
+        if (auto again = d.restart(); !again)
+            return tl::unexpected(again.error());
+        d.decodeTo(d.nextIndex);
+    }
+    d.beganMidway = false;
+    ++d.nextIndex;
+    if (!d.ahead || d.ahead->index > wanted)
+        return fail(ErrorCode::InvalidInput, "cannot decode " + d.name(d.nextIndex - 1),
+                    "its data are damaged", "it is left out");
+    return std::exchange(d.ahead, std::nullopt);
+}
+
+Result<void> VideoReader::seek(std::int64_t frameIndex)
+{
+    Impl &d = *m_impl;
+    if (frameIndex < 0 || frameIndex >= static_cast<std::int64_t>(d.index.frames.size()))
+        return fail(ErrorCode::InvalidInput,
+                    "cannot show frame " + std::to_string(frameIndex) + " of " + d.file.string(),
+                    "it has frames 0 to " + std::to_string(d.index.frames.size() - 1), "choose one of these");
+    const auto frame = static_cast<std::size_t>(frameIndex);
+    if (!d.isOnTheWay(frame) && (d.index.counted || !d.startAt(d.index.keyPacketFor(frame))))
+        if (auto again = d.restart(); !again)
+            return again;
+    d.nextIndex = frame;
+    return {};
+}
+
+Result<Frame> VideoReader::frameAt(std::int64_t frameIndex)
+{
+    if (auto found = seek(frameIndex); !found)
+        return tl::unexpected(found.error());
+    auto frame = next();
+    if (!frame)
+        return tl::unexpected(frame.error());
+    return std::move(**frame);
+}
+
+} // namespace odo

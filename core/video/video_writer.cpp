@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/video/video_writer.h"
+
+#include "core/video/matroska_time_scale.h"
+#include "core/video/video_encoder.h"
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace odo {
+
+namespace {
+
+// A block's time stamp is 16 bits relative to its cluster's; in microseconds that is 32 ms.
+constexpr int longestMatroskaClusterUs = 30'000;
+
+bool sync(const std::filesystem::path &path)
+{
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        return false;
+    const bool synced = ::fsync(descriptor) == 0;
+    return ::close(descriptor) == 0 && synced;
+}
+
+bool sameFormat(const FrameFormat &a, const FrameFormat &b)
+{
+    return a.width == b.width && a.height == b.height && a.chromaShiftX == b.chromaShiftX &&
+           a.chromaShiftY == b.chromaShiftY && a.fullRange == b.fullRange && a.matrix == b.matrix &&
+           a.siting == b.siting;
+}
+
+} // namespace
+
+struct VideoWriter::Impl
+{
+    std::filesystem::path file, part;
+    FrameFormat format;
+    VideoWriterOptions options;
+    bool matroska = false;
+    libav::CodecPtr encoder;
+    libav::FilterPtr filter;
+    AVFormatContext *container = nullptr;
+    AVStream *stream = nullptr;
+    bool partExists = false;
+    bool failed = false;
+    bool started = false;
+    Nanoseconds firstTime{0}, lastTime{0};
+    std::int64_t lastUs = 0;
+
+    ~Impl()
+    {
+        closeFile();
+        std::error_code ignored;
+        if (partExists)
+            std::filesystem::remove(part, ignored);
+    }
+    tl::unexpected<Error> problem(int error) const
+    {
+        return fail(error == AVERROR(ENOENT) ? ErrorCode::NotFound : ErrorCode::Io,
+                    "cannot write the video " + file.string(), libav::errorText(error),
+                    "check that the folder exists, may be written to and has room");
+    }
+    Result<void> openContainer();
+    Result<void> addStream();
+    Result<void> encode(const AVFrame *picture);
+    Result<void> mux(AVPacket *packet);
+    Result<void> muxThroughFilter(AVPacket *packet);
+    int closeFile();
+    Nanoseconds duration() const;
+};
+
+Result<void> VideoWriter::Impl::openContainer()
+{
+    const std::string extension = file.extension().string();
+    matroska = extension == ".mkv";
+    if (!matroska && extension != ".mp4")
+        return fail(ErrorCode::InvalidInput, "cannot write the video " + file.string(),
+                    "its name ends with neither .mkv nor .mp4", "give it one of these endings");
+    if (options.codec == VideoCodec::Ffv1 && !matroska)
+        return fail(ErrorCode::InvalidInput, "cannot write the video " + file.string(),
+                    "FFV1 does not go into MP4", "use the ending .mkv");
+    const std::string name = "file:" + std::filesystem::absolute(part).string();
+    int error =
+        avformat_alloc_output_context2(&container, nullptr, matroska ? "matroska" : "mp4", name.c_str());
+    if (error < 0)
+        return problem(error);
+    container->flags |= AVFMT_FLAG_BITEXACT;
+    error = avio_open2(&container->pb, name.c_str(), AVIO_FLAG_WRITE, nullptr, nullptr);
+    if (error < 0)
+        return problem(error);
+    partExists = true;
+    return {};
+}
+
+Result<void> VideoWriter::Impl::addStream()
+{
+    if (matroska)
+        options.maxBFrames = 0; // their time stamps would lie before their cluster's, out of reach of 16 bits
+    auto opened = openEncoder(format, options, (container->oformat->flags & AVFMT_GLOBALHEADER) != 0);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    encoder = std::move(*opened);
+    auto described = describeStream(*encoder, format);
+    if (!described)
+        return tl::unexpected(described.error());
+    filter = std::move(described->filter);
+    stream = avformat_new_stream(container, nullptr);
+    avcodec_parameters_copy(stream->codecpar, described->parameters.get());
+    stream->codecpar->codec_tag = 0;
+    stream->time_base = encodingTimeBase;
+    stream->avg_frame_rate = encoder->framerate;
+    libav::Options muxing;
+    if (matroska) {
+        muxing.set("cluster_time_limit", longestMatroskaClusterUs);
+        muxing.set("write_crc32", 0);
+    } else {
+        muxing.set("video_track_timescale", encodingTimeBase.den);
+        muxing.set("movflags", "+faststart+write_colr");
+    }
+    if (const int error = avformat_write_header(container, muxing.get()); error < 0)
+        return problem(error);
+    return {};
+}
+
+Result<void> VideoWriter::Impl::mux(AVPacket *packet)
+{
+    packet->stream_index = stream->index;
+    if (packet->duration == 0)
+        packet->duration = std::llround(encodingTimeBase.den / options.nominalFramesPerSecond);
+    if (!matroska) // there, the muxer's "milliseconds" are our microseconds
+        av_packet_rescale_ts(packet, encodingTimeBase, stream->time_base);
+    if (const int error = av_write_frame(container, packet); error < 0)
+        return problem(error);
+    return {};
+}
+
+Result<void> VideoWriter::Impl::muxThroughFilter(AVPacket *packet)
+{
+    if (!filter)
+        return mux(packet);
+    if (const int error = av_bsf_send_packet(filter.get(), packet); error < 0)
+        return problem(error);
+    while (av_bsf_receive_packet(filter.get(), packet) == 0)
+        if (auto muxed = mux(packet); !muxed)
+            return muxed;
+    return {};
+}
+
+Result<void> VideoWriter::Impl::encode(const AVFrame *picture)
+{
+    if (const int error = avcodec_send_frame(encoder.get(), picture); error < 0)
+        return problem(error);
+    const libav::PacketPtr packet(av_packet_alloc());
+    for (;;) {
+        const int error = avcodec_receive_packet(encoder.get(), packet.get());
+        if (error == AVERROR(EAGAIN) || error == AVERROR_EOF)
+            return {};
+        if (error < 0)
+            return problem(error);
+        if (auto muxed = muxThroughFilter(packet.get()); !muxed)
+            return muxed;
+    }
+}
+
+int VideoWriter::Impl::closeFile()
+{
+    const int error = container && container->pb ? avio_closep(&container->pb) : 0;
+    avformat_free_context(container);
+    container = nullptr;
+    return error;
+}
+
+Nanoseconds VideoWriter::Impl::duration() const
+{
+    return lastTime - firstTime + fromSeconds(1.0 / options.nominalFramesPerSecond);
+}
+
+VideoWriter::VideoWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+VideoWriter::~VideoWriter() = default;
+
+Result<std::unique_ptr<VideoWriter>> VideoWriter::create(const std::filesystem::path &file,
+                                                         const FrameFormat &format,
+                                                         const VideoWriterOptions &options)
+{
+    libav::quieten();
+    if (!(options.nominalFramesPerSecond > 0.0 && options.nominalFramesPerSecond <= 100'000.0))
+        return fail(ErrorCode::InvalidInput, "cannot write the video " + file.string(),
+                    "its frame rate is not positive", "give the frames per second, e.g. 30");
+    auto impl = std::make_unique<Impl>();
+    impl->file = file;
+    impl->part = file;
+    impl->part += ".part";
+    impl->format = format;
+    impl->options = options;
+    if (auto opened = impl->openContainer(); !opened)
+        return tl::unexpected(opened.error());
+    if (auto added = impl->addStream(); !added)
+        return tl::unexpected(added.error());
+    return std::unique_ptr<VideoWriter>(new VideoWriter(std::move(impl)));
+}
+
+Result<void> VideoWriter::write(const Frame &frame)
+{
+    Impl &d = *m_impl;
+    const std::string what = "cannot write a frame to the video " + d.file.string();
+    if (d.failed)
+        return fail(ErrorCode::Io, what, "writing has failed before", "start the video again");
+    if (!sameFormat(frame.format, d.format))
+        return fail(ErrorCode::InvalidInput, what, "its format differs from the video's",
+                    "write one format to a file");
+    if (!d.started)
+        d.firstTime = frame.time;
+    const std::int64_t timeUs =
+        std::llround(static_cast<double>((frame.time - d.firstTime).count()) / 1000.0);
+    if (d.started && timeUs <= d.lastUs)
+        return fail(ErrorCode::InvalidInput, what, "its time is not after the frame's before it",
+                    "write the frames in order, at least a microsecond apart");
+    auto picture = pictureOf(frame, *d.encoder, timeUs);
+    if (!picture)
+        return tl::unexpected(picture.error());
+    d.started = true;
+    d.lastUs = timeUs;
+    d.lastTime = frame.time;
+    auto encoded = d.encode(picture->get());
+    d.failed = !encoded;
+    return encoded;
+}
+
+Result<void> VideoWriter::finish()
+{
+    Impl &d = *m_impl;
+    const std::string what = "cannot finish the video " + d.file.string();
+    if (!d.container || d.failed)
+        return fail(ErrorCode::Io, what, d.failed ? "writing has failed before" : "it is finished",
+                    "start it again");
+    if (!d.started)
+        return fail(ErrorCode::InvalidInput, what, "no frame was written to it", "write at least one");
+    if (auto flushed = d.encode(nullptr); !flushed)
+        return flushed;
+    if (const int error = av_write_trailer(d.container); error < 0)
+        return d.problem(error);
+    if (const int error = d.closeFile(); error < 0)
+        return d.problem(error);
+    if (d.matroska)
+        if (auto scaled = setMicrosecondScale(d.part, d.duration()); !scaled)
+            return scaled;
+    if (!sync(d.part) || std::rename(d.part.c_str(), d.file.c_str()) != 0)
+        return fail(ErrorCode::Io, what, std::strerror(errno),
+                    "check that the folder may be written to and has room");
+    d.partExists = false;
+    sync(std::filesystem::absolute(d.file).parent_path());
+    return {};
+}
+
+} // namespace odo

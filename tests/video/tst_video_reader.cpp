@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coded_frames.h"
+#include "core/video/video_reader.h"
+
+#include <QFile>
+#include <QSize>
+#include <QTemporaryDir>
+#include <QTest>
+#include <fstream>
+#include <random>
+#include <sys/inotify.h>
+#include <unistd.h>
+
+using namespace odo;
+using namespace odo::test;
+
+class TestVideoReader : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void seekingEqualsReading_data();
+    void seekingEqualsReading();
+    void seekingOutside();
+    void framesOutliveTheirReader();
+    void truncated_data();
+    void truncated();
+    void damagedInTheMiddle();
+    void refusals_data();
+    void refusals();
+    void playlistsOpenNothing_data();
+    void playlistsOpenNothing();
+    void realClips_data();
+    void realClips();
+
+private:
+    std::filesystem::path path(const std::string &name) const
+    {
+        return std::filesystem::path(m_folder.path().toStdString()) / name;
+    }
+    void store(const std::string &name, const std::string &content) const
+    {
+        std::ofstream(path(name), std::ios::binary) << content;
+    }
+    std::string load(const std::string &name) const
+    {
+        std::ifstream file(path(name), std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    QTemporaryDir m_folder;
+};
+
+namespace {
+
+/// A sum that tells any two different pictures apart with near certainty (FNV-1a over luma and chroma).
+std::uint64_t fingerprint(const Frame &frame)
+{
+    std::uint64_t sum = 1469598103934665603ULL;
+    for (const PlaneView &plane : {frame.y, frame.u, frame.v})
+        for (int y = 0; y < plane.height; ++y)
+            for (int x = 0; x < plane.width; ++x)
+                sum = (sum ^ plane.at(x, y)) * 1099511628211ULL;
+    return sum;
+}
+
+QString realFolder()
+{
+    const QString named = qEnvironmentVariable("ODOGRAPH_REAL_DATA");
+    return named.isEmpty() ? qEnvironmentVariable("ODOGRAPH_SOURCE_DIR") + QStringLiteral("/../shared/data")
+                           : named;
+}
+
+} // namespace
+
+void TestVideoReader::seekingEqualsReading_data()
+{
+    QTest::addColumn<int>("codec");
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("bFrames");
+    QTest::newRow("h264 B frames") << int(VideoCodec::H264) << QStringLiteral("seek.mp4") << 3;
+    QTest::newRow("h264 mkv") << int(VideoCodec::H264) << QStringLiteral("seek.mkv") << 0;
+    QTest::newRow("mjpeg") << int(VideoCodec::Mjpeg) << QStringLiteral("seekj.mkv") << 0;
+    QTest::newRow("ffv1") << int(VideoCodec::Ffv1) << QStringLiteral("seekf.mkv") << 0;
+}
+
+void TestVideoReader::seekingEqualsReading()
+{
+    QFETCH(int, codec);
+    QFETCH(QString, name);
+    QFETCH(int, bFrames);
+    constexpr int count = 600; // x264 puts a key frame every 250 frames: three groups of pictures
+    VideoWriterOptions options;
+    options.codec = static_cast<VideoCodec>(codec);
+    options.maxBFrames = bFrames;
+    options.bitRate = 500'000;
+    const auto file = path(name.toStdString());
+    QCOMPARE(writeCoded(file, unevenTimes(count), options), QString());
+    const auto reader = VideoReader::open(file);
+    QVERIFY(reader.has_value());
+    std::vector<std::uint64_t> sequential;
+    while (const auto frame = (*reader)->next().value())
+        sequential.push_back(fingerprint(*frame));
+    QCOMPARE(sequential.size(), std::size_t(count));
+
+    std::mt19937 random(7);
+    std::vector<std::int64_t> order = {0, 599, 0, 250, 249, 251, 500, 499, 501, 1, 2, 3, 2, 1, 598};
+    for (int i = 0; i < 60; ++i)
+        order.push_back(static_cast<std::int64_t>(random() % count));
+    for (const std::int64_t index : order) {
+        const auto frame = (*reader)->frameAt(index);
+        QVERIFY2(frame.has_value(), frame ? "" : frame.error().message().c_str());
+        QCOMPARE(frame->index, index);
+        QCOMPARE(numberIn(*frame), int(index));
+        QCOMPARE(fingerprint(*frame), sequential[static_cast<std::size_t>(index)]);
+    }
+    QVERIFY((*reader)->seek(300).has_value()); // reading goes on after a seek
+    for (int i = 300; i < 310; ++i)
+        QCOMPARE(numberIn((*reader)->next().value().value()), i);
+}
+
+void TestVideoReader::seekingOutside()
+{
+    QCOMPARE(writeCoded(path("outside.mkv"), evenTimes(5, 30), {}), QString());
+    const auto reader = VideoReader::open(path("outside.mkv"));
+    QVERIFY(reader.has_value());
+    for (const std::int64_t index : {-1, 5}) {
+        const auto frame = (*reader)->frameAt(index);
+        QVERIFY(!frame.has_value());
+        QVERIFY(frame.error().message().find("frames 0 to 4") != std::string::npos);
+    }
+    QCOMPARE(numberIn((*reader)->frameAt(4).value()), 4);
+}
+
+void TestVideoReader::framesOutliveTheirReader()
+{
+    QCOMPARE(writeCoded(path("outlive.mkv"), evenTimes(12, 30), {}), QString());
+    std::vector<Frame> kept;
+    {
+        const auto reader = VideoReader::open(path("outlive.mkv"));
+        while (auto frame = (*reader)->next().value())
+            kept.push_back(*frame);
+    }
+    for (int i = 0; i < 12; ++i)
+        QCOMPARE(numberIn(kept[static_cast<std::size_t>(i)]), i);
+}
+
+void TestVideoReader::truncated_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("codec");
+    QTest::newRow("mkv h264") << QStringLiteral("whole.mkv") << int(VideoCodec::H264);
+    QTest::newRow("mp4 h264") << QStringLiteral("whole.mp4") << int(VideoCodec::H264);
+    QTest::newRow("mkv mjpeg") << QStringLiteral("wholej.mkv") << int(VideoCodec::Mjpeg);
+    QTest::newRow("mkv ffv1") << QStringLiteral("wholef.mkv") << int(VideoCodec::Ffv1);
+}
+
+void TestVideoReader::truncated()
+{
+    QFETCH(QString, name);
+    QFETCH(int, codec);
+    VideoWriterOptions options;
+    options.codec = static_cast<VideoCodec>(codec);
+    options.bitRate = 1'000'000;
+    constexpr int count = 90;
+    QCOMPARE(writeCoded(path(name.toStdString()), evenTimes(count, 30), options), QString());
+    const std::string whole = load(name.toStdString());
+    const std::string cutName = "cut_" + name.toStdString();
+    int readable = 0;
+    for (int part = 0; part < 100; ++part) {
+        store(cutName, whole.substr(0, whole.size() * static_cast<std::size_t>(part) / 100));
+        const auto reader = VideoReader::open(path(cutName));
+        if (!reader) {
+            QVERIFY(part < 15); // only where not even the header and one frame are there
+            continue;
+        }
+        ++readable;
+        const VideoInfo &info = (*reader)->info();
+        const auto frames = static_cast<int>(info.frameTimes.size());
+        QVERIFY(frames <= count);
+        if (frames < count * 9 / 10)
+            QVERIFY2(info.warning.find("ends early at ") != std::string::npos,
+                     qPrintable(QString::number(part)));
+        int good = 0;
+        for (int i = 0; i < frames; ++i)
+            if (const auto frame = (*reader)->next()) {
+                QCOMPARE(numberIn(**frame), i);
+                ++good;
+            }
+        QVERIFY(good >= frames - 1); // the packet that was cut may be lost, none else
+        QVERIFY(frames >= (part - 15) * count / 100);
+    }
+    QVERIFY(readable >= 85);
+}
+
+void TestVideoReader::damagedInTheMiddle()
+{
+    VideoWriterOptions options;
+    options.codec = VideoCodec::Ffv1;
+    QCOMPARE(writeCoded(path("damaged.mkv"), evenTimes(30, 30), options), QString());
+    std::string bytes = load("damaged.mkv");
+    for (std::size_t i = 0; i < 64; ++i)
+        bytes[bytes.size() / 2 + i] ^= 0x5a;
+    store("damaged.mkv", bytes);
+    const auto reader = VideoReader::open(path("damaged.mkv"));
+    QVERIFY(reader.has_value());
+    int good = 0, damaged = 0;
+    for (std::size_t i = 0; i < (*reader)->info().frameTimes.size(); ++i) {
+        const auto frame = (*reader)->next();
+        if (frame) {
+            QCOMPARE(numberIn(**frame), int((*frame)->index));
+            ++good;
+        } else {
+            QVERIFY(frame.error().message().find("its data are damaged") != std::string::npos);
+            ++damaged;
+        }
+    }
+    QVERIFY(good >= 27);
+    QVERIFY(good + damaged >= 29);
+    QVERIFY(good < 30);
+}
+
+void TestVideoReader::refusals_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("missing") << QStringLiteral("missing.mp4") << QStringLiteral("there is no such file");
+    QTest::newRow("folder") << QStringLiteral("folder") << QStringLiteral("it is a folder");
+    QTest::newRow("empty") << QStringLiteral("empty.mp4") << QStringLiteral("the file is empty");
+    QTest::newRow("text") << QStringLiteral("text.mp4") << QStringLiteral("it is not a video");
+    QTest::newRow("noise") << QStringLiteral("noise.mkv") << QStringLiteral("");
+    QTest::newRow("device") << QStringLiteral("/dev/null") << QStringLiteral("it is not an ordinary file");
+    QTest::newRow("address") << QStringLiteral("http://127.0.0.1/a.mkv")
+                             << QStringLiteral("there is no such file");
+}
+
+void TestVideoReader::refusals()
+{
+    QFETCH(QString, name);
+    QFETCH(QString, words);
+    std::filesystem::create_directory(path("folder"));
+    store("empty.mp4", "");
+    store("text.mp4", "This is a letter and no video at all.\n");
+    std::string noise(100'000, '\0');
+    std::mt19937 random(3);
+    for (char &byte : noise)
+        byte = static_cast<char>(random());
+    store("noise.mkv", noise);
+    const auto reader =
+        VideoReader::open(name.startsWith(QLatin1String("/")) || name.contains(QLatin1String(":"))
+                              ? std::filesystem::path(name.toStdString())
+                              : path(name.toStdString()));
+    QVERIFY(!reader.has_value());
+    QVERIFY2(reader.error().message().find(words.toStdString()) != std::string::npos,
+             reader.error().message().c_str());
+    QVERIFY(!reader.error().advice.empty());
+}
+
+void TestVideoReader::playlistsOpenNothing_data()
+{
+    QTest::addColumn<QString>("content");
+    QTest::newRow("HLS") << QStringLiteral("#EXTM3U\n#EXT-X-VERSION:3\n#EXT-X-TARGETDURATION:2\n"
+                                           "#EXT-X-MEDIA-SEQUENCE:0\n#EXTINF:2.0,\n%1\n#EXT-X-ENDLIST\n");
+    QTest::newRow("concat") << QStringLiteral("ffconcat version 1.0\nfile '%1'\n");
+    QTest::newRow("SDP") << QStringLiteral(
+        "v=0\r\no=- 0 0 IN IP4 127.0.0.1\r\ns=x\r\nc=IN IP4 127.0.0.1\r\nt=0 0\r\n"
+        "m=video 5004 RTP/AVP 96\r\na=rtpmap:96 H264/90000\r\na=x:%1\r\n");
+    QTest::newRow("DASH") << QStringLiteral(
+        "<?xml version=\"1.0\"?>\n<MPD xmlns=\"urn:mpeg:dash:schema:mpd:2011\" "
+        "type=\"static\"><Period><AdaptationSet><Representation id=\"1\">"
+        "<BaseURL>%1</BaseURL></Representation></AdaptationSet></Period></MPD>\n");
+}
+
+namespace {
+
+/// Counts how often a file is opened by anyone, as the kernel sees it.
+class OpenCounter
+{
+public:
+    explicit OpenCounter(const std::filesystem::path &file)
+        : m_events(inotify_init1(IN_NONBLOCK | IN_CLOEXEC))
+    {
+        inotify_add_watch(m_events, file.c_str(), IN_OPEN);
+    }
+    ~OpenCounter() { close(m_events); }
+    bool wasOpened()
+    {
+        char event[4096];
+        return read(m_events, event, sizeof event) > 0;
+    }
+
+private:
+    int m_events;
+};
+
+} // namespace
+
+void TestVideoReader::playlistsOpenNothing()
+{
+    QFETCH(QString, content);
+    const auto other = path("other.mkv");
+    QCOMPARE(writeCoded(other, evenTimes(5, 30), {}), QString());
+    OpenCounter counter(other);
+    QVERIFY(VideoReader::open(other).has_value());
+    QVERIFY(counter.wasOpened());
+    for (const char *ending : {".mkv", ".mp4", ".m3u8", ".txt", ".mpd"}) {
+        const std::string name = std::string("playlist") + ending;
+        for (const std::string &target : {other.string(), std::string("other.mkv")}) {
+            store(name, content.arg(QString::fromStdString(target)).toStdString());
+            const auto reader = VideoReader::open(path(name));
+            QVERIFY(!reader.has_value());
+            QCOMPARE(reader.error().code, ErrorCode::InvalidInput);
+            QVERIFY(!counter.wasOpened());
+        }
+    }
+}
+
+void TestVideoReader::realClips_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("frames");
+    QTest::addColumn<double>("rate");
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("A") << QStringLiteral("cap-two-views/A.mp4") << 100 << 60.0 << QSize(1088, 1920);
+    QTest::newRow("B") << QStringLiteral("cap-two-views/B.mp4") << 100 << 60.0 << QSize(1088, 1920);
+    QTest::newRow("webcam") << QStringLiteral("charuco-four-webcams/cam_0.mp4") << 111 << 6.0
+                            << QSize(1280, 720);
+}
+
+void TestVideoReader::realClips()
+{
+    QFETCH(QString, name);
+    QFETCH(int, frames);
+    QFETCH(double, rate);
+    QFETCH(QSize, size);
+    const QString file = realFolder() + QLatin1Char('/') + name;
+    if (!QFile::exists(file))
+        QSKIP(qPrintable(QStringLiteral("ODOGRAPH-SKIPPED: no real material at ") + file));
+    const auto reader = VideoReader::open(file.toStdString());
+    QVERIFY(reader.has_value());
+    const VideoInfo &info = (*reader)->info();
+    QCOMPARE(int(info.frameTimes.size()), frames);
+    QVERIFY(std::abs(info.framesPerSecond - rate) < 1e-3);
+    QVERIFY(!info.variableRate);
+    QCOMPARE(QSize(info.format.width, info.format.height), size);
+    std::vector<std::uint64_t> sequential;
+    while (const auto frame = (*reader)->next().value())
+        sequential.push_back(fingerprint(*frame));
+    QCOMPARE(int(sequential.size()), frames);
+    for (const int index : {frames - 1, 1, frames / 2, frames / 2 - 1, 0})
+        QCOMPARE(fingerprint((*reader)->frameAt(index).value()), sequential[static_cast<std::size_t>(index)]);
+}
+
+QTEST_GUILESS_MAIN(TestVideoReader)
+#include "tst_video_reader.moc"
