@@ -128,9 +128,10 @@ void warnIfCutShort(PacketIndex &index, const VideoInput &input, const Walk &wal
         why = libav::errorText(walk.endError);
     else if (container.duration_estimation_method != AVFMT_DURATION_FROM_BITRATE &&
              container.duration != AV_NOPTS_VALUE) {
-        // Half a second and a twentieth: rounding of headers and a sound track of other length are no damage.
+        // Three frames and a hundredth: headers are rounded, and some count to the end of the last frame.
         const std::int64_t missing = container.duration - input.lastEnd();
-        if (missing > AV_TIME_BASE / 2 && missing > container.duration / 20)
+        const auto frame = index.times.back().count() / 1000 / static_cast<std::int64_t>(index.times.size());
+        if (missing > 3 * frame && missing > container.duration / 100)
             why = "its header promises " + secondsText(Nanoseconds(container.duration * 1000));
     }
     if (!why.empty())

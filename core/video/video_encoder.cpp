@@ -93,7 +93,6 @@ void setRate(const VideoWriterOptions &options, AVCodecContext &encoder, libav::
         encoder.gop_size = 1;
         encoder.level = 3;
         codecOptions.set("slicecrc", 1);
-        codecOptions.set("slices", 4);
         break;
     }
 }

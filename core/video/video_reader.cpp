@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/video_reader.h"
 
+#include "core/video/ffv1_checksum.h"
 #include "core/video/packet_index.h"
 #include "core/video/stream_format.h"
 
@@ -57,9 +58,6 @@ Result<libav::CodecPtr> openDecoder(const VideoInput &input)
     decoder->pkt_timebase = input.stream().time_base;
     decoder->thread_count = 1; // one thread a file: the views of a trial are decoded side by side
     decoder->max_pixels = 100'000'000;
-    // Our own lossless recordings carry checksums; elsewhere a decoder's idea of "broken" is too strict.
-    if (codec->id == AV_CODEC_ID_FFV1)
-        decoder->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;
     if (error >= 0)
         error = avcodec_open2(decoder.get(), codec, nullptr);
     if (error < 0)
@@ -86,7 +84,8 @@ struct VideoReader::Impl
     std::size_t packetsRead = 0; ///< place of the next packet to be read
     std::int64_t counted = 0;    ///< pictures since the start, where frames are told by counting
     bool draining = false;
-    bool beganMidway = false; ///< nothing has come out of the decoder since it began at a key frame
+    bool beganMidway = false;  ///< nothing has come out of the decoder since it began at a key frame
+    bool hasChecksums = false; ///< of FFV1: known as soon as one held
 
     std::string name(std::size_t frame) const
     {
@@ -94,6 +93,7 @@ struct VideoReader::Impl
     }
     Result<void> restart();
     bool startAt(std::size_t keyPacket);
+    bool isWhole(const AVPacket &coded);
     bool sendPacket();
     libav::FramePtr decodePicture();
     std::optional<Frame> decodeFrame();
@@ -140,6 +140,15 @@ bool VideoReader::Impl::startAt(std::size_t keyPacket)
     return true;
 }
 
+bool VideoReader::Impl::isWhole(const AVPacket &coded)
+{
+    if (decoder->codec_id != AV_CODEC_ID_FFV1)
+        return true;
+    const bool checked = ffv1ChecksumsHold({coded.data, static_cast<std::size_t>(coded.size)});
+    hasChecksums |= checked;
+    return checked || !hasChecksums;
+}
+
 /// Gives the decoder one more packet, or the word that there is none. False when it has all.
 bool VideoReader::Impl::sendPacket()
 {
@@ -156,8 +165,9 @@ bool VideoReader::Impl::sendPacket()
     packetWaits = false;
     if (packet->pts == AV_NOPTS_VALUE)
         packet->pts = packet->dts;
-    // A damaged packet is refused here; its frame is then missing in what comes out, which next() reports.
-    avcodec_send_packet(decoder.get(), packet.get());
+    // A damaged packet is refused; its frame is then missing in what comes out, which next() reports.
+    if (isWhole(*packet))
+        avcodec_send_packet(decoder.get(), packet.get());
     av_packet_unref(packet.get());
     return true;
 }

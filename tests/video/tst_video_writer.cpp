@@ -89,7 +89,7 @@ void TestVideoWriter::roundTrip()
 
 void TestVideoWriter::losslessIsLossless()
 {
-    for (const auto [shiftX, shiftY] : {std::pair{1, 1}, std::pair{1, 0}, std::pair{0, 0}}) {
+    for (const auto &[shiftX, shiftY] : {std::pair{1, 1}, std::pair{1, 0}, std::pair{0, 0}}) {
         FrameFormat format = smallFormat();
         format.width = 191; // odd, so that chroma is rounded up
         format.height = 95;
