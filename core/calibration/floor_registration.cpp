@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/floor_registration.h"
+
+#include "core/base/units.h"
+#include "core/calibration/marker_order.h"
+#include "core/calibration/plane_pose.h"
+#include "core/geometry/point_layout.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace odo {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr const char *what = "the floor cannot be registered";
+constexpr double leastSigmaPx = 0.3; // a marker is hardly known better, whatever four residuals say
+constexpr double leastHeightM = 0.05, mostHeightM = 100;
+constexpr double nearestPixels = 1.0;  // markers closer than that are one and the same
+constexpr double nearestPlaces = 1e-3; // of the layout's extent
+constexpr double leastDoubtPx = 1;        // a misfit below it needs no other explanation than noise
+constexpr double suspiciousMisfit = 0.01; // of the markers' extent in the picture: refused if others fit
+constexpr double worstMisfit = 0.05; // of the same: no plane
+constexpr double worstSigma = 0.05;  // of the layout's extent on the floor
+
+tl::unexpected<Error> refuse(std::string why, std::string advice)
+{
+    return fail(ErrorCode::Undetermined, what, std::move(why), std::move(advice));
+}
+
+std::string list(const std::vector<std::string> &names)
+{
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return text.empty() ? "none" : text;
+}
+
+std::string millimetres(double metres)
+{
+    return formatNumber(toMillimetres(metres), 1) + " mm";
+}
+
+template <class Points>
+Result<void> checkLabels(const Points &points, const char *where)
+{
+    std::set<std::string> seen;
+    for (const auto &point : points) {
+        if (!seen.insert(point.label).second)
+            return refuse("marker " + point.label + " stands twice in " + where,
+                          "give each marker a name of its own");
+    }
+    return {};
+}
+
+Result<void> checkNumbers(const MarkerLayout &layout, const std::vector<MarkerPixel> &pixels)
+{
+    for (const Marker &marker : layout.markers) {
+        if (!marker.pointInWorld.allFinite())
+            return fail(ErrorCode::InvalidInput, what,
+                        "the place of marker " + marker.label + " is not a finite number",
+                        "correct the layout");
+    }
+    for (const MarkerPixel &pixel : pixels) {
+        if (!pixel.pixel.allFinite())
+            return fail(ErrorCode::InvalidInput, what,
+                        "the pixel of marker " + pixel.label + " is not a finite number",
+                        "correct the pixels");
+    }
+    return {};
+}
+
+Result<void> checkDistances(const std::vector<PointPair> &pairs, double extentM)
+{
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        for (std::size_t j = i + 1; j < pairs.size(); ++j) {
+            const std::string both = "markers " + pairs[i].label + " and " + pairs[j].label;
+            if ((pairs[i].source - pairs[j].source).norm() <= nearestPlaces * extentM)
+                return refuse(both + " lie at one place of the floor", "correct the layout");
+            if ((pairs[i].target - pairs[j].target).norm() < nearestPixels)
+                return refuse(both + " lie on one pixel", "mark each of them where it is seen");
+        }
+    }
+    return {};
+}
+
+Result<std::vector<PointPair>> commonMarkers(const MarkerLayout &layout,
+                                             const std::vector<MarkerPixel> &pixels)
+{
+    if (auto sound = checkLabels(layout.markers, "the layout"); !sound)
+        return tl::unexpected(sound.error());
+    if (auto sound = checkLabels(pixels, "the picture"); !sound)
+        return tl::unexpected(sound.error());
+    if (auto sound = checkNumbers(layout, pixels); !sound)
+        return tl::unexpected(sound.error());
+    std::vector<PointPair> pairs;
+    std::vector<std::string> names;
+    for (const Marker &marker : layout.markers) {
+        const auto seen = std::ranges::find(pixels, marker.label, &MarkerPixel::label);
+        if (seen == pixels.end())
+            continue;
+        pairs.push_back({marker.pointInWorld, seen->pixel, marker.label});
+        names.push_back(marker.label);
+    }
+    if (pairs.size() < 4)
+        return refuse("four markers are needed that the layout and the picture have in common; there are " +
+                          std::to_string(pairs.size()) + " (" + list(names) + ")",
+                      "mark more of the layout's markers, under the layout's names");
+    return pairs;
+}
+
+double extentM(const std::vector<PointPair> &pairs)
+{
+    std::vector<Vector2d> points;
+    for (const PointPair &pair : pairs)
+        points.push_back(pair.source);
+    return extentOf(points);
+}
+
+double extentPx(const std::vector<PointPair> &pairs)
+{
+    std::vector<Vector2d> points;
+    for (const PointPair &pair : pairs)
+        points.push_back(pair.target);
+    return extentOf(points);
+}
+
+/// The advice after a misfit: what exchange would mend it, where there is one.
+std::string orderAdvice(const std::vector<PointPair> &pairs, const CameraModel &camera, FocalLength focal,
+                        const std::string &otherwise)
+{
+    const std::string better = betterOrder(pairs, camera, focal, 0.5 * suspiciousMisfit * extentPx(pairs));
+    return better.empty() ? otherwise : better + ": check these labels";
+}
+
+/// Words about an order of the labels that fits five times better; empty where there is none.
+std::string doubtOfOrder(const std::vector<PointPair> &pairs, const PlanePose &pose,
+                         const CameraModel &camera, FocalLength focal)
+{
+    // With the focal length free, four markers fit in nearly any order: that would prove nothing.
+    if (pose.rmsPx < leastDoubtPx || (focal == FocalLength::Free && pairs.size() == 4))
+        return "";
+    return betterOrder(pairs, camera, focal, 0.2 * pose.rmsPx);
+}
+
+Result<PlanePose> soundPose(const std::vector<PointPair> &pairs, const CameraModel &camera, FocalLength focal)
+{
+    auto pose = fitPlanePose(pairs, camera, focal);
+    if (!pose)
+        return refuse(pose.error().why, orderAdvice(pairs, camera, focal, pose.error().advice));
+    if (pose->worldFromCamera.translation.z() <= 0)
+        return refuse(
+            "the markers are mirrored: seen in this order the camera would be below the floor",
+            orderAdvice(pairs, camera, focal,
+                        "seen from above, Y must point to the left of X: check the signs of the layout"));
+    if (pose->rmsPx > suspiciousMisfit * extentPx(pairs)) {
+        const std::string better = doubtOfOrder(pairs, *pose, camera, focal);
+        if (!better.empty())
+            return refuse("the markers fit only to " + formatNumber(pose->rmsPx, 1) + " px, but " + better,
+                          "check these labels");
+    }
+    return pose;
+}
+
+Result<void> checkPlace(const PlanePose &pose)
+{
+    const double heightM = pose.worldFromCamera.translation.z();
+    if (heightM < leastHeightM)
+        return refuse("the camera would stand only " + millimetres(heightM) + " above the floor",
+                      "check the unit of the layout: it is given in mm");
+    if (heightM > mostHeightM)
+        return refuse("the camera would stand " + formatNumber(heightM, 0) + " m above the floor",
+                      "check the unit of the layout: it is given in mm");
+    return {};
+}
+
+double largestSigma(const Eigen::Matrix2d &covariance)
+{
+    return std::sqrt(
+        std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues().y()));
+}
+
+/// Fills the errors of the markers; returns the largest σ of the floor at any of them.
+Result<double> measureMarkers(const std::vector<PointPair> &pairs, const FloorView &view,
+                              FloorRegistration &registration)
+{
+    double worstSigmaM = 0, squares = 0;
+    for (const PointPair &pair : pairs) {
+        const auto seen = view.locate(pair.target, Eigen::Matrix2d::Zero(), 0);
+        const auto back = view.pixelFromWorld({pair.source.x(), pair.source.y(), 0});
+        if (!seen || !back)
+            return refuse("marker " + pair.label + " would lie at or beyond the horizon",
+                          "check its place and its pixel");
+        const double errorM = (seen->pointInWorld - pair.source).norm();
+        registration.markers.push_back({pair.label, errorM, (*back - pair.target).norm()});
+        squares += errorM * errorM;
+        worstSigmaM = std::max(worstSigmaM, largestSigma(seen->calibrationCovariance));
+    }
+    registration.rmsM = std::sqrt(squares / static_cast<double>(pairs.size()));
+    return worstSigmaM;
+}
+
+std::string lensWords(const PlanePose &pose, bool intrinsicsKnown)
+{
+    if (intrinsicsKnown)
+        return "";
+    const std::string focal = formatNumber(pose.camera.intrinsics().fxPx, 0) + " px";
+    std::string words = " The camera was taken as free of distortion, its focal length ";
+    if (pose.focalSigmaPx)
+        words += "estimated from the markers (" + focal + " ± " + formatNumber(*pose.focalSigmaPx, 0) + ").";
+    else
+        words += "guessed (" + focal + "), since this view does not determine it.";
+    return words + " Calibrate it for positions to rely on.";
+}
+
+std::string verdictOf(const FloorRegistration &registration, const PlanePose &pose, double sigmaM,
+                      double layoutM, bool intrinsicsKnown)
+{
+    const double worse = std::max(registration.rmsM, sigmaM);
+    const char *grade = worse <= std::max(0.005, 0.0025 * layoutM)   ? "Good: "
+                        : worse <= std::max(0.015, 0.0075 * layoutM) ? "Usable: "
+                                                                     : "Poor, measure the markers again: ";
+    const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorM);
+    std::string verdict = grade + std::to_string(registration.markers.size()) + " markers fit to " +
+                          millimetres(registration.rmsM) + " RMS (worst " + worst->label + ", " +
+                          millimetres(worst->errorM) + "), and the floor among them is known to ±" +
+                          millimetres(sigmaM) + ".";
+    if (registration.markers.size() == 4)
+        verdict += " Four markers hardly check one another; a fifth would.";
+    return verdict + lensWords(pose, intrinsicsKnown);
+}
+
+} // namespace
+
+Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::vector<MarkerPixel> &pixels,
+                                        const CameraModel &camera, bool intrinsicsKnown)
+{
+    const auto pairs = commonMarkers(layout, pixels);
+    if (!pairs)
+        return tl::unexpected(pairs.error());
+    const double layoutM = extentM(*pairs);
+    if (auto sound = checkDistances(*pairs, layoutM); !sound)
+        return tl::unexpected(sound.error());
+    const FocalLength focal = intrinsicsKnown ? FocalLength::Known : FocalLength::Free;
+    const auto pose = soundPose(*pairs, camera, focal);
+    if (!pose)
+        return tl::unexpected(pose.error());
+    if (auto sound = checkPlace(*pose); !sound)
+        return tl::unexpected(sound.error());
+
+    FloorRegistration registration;
+    registration.intrinsics = pose->camera.intrinsics();
+    registration.worldFromCamera = pose->worldFromCamera;
+    registration.rmsPx = pose->rmsPx;
+    const double sigmaPx = std::max(pose->sigmaPx, leastSigmaPx);
+    registration.poseCovariance = sigmaPx * sigmaPx * pose->inverseNormal;
+    const FloorView view(pose->camera, registration.worldFromCamera, registration.poseCovariance);
+    const auto sigmaM = measureMarkers(*pairs, view, registration);
+    if (!sigmaM)
+        return tl::unexpected(sigmaM.error());
+    if (registration.rmsPx > worstMisfit * extentPx(*pairs)) {
+        const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorPx);
+        return refuse("the markers do not fit a flat floor: " + formatNumber(registration.rmsPx, 1) +
+                          " px RMS, most at " + worst->label + " (" + formatNumber(worst->errorPx, 1) +
+                          " px)",
+                      "check the layout, the labels and the intrinsics");
+    }
+    if (*sigmaM > worstSigma * layoutM)
+        return refuse("the markers lie so nearly on one line that the floor is known only to ±" +
+                          millimetres(*sigmaM),
+                      "spread the markers over the floor");
+    registration.verdict = verdictOf(registration, *pose, *sigmaM, layoutM, intrinsicsKnown);
+    const std::string better = doubtOfOrder(*pairs, *pose, camera, focal);
+    if (!better.empty())
+        registration.verdict += " But " + better + ": check these labels.";
+    return registration;
+}
+
+} // namespace odo
