@@ -17,38 +17,47 @@ enum class SampleFlag : std::uint32_t {
     Jump = 1u << 0,              ///< too far from where the neighbours put it
     SpeedLimit = 1u << 1,        ///< faster than the task's or robot's limit
     AccelerationLimit = 1u << 2, ///< harder than the limit
-    ViewsDisagree = 1u << 3,     ///< the views put it at different places
-    LowScore = 1u << 4,          ///< the tracker was not sure
-    Lost = 1u << 5,              ///< no view found the robot
-    DuplicateFrame = 1u << 6,    ///< the camera repeated a picture
-    Interpolated = 1u << 7,      ///< the profile bridges a gap here
-    ByHand = 1u << 8,            ///< a person set or lifted the flag
+    ViewsDisagree = 1u << 3,  ///< the views put it at different places. Alone: those at fault were left out,
+                              ///< the rest is used; with Jump: none could be trusted
+    LowScore = 1u << 4,       ///< the tracker was not sure
+    Lost = 1u << 5,           ///< no view found the robot
+    DuplicateFrame = 1u << 6, ///< the camera repeated a picture
+    Interpolated = 1u << 7,   ///< the profile bridges a gap here
+    ByHand = 1u << 8,         ///< a person set or lifted the flag
 };
 using SampleFlags = std::uint32_t;
 
-constexpr SampleFlags flagBit(SampleFlag flag) { return static_cast<SampleFlags>(flag); }
-constexpr bool hasFlag(SampleFlags flags, SampleFlag flag) { return (flags & flagBit(flag)) != 0; }
+constexpr SampleFlags flagBit(SampleFlag flag)
+{
+    return static_cast<SampleFlags>(flag);
+}
+constexpr bool hasFlag(SampleFlags flags, SampleFlag flag)
+{
+    return (flags & flagBit(flag)) != 0;
+}
 /// "jump", "speed_limit", ...
 std::string_view flagName(SampleFlag flag);
 /// All set names joined by '|', in the order of the bits.
 std::string flagNames(SampleFlags flags);
-/// True when the raw position is not used by the smoother (spike or nothing measured).
+/// True when the raw position is not used by the smoother (spike or nothing measured). ViewsDisagree by
+/// itself does not reject: the position is that of the views which agree with one another, or with the
+/// motion.
 constexpr bool isRejected(SampleFlags flags)
 {
-    constexpr SampleFlags rejecting = (1u << 0) | (1u << 1) | (1u << 2) | (1u << 3) | (1u << 4) | (1u << 5) | (1u << 6);
+    constexpr SampleFlags rejecting = (1u << 0) | (1u << 1) | (1u << 2) | (1u << 4) | (1u << 5) | (1u << 6);
     return (flags & rejecting) != 0;
 }
 
 /// One robot at one time on the floor: the fused measurement, before smoothing. World frame, metres.
 struct Sample
 {
-    Nanoseconds time{0};  ///< since the first view's first frame
-    std::int64_t frame = 0; ///< frame of the first view
-    std::optional<Eigen::Vector2d> position; ///< empty when no view found the robot
+    Nanoseconds time{0};                                        ///< since the first view's first frame
+    std::int64_t frame = 0;                                     ///< frame of the first view
+    std::optional<Eigen::Vector2d> position;                    ///< empty when no view found the robot
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();       ///< frame to frame, m²
     Eigen::Matrix2d commonCovariance = Eigen::Matrix2d::Zero(); ///< calibration, common to the track, m²
-    std::uint32_t views = 0;                     ///< bit i: view i was used
-    std::optional<double> viewDisagreementM;     ///< largest distance between two views' positions
+    std::uint32_t views = 0;                                    ///< bit i: view i was used
+    std::optional<double> viewDisagreementM; ///< largest distance between two views' positions
     SampleFlags flags = 0;
 };
 
@@ -56,10 +65,10 @@ struct Sample
 struct ProfilePoint
 {
     Eigen::Vector2d position, velocity, acceleration;
-    double sigmaXM = 0, sigmaYM = 0;          ///< of the position, common part included
+    double sigmaXM = 0, sigmaYM = 0; ///< of the position, common part included
     double speedMps = 0, sigmaSpeedMps = 0;
     double accelMps2 = 0, sigmaAccelMps2 = 0; ///< |a|
-    bool valid = false;                       ///< false in long gaps and before the first or after the last sighting
+    bool valid = false; ///< false in long gaps and before the first or after the last sighting
 };
 
 /// A named figure with its uncertainty. Unit of the value: as named ("s", "m", "m/s", "m/s²", "mm", "1").
@@ -80,6 +89,13 @@ struct Spike
     std::string reason; ///< e.g. "views disagree by 84 mm"
 };
 
+/// Height of the plane a robot's silhouette is laid on: its centre is, to first order, the picture of the
+/// robot's centre, at half its height.
+constexpr double silhouettePlaneM(double heightM)
+{
+    return heightM / 2;
+}
+
 /// One robot's samples and the curves derived from them; samples and points have equal length.
 struct Profile
 {
@@ -87,7 +103,7 @@ struct Profile
     std::vector<ProfilePoint> points;
     std::vector<Spike> spikes;
     std::vector<Metric> metrics;
-    double heightM = 0;             ///< of the plane used
+    double heightM = 0; ///< of the robot's top; the plane used lies at half of it (silhouettePlaneM)
     bool heightEstimated = false;
     double meanViewDisagreementM = 0;
 };

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/analyser.h"
+
+#include "core/trajectory/floor_positions.h"
+#include "core/trajectory/fused_track.h"
+#include "core/trajectory/height_estimation.h"
+#include "core/trajectory/metrics.h"
+#include "core/trajectory/profile_points.h"
+#include "core/trajectory/spike_flags.h"
+#include "core/trajectory/view_interpolation.h"
+
+#include <algorithm>
+#include <array>
+
+namespace odo {
+
+namespace {
+
+// A told height is that of the top; where the colour ends is known less well.
+constexpr double toldPlaneSigmaM = 0.002;
+// A robot of unknown height seen by one view is taken to lie on the floor; most are less than 120 mm high.
+constexpr double unknownPlaneSigmaM = 0.03;
+constexpr std::size_t leastSamples = 3; // an acceleration needs three positions
+
+constexpr std::array<std::pair<Smoother, std::string_view>, 4> smootherNames{{{Smoother::Rts, "rts"},
+                                                                              {Smoother::SavGol, "savgol"},
+                                                                              {Smoother::Tracker, "tracker"},
+                                                                              {Smoother::None, "none"}}};
+
+constexpr auto cannotAnalyse = "the robot's path cannot be measured";
+
+std::string joinNames(const std::vector<std::string> &names)
+{
+    std::string joined;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0)
+            joined += i + 1 == names.size() ? " and " : ", ";
+        joined += names[i];
+    }
+    return joined;
+}
+
+std::vector<std::string> namesOf(const std::vector<ViewTrack> &views)
+{
+    std::vector<std::string> names;
+    for (const ViewTrack &view : views)
+        names.push_back(view.view);
+    return names;
+}
+
+Result<void> checkViews(const std::vector<ViewTrack> &views)
+{
+    if (views.empty())
+        return fail(ErrorCode::Undetermined, cannotAnalyse, "the trial has no view",
+                    "import at least one video for it");
+    const bool registered = std::any_of(views.begin(), views.end(),
+                                        [](const ViewTrack &view) { return view.floorView.has_value(); });
+    if (!registered)
+        return fail(ErrorCode::Undetermined, cannotAnalyse,
+                    (views.size() == 1 ? "camera " + views.front().view + " is"
+                                       : "cameras " + joinNames(namesOf(views)) + " are") +
+                        " not registered to the floor",
+                    "run odograph register for at least one of them");
+    if (views.front().observations.empty())
+        return fail(ErrorCode::Undetermined, cannotAnalyse, "view " + views.front().view + " has no frame",
+                    "track the trial's videos first");
+    std::size_t found = 0, foundRegistered = 0;
+    for (const ViewTrack &view : views) {
+        const auto count = static_cast<std::size_t>(
+            std::count_if(view.observations.begin(), view.observations.end(),
+                          [](const Observation &observation) { return observation.found; }));
+        found += count;
+        foundRegistered += view.floorView ? count : 0;
+    }
+    if (found == 0)
+        return fail(
+            ErrorCode::Undetermined, cannotAnalyse,
+            "the robot was not found in any picture of " + joinNames(namesOf(views)),
+            "check that the robot's colour in the project is the one in the pictures, that nothing else "
+            "has it, and that the light is sufficient");
+    if (foundRegistered == 0)
+        return fail(ErrorCode::Undetermined, cannotAnalyse,
+                    "only cameras that are not registered to the floor saw the robot",
+                    "run odograph register for them");
+    return {};
+}
+
+/// Each view's sightings on a plane, at the first view's frame times. Unregistered views see nothing.
+std::vector<std::vector<Sighting>> lookFromAllViews(const std::vector<ViewTrack> &views,
+                                                    const std::vector<Nanoseconds> &times, double planeM)
+{
+    std::vector<std::vector<Sighting>> all;
+    for (const ViewTrack &view : views)
+        all.push_back(view.floorView ? sightingsAt(times, placeObservations(view, planeM))
+                                     : std::vector<Sighting>(times.size()));
+    return all;
+}
+
+struct Plane
+{
+    double heightM = 0, sigmaM = 0; ///< of the plane
+    bool estimated = false;
+};
+
+Plane choosePlane(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
+                  const RobotShape &shape)
+{
+    if (shape.heightM)
+        return {silhouettePlaneM(*shape.heightM), toldPlaneSigmaM, false};
+    if (const auto estimate = estimatePlane(lookFromAllViews(views, times, 0)))
+        return {estimate->planeM, estimate->sigmaM, true};
+    return {0, unknownPlaneSigmaM, false};
+}
+
+double meanDisagreement(const std::vector<Sample> &samples)
+{
+    double sum = 0, count = 0;
+    for (const Sample &sample : samples) {
+        if (sample.viewDisagreementM && !isRejected(sample.flags)) {
+            sum += *sample.viewDisagreementM;
+            count += 1;
+        }
+    }
+    return count > 0 ? sum / count : 0;
+}
+
+} // namespace
+
+Result<Smoother> parseSmoother(std::string_view name)
+{
+    for (const auto &[smoother, itsName] : smootherNames) {
+        if (itsName == name)
+            return smoother;
+    }
+    return fail(ErrorCode::NotFound, "smoother " + std::string(name), "there is none of that name",
+                "use rts, savgol, tracker or none");
+}
+
+std::string_view smootherName(Smoother smoother)
+{
+    for (const auto &[one, name] : smootherNames) {
+        if (one == smoother)
+            return name;
+    }
+    return {};
+}
+
+Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &shape,
+                        const AnalysisOptions &options)
+{
+    if (const auto checked = checkViews(views); !checked)
+        return tl::unexpected(checked.error());
+    std::vector<Nanoseconds> times;
+    std::vector<std::int64_t> frames;
+    for (const Observation &observation : views.front().observations) {
+        times.push_back(observation.time + views.front().startOffset);
+        frames.push_back(observation.frame);
+    }
+
+    const Plane plane = choosePlane(views, times, shape);
+    const FusionSettings settings{plane.sigmaM};
+    FusedTrack track = fuseViews(times, frames, lookFromAllViews(views, times, plane.heightM), settings);
+    chooseByMotion(track, settings, options.longestBridgedGap);
+    const MotionNoise noise = flagSpikes(track.samples, options);
+
+    Profile profile;
+    profile.points = makePoints(track.samples, options, noise);
+    const auto used = std::count_if(track.samples.begin(), track.samples.end(), [](const Sample &sample) {
+        return sample.position && !isRejected(sample.flags);
+    });
+    const bool anyValid = std::any_of(profile.points.begin(), profile.points.end(),
+                                      [](const ProfilePoint &point) { return point.valid; });
+    if (static_cast<std::size_t>(used) < leastSamples || !anyValid)
+        return fail(ErrorCode::Undetermined, cannotAnalyse,
+                    "not enough data: of " + std::to_string(track.samples.size()) + " frames " +
+                        std::to_string(used) + " give a position that can be used",
+                    "choose a longer video, or check the robot's colour and the light");
+    profile.spikes = describeSpikes(track, profile.points);
+    profile.metrics = measureRun(track.samples, profile.points);
+    profile.heightM = 2 * plane.heightM;
+    profile.heightEstimated = plane.estimated;
+    profile.meanViewDisagreementM = meanDisagreement(track.samples);
+    profile.samples = std::move(track.samples);
+    return profile;
+}
+
+} // namespace odo

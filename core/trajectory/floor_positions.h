@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/floor_view.h"
+#include "core/trajectory/analyser.h"
+
+#include <vector>
+
+namespace odo {
+
+/// What one view says of the robot's place at one time of the first view's clock.
+struct Sighting
+{
+    Nanoseconds time{0}; ///< since the first view's first frame
+    bool seen =
+        false; ///< false: not found, a repeated picture, or beyond the horizon; place is then meaningless
+    bool duplicate = false; ///< found, but the picture repeats the one before: its time is not known
+    bool cut = false;       ///< cut by the picture's edge: the centre is biased
+    double score = 0;
+    FloorPosition place{};
+};
+
+/// One view's observations laid on the plane z = planeM (the silhouette's centre of a box or cylinder of
+/// height h is, to first order, the picture of its centre: planeM = h/2). The view must be registered.
+/// Observations without a usable covariance are given half a pixel.
+std::vector<Sighting> placeObservations(const ViewTrack &view, double planeM);
+
+/// The median distance between successive sightings' times, seen or not; 0 for fewer than two.
+Nanoseconds typicalInterval(const std::vector<Sighting> &sightings);
+
+} // namespace odo

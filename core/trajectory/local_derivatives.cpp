@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/local_derivatives.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+constexpr std::size_t window = 11;
+constexpr std::size_t coefficients = 4; // of a cubic
+
+/// Rows: weights of position, velocity, acceleration; columns: the neighbours.
+using Weights = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+
+MotionEstimate weightedSum(std::span<const TimedPosition> track, const std::vector<std::size_t> &neighbours,
+                           const Weights &weights, double scale)
+{
+    MotionEstimate estimate;
+    for (std::size_t n = 0; n < neighbours.size(); ++n) {
+        const TimedPosition &node = track[neighbours[n]];
+        const Eigen::Vector3d w = weights.col(static_cast<Eigen::Index>(n));
+        for (int row = 0; row < 3; ++row) {
+            estimate.mean.segment<2>(2 * row) += w[row] * node.position;
+            for (int column = 0; column < 3; ++column)
+                estimate.covariance.block<2, 2>(2 * row, 2 * column) +=
+                    w[row] * w[column] * scale * node.covariance;
+        }
+    }
+    return estimate;
+}
+
+/// The measured nodes nearest to index, at most `window`, in order.
+std::vector<std::size_t> nearestMeasured(std::span<const TimedPosition> track, std::size_t index)
+{
+    std::vector<std::size_t> chosen;
+    std::size_t left = index, right = index + 1; // next to look at: left - 1 and right
+    if (track[index].measured)
+        chosen.push_back(index);
+    while (chosen.size() < window && (left > 0 || right < track.size())) {
+        // In turn from both sides, so that the window stays centred away from the ends.
+        const std::size_t toLeft = index - left, toRight = right - index - 1;
+        const bool goLeft = left > 0 && (right >= track.size() || toLeft <= toRight);
+        const std::size_t next = goLeft ? --left : right++;
+        if (track[next].measured)
+            chosen.push_back(next);
+    }
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+}
+
+/// True when the nodes index + from ... index + to exist and are measured.
+bool allMeasured(std::span<const TimedPosition> track, std::size_t index, std::size_t before,
+                 std::size_t behind)
+{
+    if (index < before || index + behind >= track.size())
+        return false;
+    return std::all_of(track.begin() + static_cast<std::ptrdiff_t>(index - before),
+                       track.begin() + static_cast<std::ptrdiff_t>(index + behind + 1),
+                       [](const TimedPosition &node) { return node.measured; });
+}
+
+} // namespace
+
+std::optional<MotionEstimate> savitzkyGolay(std::span<const TimedPosition> track, std::size_t index,
+                                            double scale)
+{
+    const auto neighbours = nearestMeasured(track, index);
+    if (neighbours.size() < coefficients)
+        return std::nullopt;
+    const double middle = track[index].timeS;
+    const double span = track[neighbours.back()].timeS - track[neighbours.front()].timeS;
+    // In units of the window's length, so that the powers are of one size.
+    Eigen::MatrixXd powers(neighbours.size(), coefficients);
+    for (std::size_t n = 0; n < neighbours.size(); ++n) {
+        const double u = (track[neighbours[n]].timeS - middle) / span;
+        powers.row(static_cast<Eigen::Index>(n)) << 1, u, u * u, u * u * u;
+    }
+    const Eigen::MatrixXd fit =
+        powers.householderQr().solve(Eigen::MatrixXd::Identity(powers.rows(), powers.rows()));
+    Weights weights(3, powers.rows());
+    weights.row(0) = fit.row(0);
+    weights.row(1) = fit.row(1) / span;
+    weights.row(2) = 2 * fit.row(2) / (span * span);
+    return weightedSum(track, neighbours, weights, scale);
+}
+
+std::optional<MotionEstimate> trackerDifferences(std::span<const TimedPosition> track, std::size_t index,
+                                                 double scale)
+{
+    if (!allMeasured(track, index, 2, 2))
+        return std::nullopt;
+    const double twoSteps = track[index + 1].timeS - track[index - 1].timeS;
+    const double step = (track[index + 2].timeS - track[index - 2].timeS) / 4;
+    Weights weights(3, 5);
+    weights.row(0) << 0, 0, 1, 0, 0;
+    weights.row(1) << 0, -1, 0, 1, 0;
+    weights.row(1) /= twoSteps;
+    weights.row(2) << 2, -1, -2, -1, 2;
+    weights.row(2) /= 7 * step * step;
+    return weightedSum(track, {index - 2, index - 1, index, index + 1, index + 2}, weights, scale);
+}
+
+std::optional<MotionEstimate> rawDifferences(std::span<const TimedPosition> track, std::size_t index,
+                                             double scale)
+{
+    if (!allMeasured(track, index, 2, 0))
+        return std::nullopt;
+    const double last = track[index].timeS - track[index - 1].timeS;
+    const double before = track[index - 1].timeS - track[index - 2].timeS;
+    Weights weights(3, 3);
+    weights.row(0) << 0, 0, 1;
+    weights.row(1) << 0, -1 / last, 1 / last;
+    weights.row(2) << 1 / before, -1 / before - 1 / last, 1 / last;
+    weights.row(2) /= last;
+    return weightedSum(track, {index - 2, index - 1, index}, weights, scale);
+}
+
+} // namespace odo

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/profile_points.h"
+
+#include "core/trajectory/local_derivatives.h"
+
+#include <cmath>
+
+namespace odo {
+
+double sigmaOfLength(const Eigen::Vector2d &vector, const Eigen::Matrix2d &covariance)
+{
+    const double trace = covariance.trace();
+    if (!(trace > 0))
+        return 0;
+    return std::sqrt((vector.dot(covariance * vector) + trace * trace / 2) /
+                     (vector.squaredNorm() + trace / 2));
+}
+
+ProfilePoint makePoint(const MotionEstimate &estimate, const Eigen::Matrix2d &commonCovariance)
+{
+    ProfilePoint point;
+    point.position = estimate.position();
+    point.velocity = estimate.velocity();
+    point.acceleration = estimate.acceleration();
+    point.sigmaXM = std::sqrt(std::max(0.0, estimate.covariance(0, 0) + commonCovariance(0, 0)));
+    point.sigmaYM = std::sqrt(std::max(0.0, estimate.covariance(1, 1) + commonCovariance(1, 1)));
+    point.speedMps = point.velocity.norm();
+    point.sigmaSpeedMps = sigmaOfLength(point.velocity, estimate.covariance.block<2, 2>(2, 2));
+    point.accelMps2 = point.acceleration.norm();
+    point.sigmaAccelMps2 = sigmaOfLength(point.acceleration, estimate.covariance.block<2, 2>(4, 4));
+    point.valid = true;
+    return point;
+}
+
+namespace {
+
+ProfilePoint emptyPoint()
+{
+    ProfilePoint point;
+    point.position.setZero();
+    point.velocity.setZero();
+    point.acceleration.setZero();
+    return point;
+}
+
+std::vector<std::optional<MotionEstimate>> estimatesOf(const TrackSegment &segment, Smoother smoother,
+                                                       MotionNoise noise)
+{
+    std::vector<std::optional<MotionEstimate>> estimates(segment.nodes.size());
+    if (smoother == Smoother::Rts) {
+        if (segment.measured < 3)
+            return estimates;
+        const auto smoothed = smoothMotion(segment.nodes, noise);
+        std::copy(smoothed.begin(), smoothed.end(), estimates.begin());
+        return estimates;
+    }
+    const auto derive = smoother == Smoother::SavGol    ? savitzkyGolay
+                        : smoother == Smoother::Tracker ? trackerDifferences
+                                                        : rawDifferences;
+    for (std::size_t i = 0; i < estimates.size(); ++i)
+        estimates[i] = derive(segment.nodes, i, noise.measurementScale);
+    return estimates;
+}
+
+/// The calibration's part for a bridged sample is that of the nearest measured one before it.
+const Eigen::Matrix2d &commonPart(const std::vector<Sample> &samples, const TrackSegment &segment,
+                                  std::size_t i)
+{
+    while (!segment.nodes[i].measured)
+        --i;
+    return samples[segment.first + i].commonCovariance;
+}
+
+} // namespace
+
+std::vector<ProfilePoint> makePoints(std::vector<Sample> &samples, const AnalysisOptions &options,
+                                     MotionNoise noise)
+{
+    std::vector<ProfilePoint> points(samples.size(), emptyPoint());
+    for (Sample &sample : samples)
+        sample.flags &= ~flagBit(SampleFlag::Interpolated);
+    for (const TrackSegment &segment : cutIntoSegments(samples, options.longestBridgedGap)) {
+        const auto estimates = estimatesOf(segment, options.smoother, noise);
+        for (std::size_t i = 0; i < estimates.size(); ++i) {
+            if (!estimates[i] || !estimates[i]->mean.allFinite() || !estimates[i]->covariance.allFinite())
+                continue;
+            points[segment.first + i] = makePoint(*estimates[i], commonPart(samples, segment, i));
+            if (!segment.nodes[i].measured)
+                samples[segment.first + i].flags |= flagBit(SampleFlag::Interpolated);
+        }
+    }
+    return points;
+}
+
+} // namespace odo

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/analyser.h"
+#include "core/trajectory/kalman_smoother.h"
+#include "core/trajectory/track_segments.h"
+
+#include <vector>
+
+namespace odo {
+
+/// Standard deviation of a vector's length: √((vᵀPv + tr(P)²/2) / (|v|² + tr(P)/2)). It is that of first
+/// order for a length far above its noise, and the root mean square of the whole noise for a length near
+/// zero, where first order would promise too little.
+double sigmaOfLength(const Eigen::Vector2d &vector, const Eigen::Matrix2d &covariance);
+
+/// A valid point from an estimate, with the calibration's part added to the position's σ.
+ProfilePoint makePoint(const MotionEstimate &estimate, const Eigen::Matrix2d &commonCovariance);
+
+/// The curves of all samples by the wanted method; points where it does not reach are not valid. Interpolated
+/// is set on samples that are bridged, cleared elsewhere. Pure but for that. Rts: needs three measurements in
+/// a segment. SavGol: least squares of a cubic through the eleven nearest used samples at their true times
+/// (Savitzky and Golay 1964 for equal steps); towards the ends and with fewer than eleven, what there is;
+/// needs four. Tracker: v = (x₊₁ − x₋₁)/2Δt, a = (2x₊₂ − x₊₁ − 2x − x₋₁ + 2x₋₂)/7Δt² (Tracker's
+/// FirstDerivative and SecondDerivative) with the neighbours' mean Δt; none at gaps. None: differences to the
+/// sample before (Park 2018, eq. 6 to 8); none at gaps.
+std::vector<ProfilePoint> makePoints(std::vector<Sample> &samples, const AnalysisOptions &options,
+                                     MotionNoise noise);
+
+} // namespace odo

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/kalman_smoother.h"
+
+#include <QTest>
+#include <random>
+
+using namespace odo;
+
+namespace {
+
+std::vector<TimedPosition> track(int count, double stepS, double sigmaM,
+                                 const std::function<Eigen::Vector2d(double)> &course, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0, sigmaM);
+    std::vector<TimedPosition> nodes;
+    for (int i = 0; i < count; ++i) {
+        const double t = i * stepS;
+        nodes.push_back({t, true, course(t) + Eigen::Vector2d(noise(random), noise(random)),
+                         Eigen::Matrix2d::Identity() * sigmaM * sigmaM});
+    }
+    return nodes;
+}
+
+} // namespace
+
+class TestKalmanSmoother : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void constantVelocityIsExact()
+    {
+        // Irregular times, no noise: position and velocity must come out to rounding.
+        std::vector<TimedPosition> nodes;
+        for (const double t : {0.0, 0.03, 0.071, 0.1, 0.2, 0.21, 0.5, 0.53})
+            nodes.push_back(
+                {t, true, Eigen::Vector2d(1 + 2 * t, 3 - 0.5 * t), Eigen::Matrix2d::Identity() * 1e-10});
+        for (const MotionEstimate &estimate : smoothMotion(nodes, {1.0, 1.0})) {
+            QVERIFY((estimate.velocity() - Eigen::Vector2d(2, -0.5)).norm() < 1e-4);
+            QVERIFY(estimate.acceleration().norm() < 1e-2);
+        }
+    }
+
+    void withoutProcessNoiseItIsAParabolaFit()
+    {
+        // q → 0: least squares of a parabola with equal weights (the start's ignorance is negligible: 1e4 σ).
+        const double sigma = 0.002;
+        const auto nodes = track(
+            40, 1.0 / 30, sigma, [](double t) { return Eigen::Vector2d(t + t * t, -t); }, 3);
+        Eigen::MatrixXd powers(40, 3);
+        Eigen::VectorXd x(40);
+        const double t0 = nodes[7].timeS;
+        for (int i = 0; i < 40; ++i) {
+            const double u = nodes[static_cast<std::size_t>(i)].timeS - t0;
+            powers.row(i) << 1, u, u * u / 2;
+            x[i] = nodes[static_cast<std::size_t>(i)].position.x();
+        }
+        const Eigen::Matrix3d covariance = (powers.transpose() * powers).inverse() * sigma * sigma;
+        const Eigen::Vector3d fit = (powers.transpose() * powers).ldlt().solve(powers.transpose() * x);
+        const MotionEstimate estimate = smoothMotion(nodes, {1e-12, 1.0})[7];
+        for (int k = 0; k < 3; ++k) {
+            const double s = std::sqrt(covariance(k, k));
+            QVERIFY2(std::abs(estimate.mean[2 * k] - fit[k]) < 0.01 * s, qPrintable(QString::number(k)));
+            QVERIFY(std::abs(std::sqrt(estimate.covariance(2 * k, 2 * k)) / s - 1) < 0.01);
+        }
+    }
+
+    void theAxesShareACovariance()
+    {
+        // Fully determined by the rotated problem: smoothing must commute with turning the world.
+        auto nodes = track(
+            30, 0.04, 0.003, [](double t) { return Eigen::Vector2d(t, t * t); }, 5);
+        Eigen::Matrix2d shape;
+        shape << 9e-6, 4e-6, 4e-6, 3e-6;
+        for (TimedPosition &node : nodes)
+            node.covariance = shape;
+        const auto plain = smoothMotion(nodes, {20, 1});
+        const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
+        for (TimedPosition &node : nodes) {
+            node.position = turn * node.position;
+            node.covariance = turn * node.covariance * turn.transpose();
+        }
+        const auto turned = smoothMotion(nodes, {20, 1});
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            QVERIFY((turned[i].velocity() - turn * plain[i].velocity()).norm() < 1e-8);
+    }
+
+    void aGapWidensTheSigmaAndClosesAgain()
+    {
+        auto nodes = track(
+            60, 1.0 / 30, 0.002, [](double t) { return Eigen::Vector2d(t, 0); }, 7);
+        for (std::size_t i = 25; i < 40; ++i)
+            nodes[i].measured = false;
+        const auto estimates = smoothMotion(nodes, {10, 1});
+        const auto sigma = [&](std::size_t i) { return std::sqrt(estimates[i].covariance(0, 0)); };
+        QVERIFY(sigma(32) > 3 * sigma(15));
+        QVERIFY(sigma(32) > sigma(27));
+        QVERIFY(sigma(32) > sigma(38));
+        QVERIFY(std::abs(estimates[32].mean[0] - nodes[32].timeS) < 3 * sigma(32));
+    }
+
+    void findsTheNoiseThatMadeTheTrack()
+    {
+        // Simulate the model itself: white jerk of density 8 and measurements twice as noisy as stated.
+        std::mt19937 random(11);
+        std::normal_distribution<double> noise(0, 1);
+        const double dt = 0.02, density = 8, stated = 0.002;
+        Eigen::Matrix3d q;
+        q << std::pow(dt, 5) / 20, std::pow(dt, 4) / 8, std::pow(dt, 3) / 6, std::pow(dt, 4) / 8,
+            std::pow(dt, 3) / 3, dt * dt / 2, std::pow(dt, 3) / 6, dt * dt / 2, dt;
+        const Eigen::Matrix3d root = (density * q).llt().matrixL();
+        Eigen::Matrix3d f;
+        f << 1, dt, dt * dt / 2, 0, 1, dt, 0, 0, 1;
+        Eigen::Matrix<double, 3, 2> state = Eigen::Matrix<double, 3, 2>::Zero();
+        std::vector<TimedPosition> nodes;
+        for (int i = 0; i < 3000; ++i) {
+            Eigen::Matrix<double, 3, 2> kick;
+            for (double &k : kick.reshaped())
+                k = noise(random);
+            state = f * state + root * kick;
+            nodes.push_back(
+                {i * dt, true,
+                 state.row(0).transpose() + 2 * stated * Eigen::Vector2d(noise(random), noise(random)),
+                 Eigen::Matrix2d::Identity() * stated * stated});
+        }
+        const MotionNoise found = estimateMotionNoise({std::span<const TimedPosition>(nodes)}, false);
+        QVERIFY2(std::abs(found.measurementScale - 4) < 0.3,
+                 qPrintable(QString::number(found.measurementScale)));
+        QVERIFY2(found.jerkDensity > 5 && found.jerkDensity < 12,
+                 qPrintable(QString::number(found.jerkDensity)));
+    }
+
+    void aRobotAtRestNeedsNoJerk()
+    {
+        const auto nodes = track(
+            300, 1.0 / 30, 0.002, [](double) { return Eigen::Vector2d(1, 1); }, 13);
+        const MotionNoise found = estimateMotionNoise({std::span<const TimedPosition>(nodes)}, false);
+        QVERIFY(found.jerkDensity < 1e-3);
+        const auto estimates = smoothMotion(nodes, found);
+        QVERIFY(estimates[150].velocity().norm() < 0.002);
+        QVERIFY(estimates[150].covariance.allFinite());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestKalmanSmoother)
+#include "tst_kalman_smoother.moc"
