@@ -13,6 +13,7 @@ namespace odo {
 class FrameStream
 {
 public:
+    /// `ahead`: frames kept ready at most. Errors: those of VideoReader::open.
     static Result<std::unique_ptr<FrameStream>> open(const std::filesystem::path &file,
                                                      std::size_t ahead = 8);
     ~FrameStream();
@@ -20,7 +21,8 @@ public:
     FrameStream &operator=(const FrameStream &) = delete;
 
     const VideoInfo &info() const;
-    /// The next frame; nullopt at the end. Damaged frames are skipped and counted.
+    /// The next frame; nullopt at the end. Waits for the reading thread. Damaged frames are skipped and
+    /// counted.
     Result<std::optional<Frame>> pop();
     std::int64_t damagedFrames() const;
     /// CPU time that the reading thread has spent so far.

@@ -17,7 +17,8 @@ struct ScreenPicture
     std::vector<std::uint32_t> pixels;
 };
 
-/// Scales and converts a frame for the screen in one go (libyuv); 0.3 to 0.6 ms for a 960×540 view of 1080p.
+/// Scales a frame to this size and converts it for the screen, by its own matrix and range (libyuv). Empty
+/// for a size of 0 or less. Any thread.
 ScreenPicture toScreen(const Frame &frame, int width, int height);
 
 /// Reads a still picture (PNG, JPEG, ...) as a full-range 4:4:4 frame. Refuses more than 100 megapixels

@@ -98,6 +98,10 @@ struct VideoReader::Impl
     libav::FramePtr decodePicture();
     std::optional<Frame> decodeFrame();
     void decodeTo(std::size_t frame);
+    bool isAhead(std::size_t frame) const
+    {
+        return ahead && ahead->index == static_cast<std::int64_t>(frame);
+    }
     bool isOnTheWay(std::size_t frame) const;
 };
 
@@ -256,19 +260,18 @@ Result<std::optional<Frame>> VideoReader::next()
     Impl &d = *m_impl;
     if (d.nextIndex >= d.index.frames.size())
         return std::nullopt;
-    d.decodeTo(d.nextIndex);
-    const auto wanted = static_cast<std::int64_t>(d.nextIndex);
-    if (d.beganMidway && (!d.ahead || d.ahead->index > wanted)) {
+    const std::size_t wanted = d.nextIndex++;
+    d.decodeTo(wanted);
+    if (d.beganMidway && !d.isAhead(wanted)) {
         // What the container calls a key frame was none (gradual refresh): only the long way is exact.
         if (auto again = d.restart(); !again)
             return tl::unexpected(again.error());
-        d.decodeTo(d.nextIndex);
+        d.decodeTo(wanted);
     }
     d.beganMidway = false;
-    ++d.nextIndex;
-    if (!d.ahead || d.ahead->index > wanted)
-        return fail(ErrorCode::InvalidInput, "cannot decode " + d.name(d.nextIndex - 1),
-                    "its data are damaged", "it is left out");
+    if (!d.isAhead(wanted))
+        return fail(ErrorCode::InvalidInput, "cannot decode " + d.name(wanted), "its data are damaged",
+                    "it is left out");
     return std::exchange(d.ahead, std::nullopt);
 }
 

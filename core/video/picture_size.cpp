@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/video/picture_size.h"
+
+#include <cctype>
+#include <string_view>
+
+namespace odo {
+
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// A number of `count` bytes at `at`; 0 where the file ends before it, which no size can be.
+std::uint32_t number(Bytes file, std::size_t at, std::size_t count, bool bigEndian)
+{
+    if (at > file.size() || count > file.size() - at)
+        return 0;
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        value = value << 8 | file[bigEndian ? at + i : at + count - 1 - i];
+    return value;
+}
+
+bool startsWith(Bytes file, std::string_view magic)
+{
+    return std::string_view(reinterpret_cast<const char *>(file.data()), file.size()).starts_with(magic);
+}
+
+/// Walks the segments up to the first start of frame (ITU-T T.81 §B.1).
+PictureSize jpegSize(Bytes file)
+{
+    std::size_t at = 2;
+    while (at + 9 < file.size()) {
+        const std::uint8_t marker = file[at + 1];
+        if (file[at] != 0xff)
+            return {};
+        if (marker == 0xff || marker == 0x01 ||
+            (marker >= 0xd0 && marker <= 0xd7)) { // fill byte or bare marker
+            at += marker == 0xff ? 1 : 2;
+            continue;
+        }
+        const bool startOfFrame =
+            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+        if (startOfFrame)
+            return {number(file, at + 7, 2, true), number(file, at + 5, 2, true)};
+        at += 2 + number(file, at + 2, 2, true);
+    }
+    return {};
+}
+
+/// The first image file directory (TIFF 6.0 §2): tags 256 width, 257 height.
+PictureSize tiffSize(Bytes file, bool bigEndian)
+{
+    const std::size_t directory = number(file, 4, 4, bigEndian);
+    const std::uint32_t entries = number(file, directory, 2, bigEndian);
+    PictureSize size;
+    for (std::uint32_t i = 0; i < entries; ++i) {
+        const std::size_t entry = directory + 2 + std::size_t(12) * i;
+        const std::uint32_t tag = number(file, entry, 2, bigEndian);
+        const std::size_t bytes = number(file, entry + 2, 2, bigEndian) == 3 ? 2 : 4;
+        if (tag == 256)
+            size.width = number(file, entry + 8, bytes, bigEndian);
+        if (tag == 257)
+            size.height = number(file, entry + 8, bytes, bigEndian);
+    }
+    return size;
+}
+
+/// "P5 640 480 255", with comments from # to the end of a line.
+PictureSize pnmSize(Bytes file)
+{
+    std::uint32_t numbers[2] = {};
+    std::size_t at = 2;
+    for (std::uint32_t &value : numbers) {
+        while (at < file.size() && (std::isspace(file[at]) != 0 || file[at] == '#'))
+            if (file[at++] == '#')
+                while (at < file.size() && file[at] != '\n')
+                    ++at;
+        for (int digits = 0; at < file.size() && std::isdigit(file[at]) != 0 && digits < 9; ++at, ++digits)
+            value = value * 10 + (file[at] - '0');
+    }
+    return {numbers[0], numbers[1]};
+}
+
+PictureSize statedSize(Bytes file)
+{
+    using namespace std::string_view_literals;
+    if (startsWith(file, "\x89PNG\r\n\x1a\n"sv))
+        return {number(file, 16, 4, true), number(file, 20, 4, true)};
+    if (startsWith(file, "\xff\xd8\xff"sv))
+        return jpegSize(file);
+    if (startsWith(file, "BM"sv)) {
+        const auto height =
+            static_cast<std::int32_t>(number(file, 22, 4, false)); // negative: rows from the top
+        return {number(file, 18, 4, false),
+                static_cast<std::uint32_t>(height < 0 ? -std::int64_t(height) : height)};
+    }
+    if (startsWith(file, "II*\0"sv) || startsWith(file, "MM\0*"sv))
+        return tiffSize(file, file[0] == 'M');
+    if (file.size() > 2 && file[0] == 'P' && file[1] >= '1' && file[1] <= '6')
+        return pnmSize(file);
+    return {};
+}
+
+} // namespace
+
+std::optional<PictureSize> pictureSize(Bytes file)
+{
+    const PictureSize size = statedSize(file);
+    return size.width > 0 && size.height > 0 ? std::optional(size) : std::nullopt;
+}
+
+} // namespace odo

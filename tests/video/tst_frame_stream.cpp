@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coded_frames.h"
+#include "core/video/frame_stream.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <fstream>
+
+using namespace odo;
+using namespace odo::test;
+
+class TestFrameStream : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void givesEveryFrameAndThenTheEnd();
+    void canBeDroppedAtAnyTime();
+    void skipsAndCountsDamagedFrames();
+    void refusesWhatTheReaderRefuses();
+
+private:
+    std::filesystem::path path(const char *name) const
+    {
+        return std::filesystem::path(m_folder.path().toStdString()) / name;
+    }
+    QTemporaryDir m_folder;
+};
+
+void TestFrameStream::givesEveryFrameAndThenTheEnd()
+{
+    constexpr int count = 100;
+    const auto times = unevenTimes(count);
+    QCOMPARE(writeCoded(path("a.mkv"), times, {}), QString());
+    const auto stream = FrameStream::open(path("a.mkv"), 3);
+    QVERIFY(stream.has_value());
+    QCOMPARE((*stream)->info().frameTimes.size(), std::size_t(count));
+    for (int i = 0; i < count; ++i) {
+        const auto frame = (*stream)->pop();
+        QVERIFY(frame.has_value() && frame->has_value());
+        QCOMPARE(numberIn(**frame), i);
+        QCOMPARE((*frame)->time, times[static_cast<std::size_t>(i)]);
+    }
+    QVERIFY(!(*stream)->pop().value().has_value());
+    QVERIFY(!(*stream)->pop().value().has_value()); // the end stays the end
+    QCOMPARE((*stream)->damagedFrames(), std::int64_t(0));
+    QVERIFY((*stream)->decodeCpuTime() > Nanoseconds(0));
+    QVERIFY((*stream)->decodeCpuTime() < std::chrono::seconds(60));
+}
+
+void TestFrameStream::canBeDroppedAtAnyTime()
+{
+    QCOMPARE(writeCoded(path("b.mkv"), evenTimes(60, 30), {}), QString());
+    for (int taken = 0; taken < 5; ++taken) {
+        auto stream = FrameStream::open(path("b.mkv"), 2);
+        QVERIFY(stream.has_value());
+        for (int i = 0; i < taken; ++i)
+            QVERIFY((*stream)->pop().value().has_value());
+        stream->reset(); // its thread waits for room in the queue
+    }
+}
+
+void TestFrameStream::skipsAndCountsDamagedFrames()
+{
+    VideoWriterOptions options;
+    options.codec = VideoCodec::Ffv1;
+    QCOMPARE(writeCoded(path("c.mkv"), evenTimes(30, 30), options), QString());
+    {
+        std::fstream file(path("c.mkv"), std::ios::in | std::ios::out | std::ios::binary);
+        file.seekp(static_cast<std::streamoff>(std::filesystem::file_size(path("c.mkv")) / 2));
+        file.write("damage damage damage", 20);
+    }
+    const auto stream = FrameStream::open(path("c.mkv"));
+    QVERIFY(stream.has_value());
+    int good = 0;
+    while (const auto frame = (*stream)->pop().value()) {
+        QCOMPARE(numberIn(*frame), int(frame->index));
+        ++good;
+    }
+    QCOMPARE(good, 29);
+    QCOMPARE((*stream)->damagedFrames(), std::int64_t(1));
+}
+
+void TestFrameStream::refusesWhatTheReaderRefuses()
+{
+    const auto stream = FrameStream::open(path("missing.mkv"));
+    QVERIFY(!stream.has_value());
+    QCOMPARE(stream.error().code, ErrorCode::NotFound);
+}
+
+QTEST_GUILESS_MAIN(TestFrameStream)
+#include "tst_frame_stream.moc"
