@@ -2,7 +2,9 @@
 #include "coded_frames.h"
 #include "core/video/video_reader.h"
 
+#include <QDir>
 #include <QFile>
+#include <QScopeGuard>
 #include <QSize>
 #include <QTemporaryDir>
 #include <QTest>
@@ -301,6 +303,9 @@ void TestVideoReader::playlistsOpenNothing()
     const auto other = path("other.mkv");
     QCOMPARE(writeCoded(other, evenTimes(5, 30), {}), QString());
     OpenCounter counter(other);
+    const QString folderBefore = QDir::currentPath(); // relative names would lead to the other file from here
+    QVERIFY(QDir::setCurrent(m_folder.path()));
+    const auto back = qScopeGuard([&] { QDir::setCurrent(folderBefore); });
     QVERIFY(VideoReader::open(other).has_value());
     QVERIFY(counter.wasOpened());
     for (const char *ending : {".mkv", ".mp4", ".m3u8", ".txt", ".mpd"}) {
