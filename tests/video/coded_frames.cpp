@@ -49,6 +49,16 @@ int numberIn(const Frame &frame)
     return number;
 }
 
+std::uint64_t fingerprint(const Frame &frame)
+{
+    std::uint64_t sum = 1469598103934665603ULL;
+    for (const PlaneView &plane : {frame.y, frame.u, frame.v})
+        for (int y = 0; y < plane.height; ++y)
+            for (int x = 0; x < plane.width; ++x)
+                sum = (sum ^ plane.at(x, y)) * 1099511628211ULL;
+    return sum;
+}
+
 QString writeCoded(const std::filesystem::path &file, const std::vector<Nanoseconds> &times,
                    const VideoWriterOptions &options, const FrameFormat &format)
 {

@@ -18,6 +18,9 @@ Frame codedFrame(const FrameFormat &format, int number, Nanoseconds time);
 /// The number that codedFrame wrote.
 int numberIn(const Frame &frame);
 
+/// A sum that tells any two different pictures apart with near certainty (FNV-1a over luma and chroma).
+std::uint64_t fingerprint(const Frame &frame);
+
 /// Frames numbered 0, 1, ... at these times, written to a file. Fails the calling test by returning an error
 /// text.
 QString writeCoded(const std::filesystem::path &file, const std::vector<Nanoseconds> &times,

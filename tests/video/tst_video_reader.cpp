@@ -3,9 +3,7 @@
 #include "core/video/video_reader.h"
 
 #include <QDir>
-#include <QFile>
 #include <QScopeGuard>
-#include <QSize>
 #include <QTemporaryDir>
 #include <QTest>
 #include <fstream>
@@ -31,8 +29,6 @@ private Q_SLOTS:
     void refusals();
     void playlistsOpenNothing_data();
     void playlistsOpenNothing();
-    void realClips_data();
-    void realClips();
 
 private:
     std::filesystem::path path(const std::string &name) const
@@ -50,28 +46,6 @@ private:
     }
     QTemporaryDir m_folder;
 };
-
-namespace {
-
-/// A sum that tells any two different pictures apart with near certainty (FNV-1a over luma and chroma).
-std::uint64_t fingerprint(const Frame &frame)
-{
-    std::uint64_t sum = 1469598103934665603ULL;
-    for (const PlaneView &plane : {frame.y, frame.u, frame.v})
-        for (int y = 0; y < plane.height; ++y)
-            for (int x = 0; x < plane.width; ++x)
-                sum = (sum ^ plane.at(x, y)) * 1099511628211ULL;
-    return sum;
-}
-
-QString realFolder()
-{
-    const QString named = qEnvironmentVariable("ODOGRAPH_REAL_DATA");
-    return named.isEmpty() ? qEnvironmentVariable("ODOGRAPH_SOURCE_DIR") + QStringLiteral("/../shared/data")
-                           : named;
-}
-
-} // namespace
 
 void TestVideoReader::seekingEqualsReading_data()
 {
@@ -318,42 +292,6 @@ void TestVideoReader::playlistsOpenNothing()
             QVERIFY(!counter.wasOpened());
         }
     }
-}
-
-void TestVideoReader::realClips_data()
-{
-    QTest::addColumn<QString>("name");
-    QTest::addColumn<int>("frames");
-    QTest::addColumn<double>("rate");
-    QTest::addColumn<QSize>("size");
-    QTest::newRow("A") << QStringLiteral("cap-two-views/A.mp4") << 100 << 60.0 << QSize(1088, 1920);
-    QTest::newRow("B") << QStringLiteral("cap-two-views/B.mp4") << 100 << 60.0 << QSize(1088, 1920);
-    QTest::newRow("webcam") << QStringLiteral("charuco-four-webcams/cam_0.mp4") << 111 << 6.0
-                            << QSize(1280, 720);
-}
-
-void TestVideoReader::realClips()
-{
-    QFETCH(QString, name);
-    QFETCH(int, frames);
-    QFETCH(double, rate);
-    QFETCH(QSize, size);
-    const QString file = realFolder() + QLatin1Char('/') + name;
-    if (!QFile::exists(file))
-        QSKIP(qPrintable(QStringLiteral("ODOGRAPH-SKIPPED: no real material at ") + file));
-    const auto reader = VideoReader::open(file.toStdString());
-    QVERIFY(reader.has_value());
-    const VideoInfo &info = (*reader)->info();
-    QCOMPARE(int(info.frameTimes.size()), frames);
-    QVERIFY(std::abs(info.framesPerSecond - rate) < 1e-3);
-    QVERIFY(!info.variableRate);
-    QCOMPARE(QSize(info.format.width, info.format.height), size);
-    std::vector<std::uint64_t> sequential;
-    while (const auto frame = (*reader)->next().value())
-        sequential.push_back(fingerprint(*frame));
-    QCOMPARE(int(sequential.size()), frames);
-    for (const int index : {frames - 1, 1, frames / 2, frames / 2 - 1, 0})
-        QCOMPARE(fingerprint((*reader)->frameAt(index).value()), sequential[static_cast<std::size_t>(index)]);
 }
 
 QTEST_GUILESS_MAIN(TestVideoReader)
