@@ -29,6 +29,7 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    void makeButtons();
     void showCurrent();
     void showPlaying();
     void showRate();

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/camera_view.h"
+
+#include "ui/models/figure_text.h"
+#include "ui/models/timeline.h"
+#include "ui/views/picture_area.h"
+
+#include <QStringList>
+
+namespace odo {
+
+namespace {
+
+QString viewTitle(const SceneView &view)
+{
+    const QString name = QString::fromStdString(view.camera);
+    constexpr qsizetype shortName = 2; // "A" alone says little
+    return name.size() <= shortName ? CameraView::tr("Camera %1").arg(name) : name;
+}
+
+QString viewRemark(const TrialScene &scene, std::size_t index)
+{
+    const RecordingRecord &recording = scene.views[index].recording;
+    QStringList parts;
+    parts += QStringLiteral("%1\u00d7%2").arg(recording.widthPx).arg(recording.heightPx);
+    if (recording.framesPerSecond > 0)
+        parts += CameraView::tr("%1 /s").arg(QLocale().toString(recording.framesPerSecond, 'f', 1));
+    const bool synchronised =
+        index > 0 && scene.trial.syncMethod != "none" && scene.trial.syncOffsetSigmaS > 0;
+    if (synchronised)
+        parts += CameraView::tr("in step to %1 ms")
+                     .arg(QLocale().toString(scene.trial.syncOffsetSigmaS * 1e3, 'f', 1));
+    return parts.join(QStringLiteral(" \u00b7 "));
+}
+
+} // namespace
+
+CameraView::CameraView(Timeline &timeline, QWidget *parent)
+    : Card(tr("Camera"), parent), m_area(new PictureArea(timeline, this))
+{
+    setContent(m_area);
+    m_area->setAccessibleName(tr("Picture of the camera"));
+    connect(m_area, &PictureArea::settled, this, &CameraView::settled);
+}
+
+CameraView::~CameraView() = default;
+
+void CameraView::setScene(TrialScenePtr scene, std::size_t view)
+{
+    const bool there = scene && view < scene->views.size();
+    setTitle(there ? viewTitle(scene->views[view]) : tr("Camera"));
+    setRemark(there ? viewRemark(*scene, view) : QString());
+    setBadge(there ? registrationBadge(scene->views[view].registration) : Badge());
+    m_area->setAccessibleName(tr("Picture of %1").arg(title()));
+    m_area->setScene(std::move(scene), view);
+}
+
+bool CameraView::isSettled() const
+{
+    return m_area->isSettled();
+}
+QPointF CameraView::fromPicture(const QPointF &pixel) const
+{
+    return m_area->fromPicture(pixel);
+}
+QWidget *CameraView::pictureArea() const
+{
+    return m_area;
+}
+
+} // namespace odo

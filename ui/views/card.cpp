@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/card.h"
+
+#include "ui/views/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
+#include <QVBoxLayout>
+
+namespace odo {
+
+namespace {
+
+constexpr int cornerRadius = 5;
+
+/// A label whose text is data: never rich text, and it may be cut off rather than widen the card.
+QLabel *plainLabel(QWidget *parent)
+{
+    auto *label = new QLabel(parent);
+    label->setTextFormat(Qt::PlainText);
+    return label;
+}
+
+} // namespace
+
+Card::Card(const QString &title, QWidget *parent)
+    : QFrame(parent), m_header(new QWidget(this)), m_title(plainLabel(m_header)),
+      m_badge(plainLabel(m_header)), m_remark(plainLabel(m_header)),
+      m_headerLayout(new QHBoxLayout(m_header)), m_layout(new QVBoxLayout(this))
+{
+    setFrameShape(QFrame::NoFrame); // painted by paintEvent
+    QFont bold = m_title->font();
+    bold.setBold(true);
+    m_title->setFont(bold);
+    m_remark->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_remark->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_badge->setContentsMargins(7, 1, 7, 1);
+    m_badge->hide();
+    m_headerLayout->setContentsMargins(10, 6, 10, 6);
+    m_headerLayout->setSpacing(9);
+    m_headerLayout->addWidget(m_title);
+    m_headerLayout->addWidget(m_badge);
+    m_headerLayout->addWidget(m_remark, 1);
+    m_layout->setContentsMargins(1, 1, 1, 1);
+    m_layout->setSpacing(1); // the line under the title
+    m_layout->addWidget(m_header);
+    setTitle(title);
+    applyColours();
+}
+
+QString Card::title() const
+{
+    return m_title->text();
+}
+
+void Card::setTitle(const QString &title)
+{
+    m_title->setText(title);
+    setAccessibleName(title);
+}
+
+void Card::setRemark(const QString &remark)
+{
+    m_remark->setText(remark);
+    m_remark->setToolTip(remark.toHtmlEscaped());
+    setAccessibleDescription(remark);
+}
+
+void Card::setBadge(const Badge &badge)
+{
+    m_badgeShown = badge;
+    m_badge->setText(badge.text);
+    m_badge->setVisible(!badge.text.isEmpty());
+    applyColours();
+}
+
+void Card::setContent(QWidget *content)
+{
+    if (m_content) {
+        m_layout->removeWidget(m_content);
+        m_content->deleteLater();
+    }
+    m_content = content;
+    m_layout->addWidget(content, 1);
+}
+
+void Card::addToHeader(QWidget *widget)
+{
+    m_headerLayout->addWidget(widget);
+}
+
+void Card::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const ThemeColours colours = ThemeColours::of(palette());
+    painter.setPen(QPen(colours.border, 1));
+    painter.setBrush(colours.card);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), cornerRadius, cornerRadius);
+    if (!m_content)
+        return;
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.fillRect(QRect(1, m_header->geometry().bottom() + 1, width() - 2, 1), colours.border);
+}
+
+void Card::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange)
+        applyColours();
+    QFrame::changeEvent(event);
+}
+
+void Card::applyColours()
+{
+    const ThemeColours colours = ThemeColours::of(palette());
+    QPalette muted;
+    muted.setColor(QPalette::WindowText, colours.muted);
+    m_remark->setPalette(muted);
+    // A style sheet would break the inheritance of fonts and palettes of the children; the badge has none.
+    const BadgeColours badge = badgeColours(m_badgeShown.state, palette());
+    m_badge->setStyleSheet(QStringLiteral("QLabel { background: %1; color: %2; border-radius: 8px; }")
+                               .arg(badge.ground.name(), badge.text.name()));
+}
+
+} // namespace odo

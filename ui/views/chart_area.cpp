@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/chart_area.h"
+
+#include "ui/models/figure_text.h"
+#include "ui/models/timeline.h"
+#include "ui/views/decimation.h"
+#include "ui/views/theme.h"
+
+#include <QEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QtCharts/QAreaSeries>
+#include <QtCharts/QChart>
+#include <QtCharts/QLineSeries>
+#include <QtCharts/QScatterSeries>
+#include <QtCharts/QValueAxis>
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+// All charts have the same margins, so that their times stand below one another.
+constexpr double leftMargin = 52, rightMargin = 14, topMargin = 10, bottomMargin = 26;
+
+} // namespace
+
+ChartArea::ChartArea(Timeline &timeline, Quantity quantity, QWidget *parent)
+    : QChartView(parent), m_timeline(timeline), m_quantity(quantity), m_timeAxis(new QValueAxis(this)),
+      m_valueAxis(new QValueAxis(this))
+{
+    setFrameShape(QFrame::NoFrame);
+    setRenderHint(QPainter::Antialiasing);
+    setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
+    setFocusPolicy(Qt::StrongFocus);
+    chart()->legend()->hide();
+    chart()->setBackgroundVisible(false);
+    chart()->setAnimationOptions(QChart::NoAnimation);
+    chart()->addAxis(m_timeAxis, Qt::AlignBottom);
+    chart()->addAxis(m_valueAxis, Qt::AlignLeft);
+    for (QValueAxis *axis : {m_timeAxis, m_valueAxis})
+        axis->setVisible(false); // drawn by drawAxes: round numbers in the words of the locale
+    connect(scene(), &QGraphicsScene::changed, this, &ChartArea::forget);
+    connect(&m_timeline, &Timeline::currentChanged, this, [this] { viewport()->update(); });
+    applyColours();
+    setRanges();
+}
+
+ChartArea::~ChartArea() = default;
+
+void ChartArea::forget()
+{
+    m_still = {};
+    viewport()->update();
+}
+
+void ChartArea::clearSeries()
+{
+    m_runs.clear();
+    m_measured.clear();
+    m_spikes.clear();
+    chart()->removeAllSeries();
+}
+
+void ChartArea::setScene(TrialScenePtr scene)
+{
+    clearSeries();
+    m_scene = std::move(scene);
+    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
+        const auto &analysis = m_scene->robots[robot].analysis;
+        m_measured.push_back(analysis ? measuredPoints(analysis->profile, m_quantity) : QList<QPointF>());
+        if (analysis)
+            addRobot(int(robot), analysis->profile);
+    }
+    setRanges();
+    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
+        if (m_scene->robots[robot].analysis && m_quantity == Quantity::Speed)
+            addSpikes(m_scene->robots[robot].analysis->profile);
+    }
+    refill();
+    applyColours();
+}
+
+void ChartArea::addRobot(int robot, const Profile &profile)
+{
+    const auto join = [this](QAbstractSeries *series) {
+        chart()->addSeries(series);
+        series->attachAxis(m_timeAxis);
+        series->attachAxis(m_valueAxis);
+    };
+    for (CurveRun &run : curveRuns(profile, m_quantity)) {
+        if (run.line.size() < 2)
+            continue;
+        auto *upper = new QLineSeries, *lower = new QLineSeries;
+        auto *band = new QAreaSeries(upper, lower);
+        upper->setParent(band);
+        lower->setParent(band);
+        auto *line = new QLineSeries;
+        join(band);
+        join(line);
+        m_runs.push_back({robot, std::move(run), line, upper, lower, band});
+    }
+}
+
+void ChartArea::addSpikes(const Profile &profile)
+{
+    auto *series = new QScatterSeries;
+    series->setMarkerShape(QScatterSeries::MarkerShapeTriangle);
+    series->setMarkerSize(11);
+    for (const Spike &spike : profile.spikes) {
+        const auto index = static_cast<std::size_t>(spike.sampleIndex);
+        if (index >= profile.points.size())
+            continue;
+        const auto measured = measuredSpeed(profile, index);
+        if (!measured && !profile.points[index].valid)
+            continue;
+        const double value = measured ? *measured : curveValue(profile.points[index], m_quantity).value;
+        // What lies beyond the axis is shown at its end: every spike is to be seen.
+        series->append(toSeconds(spike.time), std::clamp(value, m_valueTicks.first, m_valueTicks.last()));
+    }
+    chart()->addSeries(series);
+    series->attachAxis(m_timeAxis);
+    series->attachAxis(m_valueAxis);
+    m_spikes.append(series);
+}
+
+void ChartArea::setRanges()
+{
+    double low = 0, high = 0;
+    for (const Run &run : m_runs) {
+        for (const QPointF &point : run.data.line) {
+            low = std::min(low, point.y());
+            high = std::max(high, point.y());
+        }
+    }
+    // The band counts as long as it does not press the curve flat.
+    const double room = 0.25 * std::max(1e-3, high - low);
+    const double lineLow = low, lineHigh = high;
+    for (const Run &run : m_runs) {
+        for (qsizetype i = 0; i < run.data.line.size(); ++i) {
+            low = std::min(low, std::max(run.data.lower[i].y(), lineLow - room));
+            high = std::max(high, std::min(run.data.upper[i].y(), lineHigh + room));
+        }
+    }
+    if (high - low < 1e-6)
+        high = low + 1;
+    const int most = std::max(2, int(plotRect().height() / 32));
+    m_valueTicks = coveringTicks(low, high, most);
+    m_valueAxis->setRange(m_valueTicks.first, m_valueTicks.last());
+    m_startS = toSeconds(m_timeline.startTime());
+    m_endS = toSeconds(m_timeline.endTime());
+    if (m_scene && !m_scene->frameTimes().empty()) {
+        m_startS = toSeconds(m_scene->frameTimes().front());
+        m_endS = toSeconds(m_scene->frameTimes().back());
+    }
+    if (m_endS <= m_startS)
+        m_endS = m_startS + 1;
+    m_timeAxis->setRange(m_startS, m_endS);
+}
+
+void ChartArea::refill()
+{
+    const int columns = std::max(1, int(plotRect().width()));
+    for (const Run &run : m_runs) {
+        run.line->replace(decimated(run.data.line, m_startS, m_endS, columns));
+        run.upper->replace(decimated(run.data.upper, m_startS, m_endS, columns));
+        run.lower->replace(decimated(run.data.lower, m_startS, m_endS, columns));
+    }
+    forget();
+}
+
+void ChartArea::applyColours()
+{
+    const ThemeColours colours = ThemeColours::of(palette());
+    setBackgroundBrush(colours.card);
+    for (const Run &run : m_runs) {
+        const QColor colour = seriesColour(run.robot, palette());
+        QColor haze = colour;
+        haze.setAlpha(60);
+        run.line->setPen(QPen(colour, 1.8, seriesDash(run.robot), Qt::RoundCap, Qt::RoundJoin));
+        run.band->setBrush(haze);
+        run.band->setPen(Qt::NoPen);
+    }
+    for (QScatterSeries *series : std::as_const(m_spikes)) {
+        series->setColor(colours.spike);
+        series->setBorderColor(colours.card);
+    }
+    forget();
+}
+
+QRectF ChartArea::plotRect() const
+{
+    return QRectF(rect()).adjusted(leftMargin, topMargin, -rightMargin, -bottomMargin);
+}
+
+QPointF ChartArea::positionOf(Nanoseconds time, double value) const
+{
+    const QRectF plot = plotRect();
+    const double span = m_valueTicks.last() - m_valueTicks.first;
+    return {plot.left() + (toSeconds(time) - m_startS) / (m_endS - m_startS) * plot.width(),
+            plot.bottom() - (value - m_valueTicks.first) / span * plot.height()};
+}
+
+void ChartArea::drawPoints(QPainter &painter) const
+{
+    QColor colour = ThemeColours::of(palette()).point;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(colour, 2.6, Qt::SolidLine, Qt::RoundCap));
+    const QRectF plot = plotRect();
+    for (const QList<QPointF> &points : m_measured) {
+        QList<QPointF> places;
+        for (const QPointF &point : decimated(points, m_startS, m_endS, std::max(1, int(plot.width()))))
+            places.append(positionOf(fromSeconds(point.x()), point.y()));
+        painter.setClipRect(plot);
+        painter.drawPoints(places.constData(), int(places.size()));
+    }
+    painter.setClipping(false);
+}
+
+void ChartArea::drawAxes(QPainter &painter) const
+{
+    const ThemeColours colours = ThemeColours::of(palette());
+    const QRectF plot = plotRect();
+    const QFontMetricsF metrics(font());
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    for (const double value : m_valueTicks.values()) {
+        const double y = positionOf({}, value).y();
+        painter.setPen(QPen(colours.grid, 1));
+        painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
+        painter.setPen(colours.muted);
+        painter.drawText(QRectF(0, y - metrics.height() / 2, leftMargin - 8, metrics.height()),
+                         Qt::AlignRight | Qt::AlignVCenter, m_valueTicks.label(value));
+    }
+    const double labelWidth = metrics.horizontalAdvance(QStringLiteral("0000 s"));
+    const AxisTicks seconds =
+        niceTicks(m_startS, m_endS, std::max(2, int(plot.width() / (1.6 * labelWidth))));
+    for (const double second : seconds.values()) {
+        const double x = positionOf(fromSeconds(second), 0).x();
+        painter.drawText(QRectF(x - labelWidth, plot.bottom() + 5, 2 * labelWidth, metrics.height()),
+                         Qt::AlignHCenter, tr("%1 s").arg(seconds.label(second)));
+    }
+}
+
+void ChartArea::drawKey(QPainter &painter) const
+{
+    if (!m_scene || m_scene->robots.size() < 2)
+        return;
+    constexpr double swatch = 28;
+    const QFontMetricsF metrics(font());
+    double right = plotRect().right();
+    for (int robot = int(m_scene->robots.size()) - 1; robot >= 0; --robot) {
+        const QString name = QString::fromStdString(m_scene->robots[std::size_t(robot)].robot.name);
+        const double left = right - metrics.horizontalAdvance(name);
+        const double middle = plotRect().top() + metrics.height() / 2;
+        painter.setPen(ThemeColours::of(palette()).text);
+        painter.drawText(QPointF(left, middle + metrics.capHeight() / 2), name);
+        painter.setPen(QPen(seriesColour(robot, palette()), 2, seriesDash(robot)));
+        painter.drawLine(QPointF(left - swatch - 6, middle), QPointF(left - 6, middle));
+        right = left - swatch - 22;
+    }
+}
+
+void ChartArea::drawBackground(QPainter *painter, const QRectF &rect)
+{
+    QChartView::drawBackground(painter, rect);
+    painter->save();
+    painter->setFont(font());
+    drawAxes(*painter);
+    drawPoints(*painter);
+    drawKey(*painter);
+    painter->restore();
+}
+
+void ChartArea::drawCursor(QPainter &painter) const
+{
+    if (m_timeline.frameCount() == 0)
+        return;
+    const ThemeColours colours = ThemeColours::of(palette());
+    const QRectF plot = plotRect();
+    const double x = positionOf(m_timeline.currentTime(), 0).x();
+    painter.setPen(QPen(colours.text, 1.4, Qt::DotLine));
+    painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+    const QString unit = m_quantity == Quantity::Speed ? QStringLiteral("m/s") : QStringLiteral("m/s\u00b2");
+    const QFontMetricsF metrics(font());
+    const double height = metrics.height() + 6;
+    double top = plot.top();
+    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
+        const auto &analysis = m_scene->robots[robot].analysis;
+        const auto value =
+            analysis ? curveValueAt(analysis->profile, m_quantity, m_timeline.currentTime()) : std::nullopt;
+        if (!value)
+            continue;
+        QString text = figureText(value->value, value->sigma, unit).text();
+        if (m_scene->robots.size() > 1)
+            text.prepend(QString::fromStdString(m_scene->robots[robot].robot.name) + QStringLiteral(": "));
+        const double width = metrics.horizontalAdvance(text) + 14;
+        const bool fits = x + 6 + width <= plot.right();
+        const QRectF bubble(fits ? x + 6 : x - 6 - width, top, width, height);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(colours.bubble);
+        painter.drawRoundedRect(bubble, 3, 3);
+        painter.setPen(colours.bubbleText);
+        painter.drawText(bubble, Qt::AlignCenter, text);
+        const QPointF at = positionOf(m_timeline.currentTime(), value->value);
+        painter.setPen(QPen(colours.card, 1.5));
+        painter.setBrush(seriesColour(int(robot), palette()));
+        painter.drawEllipse(at, 4, 4);
+        top += height + 3;
+    }
+}
+
+void ChartArea::paintEvent(QPaintEvent *)
+{
+    const QSize size = (QSizeF(viewport()->size()) * devicePixelRatioF()).toSize();
+    if (m_still.size() != size) {
+        m_still = QPixmap(size);
+        m_still.setDevicePixelRatio(devicePixelRatioF());
+        m_still.fill(ThemeColours::of(palette()).card);
+        QPainter painter(&m_still);
+        painter.setRenderHint(QPainter::Antialiasing);
+        render(&painter, QRectF(viewport()->rect()), viewport()->rect());
+    }
+    QPainter painter(viewport());
+    painter.drawPixmap(0, 0, m_still);
+    painter.setFont(font());
+    painter.setRenderHint(QPainter::Antialiasing);
+    drawCursor(painter);
+}
+
+void ChartArea::resizeEvent(QResizeEvent *event)
+{
+    QChartView::resizeEvent(event);
+    chart()->setPlotArea(plotRect());
+    setRanges();
+    refill();
+}
+
+void ChartArea::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        applyColours();
+    QChartView::changeEvent(event);
+}
+
+void ChartArea::goTo(double x)
+{
+    const QRectF plot = plotRect();
+    const double part = std::clamp((x - plot.left()) / std::max(1.0, plot.width()), 0.0, 1.0);
+    m_timeline.setCurrentTime(fromSeconds(m_startS + part * (m_endS - m_startS)));
+}
+
+void ChartArea::mousePressEvent(QMouseEvent *event)
+{
+    if (event->button() != Qt::LeftButton)
+        return;
+    m_timeline.pause();
+    goTo(event->position().x());
+}
+
+void ChartArea::mouseMoveEvent(QMouseEvent *event)
+{
+    if (event->buttons().testFlag(Qt::LeftButton))
+        goTo(event->position().x());
+}
+
+void ChartArea::mouseReleaseEvent(QMouseEvent *) {}
+
+} // namespace odo

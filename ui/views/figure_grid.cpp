@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/figure_grid.h"
+
+#include "ui/views/theme.h"
+
+#include <QPainter>
+#include <QStringList>
+
+namespace odo {
+
+namespace {
+
+constexpr int columnCount = 2;
+constexpr int padding = 10;
+
+} // namespace
+
+FigureGrid::FigureGrid(QWidget *parent) : QWidget(parent)
+{
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+    setAccessibleName(tr("Figures"));
+}
+
+void FigureGrid::setFigures(std::vector<NamedFigure> figures)
+{
+    m_figures = std::move(figures);
+    QStringList words;
+    for (const NamedFigure &each : m_figures)
+        words += QStringLiteral("%1: %2").arg(each.name, each.figure.text());
+    setAccessibleDescription(words.join(QStringLiteral("; ")));
+    updateGeometry();
+    update();
+}
+
+int FigureGrid::rowCount() const
+{
+    return std::max(1, (static_cast<int>(m_figures.size()) + columnCount - 1) / columnCount);
+}
+
+QFont FigureGrid::valueFont() const
+{
+    QFont large = font();
+    large.setPointSizeF(font().pointSizeF() * 1.6);
+    return large;
+}
+
+int FigureGrid::rowHeight() const
+{
+    return padding + fontMetrics().height() + QFontMetrics(valueFont()).height() + padding - 4;
+}
+
+QSize FigureGrid::sizeHint() const
+{
+    return {columnCount * fontMetrics().averageCharWidth() * 24, rowCount() * rowHeight()};
+}
+
+QSize FigureGrid::minimumSizeHint() const
+{
+    return {columnCount * fontMetrics().averageCharWidth() * 18, rowCount() * rowHeight()};
+}
+
+void FigureGrid::paintFigure(QPainter &painter, const NamedFigure &figure, const QRect &cell) const
+{
+    const ThemeColours colours = ThemeColours::of(palette());
+    const QRect inner = cell.adjusted(padding, padding - 2, -padding / 2, 0);
+    painter.setFont(font());
+    painter.setPen(colours.muted);
+    painter.drawText(inner, Qt::AlignLeft | Qt::AlignTop,
+                     fontMetrics().elidedText(figure.name, Qt::ElideRight, inner.width()));
+    const QFont large = valueFont();
+    const QFontMetrics largeMetrics(large);
+    const int baseline = inner.top() + fontMetrics().height() + largeMetrics.ascent();
+    painter.setFont(large);
+    painter.setPen(colours.text);
+    painter.drawText(inner.left(), baseline, figure.figure.value);
+    const int left = inner.left() + largeMetrics.horizontalAdvance(figure.figure.value) + 6;
+    painter.setFont(font());
+    painter.setPen(colours.muted);
+    painter.drawText(
+        left, baseline,
+        fontMetrics().elidedText(figure.figure.smallPrint(), Qt::ElideRight, inner.right() - left));
+}
+
+void FigureGrid::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    const ThemeColours colours = ThemeColours::of(palette());
+    if (m_figures.empty()) {
+        painter.setPen(colours.muted);
+        painter.drawText(rect().adjusted(padding, 0, -padding, 0), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("No result yet: track the trial"));
+        return;
+    }
+    const int height = rowHeight(), columnWidth = width() / columnCount;
+    for (std::size_t i = 0; i < m_figures.size(); ++i) {
+        const int row = static_cast<int>(i) / columnCount, column = static_cast<int>(i) % columnCount;
+        paintFigure(painter, m_figures[i], QRect(column * columnWidth, row * height, columnWidth, height));
+    }
+    for (int row = 1; row < rowCount(); ++row)
+        painter.fillRect(0, row * height, width(), 1, colours.border);
+    painter.fillRect(columnWidth, 0, 1, rowCount() * height, colours.border);
+}
+
+} // namespace odo

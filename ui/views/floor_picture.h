@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/job_control.h"
+#include "ui/models/trial_scene.h"
+
+#include <QImage>
+#include <QObject>
+#include <memory>
+#include <thread>
+
+namespace odo {
+
+/// The floor seen from above, put together from the cameras' pictures. Rows go down as Y goes down.
+struct FloorPicture
+{
+    QImage image;               ///< premultiplied ARGB; transparent where no camera looks
+    Eigen::AlignedBox2d extent; ///< of the image on the floor, metres
+};
+
+/// Each point of the floor takes its colour from the views that see it, the one with the finest resolution
+/// there weighing most; the median over a few frames of each view removes whatever moves. Any thread; slow
+/// (decodes). A null image when nothing could be seen or the work was cancelled.
+FloorPicture makeFloorPicture(const TrialScene &scene, const Eigen::AlignedBox2d &extent, int longestSidePx,
+                              const CancelToken &cancel);
+
+/// Makes the floor picture of a scene on a thread of its own. GUI thread.
+class FloorPictureMaker : public QObject
+{
+    Q_OBJECT
+public:
+    explicit FloorPictureMaker(QObject *parent = nullptr);
+    ~FloorPictureMaker() override;
+
+    /// Begins; a picture in work is given up. A null scene only stops.
+    void make(TrialScenePtr scene, const Eigen::AlignedBox2d &extent);
+    bool isRunning() const { return m_running; }
+
+Q_SIGNALS:
+    void ready(const odo::FloorPicture &picture);
+
+private:
+    void stop();
+
+    CancelToken m_cancel;
+    std::thread m_thread;
+    quint64 m_serial = 0;
+    bool m_running = false;
+};
+
+} // namespace odo

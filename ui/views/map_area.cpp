@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/map_area.h"
+
+#include "ui/models/timeline.h"
+#include "ui/views/axis_ticks.h"
+#include "ui/views/theme.h"
+
+#include <QEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace odo {
+
+namespace {
+
+constexpr double sideMargin = 26, topMargin = 24;
+constexpr double footHeight = 30; ///< for the scale and the legend
+
+double topSpeed(const TrialScene &scene)
+{
+    double top = 0;
+    for (const SceneRobot &robot : scene.robots) {
+        if (!robot.analysis)
+            continue;
+        for (const ProfilePoint &point : robot.analysis->profile.points) {
+            if (point.valid)
+                top = std::max(top, point.speedMps);
+        }
+    }
+    return top;
+}
+
+/// The last time at or before which the profile has a valid point; -1 before the first.
+std::ptrdiff_t pointAt(const Profile &profile, Nanoseconds time)
+{
+    const auto after =
+        std::upper_bound(profile.samples.begin(), profile.samples.end(), time,
+                         [](Nanoseconds wanted, const Sample &sample) { return wanted < sample.time; });
+    const std::ptrdiff_t index = (after - profile.samples.begin()) - 1;
+    return index >= 0 && profile.points[static_cast<std::size_t>(index)].valid ? index : -1;
+}
+
+/// Direction of motion; while it stands, the one it had last.
+std::optional<double> headingAt(const Profile &profile, std::ptrdiff_t index)
+{
+    constexpr double standingMps = 0.05;
+    for (; index >= 0; --index) {
+        const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
+        if (point.valid && point.speedMps > std::max(standingMps, 2 * point.sigmaSpeedMps))
+            return std::atan2(point.velocity.y(), point.velocity.x());
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+MapArea::MapArea(Timeline &timeline, QWidget *parent)
+    : QWidget(parent), m_timeline(timeline), m_bounds(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1))
+{
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(&m_timeline, &Timeline::currentChanged, this, qOverload<>(&QWidget::update));
+    connect(&m_maker, &FloorPictureMaker::ready, this, [this](const FloorPicture &picture) {
+        m_floor = picture;
+        m_stillLayer = {};
+        update();
+        Q_EMIT settled();
+    });
+}
+
+void MapArea::setScene(TrialScenePtr scene)
+{
+    m_scene = std::move(scene);
+    m_floor = {};
+    m_stillLayer = {};
+    if (m_scene) {
+        m_bounds = m_scene->floorBounds();
+        m_topSpeedMps = topSpeed(*m_scene);
+        // A little more than what must be seen, so that the picture does not end at the markers.
+        const Eigen::Vector2d beyond = Eigen::Vector2d::Constant(0.2 * m_bounds.sizes().maxCoeff());
+        m_maker.make(m_scene, {m_bounds.min() - beyond, m_bounds.max() + beyond});
+    } else {
+        m_maker.make(nullptr, m_bounds);
+    }
+    update();
+}
+
+double MapArea::scalePx() const
+{
+    const double wide = std::max(10.0, width() - 2 * sideMargin);
+    const double high = std::max(10.0, height() - topMargin - footHeight - sideMargin);
+    return std::min(wide / std::max(1e-6, m_bounds.sizes().x()), high / std::max(1e-6, m_bounds.sizes().y()));
+}
+
+QPointF MapArea::fromWorld(const Eigen::Vector2d &point) const
+{
+    const Eigen::Vector2d apart = (point - m_bounds.center()) * scalePx();
+    return {width() / 2.0 + apart.x(),
+            topMargin + (height() - topMargin - footHeight - sideMargin) / 2.0 - apart.y()};
+}
+
+void MapArea::paintGrid(QPainter &painter) const
+{
+    const ThemeColours colours = ThemeColours::of(palette());
+    const double step = niceTicks(0, m_bounds.sizes().maxCoeff(), 7).step;
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    QColor line = m_floor.image.isNull() ? colours.mapGrid : colours.muted;
+    if (!m_floor.image.isNull())
+        line.setAlpha(60);
+    painter.setPen(QPen(line, 1));
+    const double scale = scalePx();
+    const QPointF origin = fromWorld({0, 0});
+    for (double x = std::fmod(origin.x(), step * scale); x < width(); x += step * scale)
+        painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+    for (double y = std::fmod(origin.y(), step * scale); y < height(); y += step * scale)
+        painter.drawLine(QPointF(0, y), QPointF(width(), y));
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(colours.muted);
+    painter.drawText(QRectF(0, height() - footHeight, width() - 10, footHeight - 6),
+                     Qt::AlignRight | Qt::AlignBottom, tr("grid %1 m").arg(QLocale().toString(step)));
+}
+
+void MapArea::paintMarkers(QPainter &painter) const
+{
+    if (!m_scene->layout)
+        return;
+    const QColor colour = ThemeColours::of(palette()).text;
+    const QFontMetricsF metrics(font());
+    painter.setFont(font());
+    for (const Marker &marker : m_scene->layout->markers) {
+        const QPointF at = fromWorld(marker.pointInWorld);
+        painter.fillRect(QRectF(at.x() - 4, at.y() - 4, 8, 8), colour);
+        painter.setPen(colour);
+        const QString label = QString::fromStdString(marker.label);
+        const bool above = marker.pointInWorld.y() > m_bounds.center().y();
+        const double baseline = above ? at.y() - 8 : at.y() + 8 + metrics.ascent();
+        painter.drawText(QPointF(at.x() - metrics.horizontalAdvance(label) / 2, baseline), label);
+    }
+}
+
+void MapArea::paintTrail(QPainter &painter, const Profile &profile) const
+{
+    constexpr double closestPx = 0.8;
+    struct Piece
+    {
+        QLineF line;
+        double speedMps;
+    };
+    std::vector<Piece> pieces;
+    QPainterPath whole;
+    std::optional<QPointF> last;
+    for (const ProfilePoint &point : profile.points) {
+        if (!point.valid) {
+            last.reset();
+            continue;
+        }
+        const QPointF at = fromWorld(point.position);
+        if (!last) {
+            whole.moveTo(at);
+        } else {
+            const QLineF line(*last, at);
+            if (line.length() < closestPx)
+                continue;
+            pieces.push_back({line, point.speedMps});
+            whole.lineTo(at);
+        }
+        last = at;
+    }
+    // A rim, so that both ends of the colour scale stand out from any floor.
+    const QColor rim = isDark(palette()) ? QColor(235, 238, 240, 150) : QColor(25, 30, 35, 110);
+    painter.strokePath(whole, QPen(rim, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    for (const Piece &piece : pieces) {
+        painter.setPen(QPen(cividis(m_topSpeedMps > 0 ? piece.speedMps / m_topSpeedMps : 0), 3, Qt::SolidLine,
+                            Qt::RoundCap));
+        painter.drawLine(piece.line);
+    }
+}
+
+void MapArea::paintSpikes(QPainter &painter, const Profile &profile) const
+{
+    const ThemeColours colours = ThemeColours::of(palette());
+    painter.setPen(QPen(colours.card, 1));
+    painter.setBrush(colours.spike);
+    for (const Spike &spike : profile.spikes) {
+        const auto index = static_cast<std::size_t>(spike.sampleIndex);
+        if (index >= profile.samples.size())
+            continue;
+        const auto &measured = profile.samples[index].position;
+        if (!measured && !profile.points[index].valid)
+            continue;
+        const QPointF at = fromWorld(measured ? *measured : profile.points[index].position);
+        const QPointF triangle[] = {at + QPointF(-6, 5), at + QPointF(6, 5), at + QPointF(0, -6)};
+        painter.drawConvexPolygon(triangle, 3);
+    }
+}
+
+void MapArea::paintLegend(QPainter &painter) const
+{
+    if (m_topSpeedMps <= 0)
+        return;
+    constexpr int barWidth = 76, barHeight = 7;
+    const double left = 12, middle = height() - footHeight / 2.0 + 1;
+    const ThemeColours colours = ThemeColours::of(palette());
+    QLinearGradient gradient(left, 0, left + barWidth, 0);
+    for (int i = 0; i <= 8; ++i)
+        gradient.setColorAt(i / 8.0, cividis(i / 8.0));
+    painter.setPen(QPen(colours.border, 1));
+    painter.setBrush(gradient);
+    painter.drawRect(QRectF(left, middle - barHeight / 2.0, barWidth, barHeight));
+    painter.setPen(colours.muted);
+    painter.drawText(
+        QPointF(left + barWidth + 7, middle + QFontMetricsF(font()).capHeight() / 2),
+        tr("0 to %1 m/s").arg(QLocale().toString(m_topSpeedMps, 'f', m_topSpeedMps < 1 ? 2 : 1)));
+}
+
+void MapArea::renderStillLayer()
+{
+    m_stillLayer = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
+    m_stillLayer.setDevicePixelRatio(devicePixelRatioF());
+    const ThemeColours colours = ThemeColours::of(palette());
+    m_stillLayer.fill(colours.mapGround);
+    QPainter painter(&m_stillLayer);
+    painter.setFont(font());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    if (!m_floor.image.isNull()) {
+        constexpr double muted = 0.55; // the trail comes first
+        painter.setOpacity(muted);
+        painter.drawImage(QRectF(fromWorld({m_floor.extent.min().x(), m_floor.extent.max().y()}),
+                                 fromWorld({m_floor.extent.max().x(), m_floor.extent.min().y()})),
+                          m_floor.image);
+        painter.setOpacity(1);
+    }
+    // The foot is kept calm, so that scale and legend can be read over any floor.
+    QColor foot = colours.mapGround;
+    foot.setAlpha(215);
+    painter.fillRect(QRectF(0, height() - footHeight, width(), footHeight), foot);
+    paintGrid(painter);
+    paintMarkers(painter);
+    for (const SceneRobot &robot : m_scene->robots) {
+        if (!robot.analysis)
+            continue;
+        paintTrail(painter, robot.analysis->profile);
+        paintSpikes(painter, robot.analysis->profile);
+    }
+    paintLegend(painter);
+}
+
+void MapArea::paintRobot(QPainter &painter, std::size_t robot) const
+{
+    const SceneRobot &shown = m_scene->robots[robot];
+    if (!shown.analysis)
+        return;
+    const Profile &profile = shown.analysis->profile;
+    const std::ptrdiff_t index = pointAt(profile, m_timeline.currentTime());
+    if (index < 0)
+        return;
+    const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
+    const QPointF at = fromWorld(point.position);
+    const double scale = scalePx();
+    const ThemeColours colours = ThemeColours::of(palette());
+    const QColor colour = m_scene->robots.size() == 1 ? colours.spike : seriesColour(int(robot), palette());
+    QColor haze = colour;
+    haze.setAlpha(60);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(haze);
+    painter.drawEllipse(at, 2 * point.sigmaXM * scale, 2 * point.sigmaYM * scale);
+
+    const auto heading = headingAt(profile, index);
+    constexpr double dotRadius = 7;
+    painter.setPen(QPen(colours.card, 2));
+    painter.setBrush(colour);
+    painter.save();
+    painter.translate(at);
+    if (heading) {
+        painter.rotate(-*heading * 180 / std::numbers::pi); // Y is up on the floor, down on the screen
+        const double halfLength = std::max(dotRadius, shown.robot.lengthM.value_or(0) * scale / 2);
+        const double halfWidth = std::max(dotRadius, shown.robot.widthM.value_or(0) * scale / 2);
+        if (shown.robot.lengthM && shown.robot.widthM)
+            painter.drawRoundedRect(QRectF(-halfLength, -halfWidth, 2 * halfLength, 2 * halfWidth), 2, 2);
+        const QPointF arrow[] = {{halfLength + 8, 0}, {halfLength - 2, -5}, {halfLength - 2, 5}};
+        painter.drawConvexPolygon(arrow, 3);
+    }
+    if (!heading || !shown.robot.lengthM || !shown.robot.widthM)
+        painter.drawEllipse(QPointF(0, 0), dotRadius, dotRadius);
+    painter.restore();
+    if (m_scene->robots.size() > 1) {
+        painter.setPen(colours.text);
+        painter.drawText(at + QPointF(dotRadius + 9, -dotRadius), QString::fromStdString(shown.robot.name));
+    }
+}
+
+void MapArea::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    const ThemeColours colours = ThemeColours::of(palette());
+    if (!m_scene) {
+        painter.fillRect(rect(), colours.mapGround);
+        return;
+    }
+    if (m_stillLayer.isNull())
+        renderStillLayer();
+    painter.drawPixmap(0, 0, m_stillLayer);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
+        paintRobot(painter, robot);
+}
+
+void MapArea::resizeEvent(QResizeEvent *)
+{
+    m_stillLayer = {};
+}
+
+void MapArea::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        m_stillLayer = {};
+    QWidget::changeEvent(event);
+}
+
+void MapArea::mousePressEvent(QMouseEvent *event)
+{
+    if (!m_scene || event->button() != Qt::LeftButton)
+        return;
+    constexpr double reachPx = 20;
+    double nearest = reachPx;
+    std::optional<Nanoseconds> time;
+    for (const SceneRobot &robot : m_scene->robots) {
+        for (std::size_t i = 0; robot.analysis && i < robot.analysis->profile.points.size(); ++i) {
+            const ProfilePoint &point = robot.analysis->profile.points[i];
+            if (!point.valid)
+                continue;
+            const double apart = QLineF(fromWorld(point.position), event->position()).length();
+            if (apart < nearest) {
+                nearest = apart;
+                time = robot.analysis->profile.samples[i].time;
+            }
+        }
+    }
+    if (time) {
+        m_timeline.pause();
+        m_timeline.setCurrentTime(*time);
+    }
+}
+
+} // namespace odo

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/trial_scene.h"
+#include "ui/views/floor_picture.h"
+
+#include <QPixmap>
+#include <QWidget>
+
+namespace odo {
+
+class Timeline;
+
+/// The floor from above; inside FloorMap. A click on a trail goes to the time when the robot was there.
+class MapArea : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit MapArea(Timeline &timeline, QWidget *parent = nullptr);
+
+    void setScene(TrialScenePtr scene);
+    bool isSettled() const { return !m_maker.isRunning(); }
+    QPointF fromWorld(const Eigen::Vector2d &point) const;
+
+    QSize sizeHint() const override { return {340, 300}; }
+    QSize minimumSizeHint() const override { return {160, 140}; }
+
+Q_SIGNALS:
+    void settled();
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+
+private:
+    double scalePx() const; ///< logical pixels a metre
+    void renderStillLayer();
+    void paintGrid(QPainter &painter) const;
+    void paintMarkers(QPainter &painter) const;
+    void paintTrail(QPainter &painter, const Profile &profile) const;
+    void paintSpikes(QPainter &painter, const Profile &profile) const;
+    void paintLegend(QPainter &painter) const;
+    void paintRobot(QPainter &painter, std::size_t robot) const;
+
+    Timeline &m_timeline;
+    FloorPictureMaker m_maker;
+    TrialScenePtr m_scene;
+    Eigen::AlignedBox2d m_bounds; ///< of the floor that must be seen
+    double m_topSpeedMps = 0;     ///< end of the colour scale
+    FloorPicture m_floor;
+    QPixmap m_stillLayer; ///< all but the robots; null: to be rendered
+};
+
+} // namespace odo

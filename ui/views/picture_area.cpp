@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/picture_area.h"
+
+#include "ui/models/timeline.h"
+#include "ui/views/picture_overlay.h"
+#include "ui/views/theme.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <QStringList>
+
+namespace odo {
+
+PictureArea::PictureArea(Timeline &timeline, QWidget *parent) : QWidget(parent), m_timeline(timeline)
+{
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(&m_timeline, &Timeline::currentChanged, this, &PictureArea::ask);
+    connect(&m_fetcher, &FrameFetcher::frameReady, this, &PictureArea::showPicture);
+    connect(&m_fetcher, &FrameFetcher::failed, this, &PictureArea::showFailure);
+}
+
+const SceneView *PictureArea::sceneView() const
+{
+    return m_scene && m_view < m_scene->views.size() ? &m_scene->views[m_view] : nullptr;
+}
+
+void PictureArea::setScene(TrialScenePtr scene, std::size_t view)
+{
+    const SceneView *before = sceneView();
+    const std::filesystem::path fileBefore = before ? before->file : std::filesystem::path();
+    m_scene = std::move(scene);
+    m_view = view;
+    m_floorLayer = {};
+    const SceneView *shown = sceneView();
+    const std::filesystem::path file = shown ? shown->file : std::filesystem::path();
+    if (file != fileBefore) {
+        m_fetcher.setFile(file);
+        m_picture = {};
+        m_shownFrame = -1;
+        m_failure.clear();
+    }
+    ask();
+    update();
+}
+
+std::optional<qint64> PictureArea::wantedFrame() const
+{
+    if (!sceneView())
+        return std::nullopt;
+    return m_scene->frameAt(m_view, m_timeline.currentTime());
+}
+
+void PictureArea::ask()
+{
+    const auto frame = wantedFrame();
+    if (!frame) {
+        update(); // outside of this recording: says so
+        return;
+    }
+    if (isVisible())
+        m_fetcher.request(*frame, (pictureRect().size() * devicePixelRatioF()).toSize());
+    if (!m_failure.isEmpty())
+        update();
+}
+
+void PictureArea::showPicture(qint64 frame, const QImage &picture)
+{
+    m_picture = picture;
+    m_shownFrame = frame;
+    m_failure.clear();
+    update();
+    if (isSettled())
+        Q_EMIT settled();
+}
+
+void PictureArea::showFailure(qint64 frame, const QString &message)
+{
+    m_picture = {};
+    m_shownFrame = frame;
+    m_failure = message;
+    update();
+    Q_EMIT settled();
+}
+
+bool PictureArea::isSettled() const
+{
+    const auto frame = wantedFrame();
+    return !frame || !m_failure.isEmpty() || (m_shownFrame == *frame && m_fetcher.isIdle());
+}
+
+QRectF PictureArea::pictureRect() const
+{
+    const SceneView *view = sceneView();
+    if (!view || view->recording.widthPx <= 0 || view->recording.heightPx <= 0)
+        return rect();
+    const QSizeF size = QSizeF(view->recording.widthPx, view->recording.heightPx)
+                            .scaled(QSizeF(rect().size()), Qt::KeepAspectRatio);
+    // On whole device pixels, so that the picture is not resampled once more.
+    const double ratio = devicePixelRatioF();
+    const auto whole = [ratio](double length) { return std::round(length * ratio) / ratio; };
+    return {whole((width() - size.width()) / 2), whole((height() - size.height()) / 2), whole(size.width()),
+            whole(size.height())};
+}
+
+QPointF PictureArea::fromPicture(const QPointF &pixel) const
+{
+    const SceneView *view = sceneView();
+    if (!view || view->recording.widthPx <= 0)
+        return pixel;
+    // Pixel (0,0) is the centre of the top-left pixel.
+    const QRectF target = pictureRect();
+    return target.topLeft() + (pixel + QPointF(0.5, 0.5)) * (target.width() / view->recording.widthPx);
+}
+
+void PictureArea::renderFloorLayer()
+{
+    m_floorLayer = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
+    m_floorLayer.setDevicePixelRatio(devicePixelRatioF());
+    m_floorLayer.fill(Qt::transparent);
+    const SceneView *view = sceneView();
+    if (!view || !view->floorView)
+        return;
+    QPainter painter(&m_floorLayer);
+    painter.setFont(font());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(pictureRect());
+    const PictureMap toWidget = [this](const QPointF &pixel) { return fromPicture(pixel); };
+    paintFloorGrid(painter, *m_scene, *view->floorView, toWidget);
+    for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
+        paintTrail(painter, *m_scene, robot, *view->floorView, toWidget);
+    paintAxes(painter, *m_scene, *view->floorView, toWidget);
+}
+
+void PictureArea::paintRobots(QPainter &painter, qint64 frame) const
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(pictureRect());
+    const PictureMap toWidget = [this](const QPointF &pixel) { return fromPicture(pixel); };
+    for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
+        paintRobot(painter, *m_scene, m_view, robot, frame, toWidget);
+    painter.restore();
+}
+
+void PictureArea::paintMessage(QPainter &painter, const QString &message) const
+{
+    painter.setPen(QColor(0xffe6eaee));
+    painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, message);
+}
+
+void PictureArea::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), ThemeColours::of(palette()).pictureGround);
+    if (!sceneView()) {
+        paintMessage(painter, tr("No view"));
+        return;
+    }
+    if (!m_picture.isNull()) {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(pictureRect(), m_picture);
+    }
+    if (m_floorLayer.isNull())
+        renderFloorLayer();
+    painter.drawPixmap(0, 0, m_floorLayer);
+    const auto wanted = wantedFrame();
+    if (!m_failure.isEmpty())
+        paintMessage(painter, m_failure);
+    else if (!wanted)
+        paintMessage(painter, tr("This camera was not recording at this time"));
+    // The overlay belongs to the picture that is shown, even while a newer one is on its way.
+    const qint64 frame = m_picture.isNull() ? wanted.value_or(-1) : m_shownFrame;
+    if (wanted && frame >= 0)
+        paintRobots(painter, frame);
+}
+
+void PictureArea::resizeEvent(QResizeEvent *)
+{
+    m_floorLayer = {};
+    ask();
+}
+
+void PictureArea::showEvent(QShowEvent *)
+{
+    ask();
+}
+
+void PictureArea::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        m_floorLayer = {};
+    QWidget::changeEvent(event);
+}
+
+} // namespace odo

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/picture_overlay.h"
+
+#include "ui/views/axis_ticks.h"
+#include "ui/views/halo_text.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <QPolygonF>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace odo {
+
+namespace {
+
+// On pictures the colours do not follow the palette: the ground is whatever the camera saw.
+const QColor ellipseColour(0xfff0e442), trailColour(0xff56b4e9), spikeColour(0xfff0803c), rim(0, 0, 0, 120);
+
+std::optional<QPointF> seen(const FloorView &view, const Eigen::Vector2d &point, double heightM,
+                            const PictureMap &map)
+{
+    const auto pixel = view.pixelFromWorld({point.x(), point.y(), heightM});
+    if (!pixel)
+        return std::nullopt;
+    const Intrinsics &picture = view.camera().intrinsics();
+    // Far outside of the picture a long line costs much and shows nothing.
+    const double reach = 2.0 * std::max(picture.widthPx, picture.heightPx);
+    if (!pixel->allFinite() || pixel->cwiseAbs().maxCoeff() > 2 * reach)
+        return std::nullopt;
+    return map(QPointF(pixel->x(), pixel->y()));
+}
+
+/// A straight line of the floor; bent by the lens, so in pieces.
+QPainterPath floorLine(const FloorView &view, const Eigen::Vector2d &from, const Eigen::Vector2d &to,
+                       const PictureMap &map)
+{
+    constexpr int pieces = 24;
+    QPainterPath path;
+    bool penDown = false;
+    for (int i = 0; i <= pieces; ++i) {
+        const auto point = seen(view, from + (to - from) * (double(i) / pieces), 0.0, map);
+        if (point && penDown)
+            path.lineTo(*point);
+        else if (point)
+            path.moveTo(*point);
+        penDown = point.has_value();
+    }
+    return path;
+}
+
+void strokeWithRim(QPainter &painter, const QPainterPath &path, const QColor &colour, double width)
+{
+    painter.strokePath(path, QPen(rim, width + 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.strokePath(path, QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+}
+
+const Spike *spikeAt(const Profile &profile, Nanoseconds time)
+{
+    const auto spike = std::find_if(profile.spikes.begin(), profile.spikes.end(),
+                                    [time](const Spike &each) { return each.time == time; });
+    return spike == profile.spikes.end() ? nullptr : &*spike;
+}
+
+void paintSpike(QPainter &painter, const QPointF &top, const Spike &spike)
+{
+    const QPolygonF triangle({top + QPointF(-6, -4), top + QPointF(6, -4), top + QPointF(0, -15)});
+    painter.setPen(QPen(QColor(0, 0, 0, 170), 1));
+    painter.setBrush(spikeColour);
+    painter.drawPolygon(triangle);
+    drawHaloText(painter, top + QPointF(10, -5), QString::fromStdString(spike.reason), spikeColour);
+}
+
+} // namespace
+
+void paintFloorGrid(QPainter &painter, const TrialScene &scene, const FloorView &view, const PictureMap &map)
+{
+    if (!scene.layout || scene.layout->markers.empty())
+        return;
+    Eigen::AlignedBox2d box;
+    for (const Marker &marker : scene.layout->markers)
+        box.extend(marker.pointInWorld);
+    if (box.sizes().minCoeff() <= 0)
+        return;
+    constexpr int mostLines = 8;
+    QPainterPath lines;
+    const double step = niceTicks(0, box.sizes().maxCoeff(), mostLines).step;
+    for (double x = box.min().x(); x < box.max().x() + step / 2; x += step) {
+        const double inside = std::min(x, box.max().x());
+        lines.addPath(floorLine(view, {inside, box.min().y()}, {inside, box.max().y()}, map));
+    }
+    for (double y = box.min().y(); y < box.max().y() + step / 2; y += step) {
+        const double inside = std::min(y, box.max().y());
+        lines.addPath(floorLine(view, {box.min().x(), inside}, {box.max().x(), inside}, map));
+    }
+    painter.strokePath(lines, QPen(QColor(255, 255, 255, 70), 1));
+}
+
+void paintAxes(QPainter &painter, const TrialScene &scene, const FloorView &view, const PictureMap &map)
+{
+    if (!scene.layout)
+        return;
+    const auto origin = scene.marker("O");
+    for (const char *label : {"U", "V"}) {
+        const auto end = scene.marker(label);
+        if (origin && end)
+            strokeWithRim(painter, floorLine(view, *origin, *end, map), Qt::white, 1.6);
+    }
+    const Eigen::Vector2d centre = scene.floorBounds().center();
+    const auto middle = seen(view, centre, 0, map);
+    for (const Marker &marker : scene.layout->markers) {
+        const auto at = seen(view, marker.pointInWorld, 0, map);
+        if (!at)
+            continue;
+        // Labels stand outside of the field, away from its middle.
+        QPointF away = middle ? *at - *middle : QPointF(0, 1);
+        const double length = std::hypot(away.x(), away.y());
+        away = length > 0 ? away * (13 / length) : QPointF(0, 13);
+        const QString text = QString::fromStdString(marker.label);
+        const QFontMetricsF metrics(painter.font());
+        drawHaloText(painter,
+                     *at + away + QPointF(-metrics.horizontalAdvance(text) / 2, metrics.capHeight() / 2),
+                     text, Qt::white);
+    }
+}
+
+void paintTrail(QPainter &painter, const TrialScene &scene, std::size_t robot, const FloorView &view,
+                const PictureMap &map)
+{
+    const auto &analysis = scene.robots[robot].analysis;
+    if (!analysis)
+        return;
+    constexpr double closestPx = 0.7; // nearer points change nothing that can be seen
+    QPainterPath path;
+    bool penDown = false;
+    QPointF last;
+    for (const ProfilePoint &point : analysis->profile.points) {
+        const auto at =
+            point.valid ? seen(view, point.position, analysis->profile.heightM, map) : std::nullopt;
+        if (!at) {
+            penDown = false;
+            continue;
+        }
+        if (!penDown)
+            path.moveTo(*at);
+        else if (QPointF apart = *at - last; std::hypot(apart.x(), apart.y()) < closestPx)
+            continue;
+        else
+            path.lineTo(*at);
+        penDown = true;
+        last = *at;
+    }
+    strokeWithRim(painter, path, trailColour, 1.8);
+}
+
+void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, std::size_t robot,
+                std::int64_t frame, const PictureMap &map)
+{
+    const Observation *observation = scene.observationAt(view, robot, frame);
+    if (!observation)
+        return;
+    const Ellipse &ellipse = observation->ellipse;
+    const QPointF origin = map({0, 0});
+    const double scale = map({1, 0}).x() - origin.x();
+    constexpr double clearance = 4; // beside the robot, not on it
+    const QPointF centre = map({ellipse.centrePx.x(), ellipse.centrePx.y()});
+    const double a = ellipse.semiMajorPx * scale + clearance, b = ellipse.semiMinorPx * scale + clearance;
+    painter.save();
+    painter.translate(centre);
+    painter.rotate(ellipse.angleRad * 180 / std::numbers::pi);
+    QPainterPath outline;
+    outline.addEllipse(QPointF(0, 0), a, b);
+    strokeWithRim(painter, outline, ellipseColour, 2);
+    painter.restore();
+
+    // Half extents of the turned ellipse.
+    const double c = std::cos(ellipse.angleRad), s = std::sin(ellipse.angleRad);
+    const double halfWidth = std::hypot(a * c, b * s), halfHeight = std::hypot(a * s, b * c);
+    drawHaloText(painter, centre + QPointF(halfWidth + 6, -2),
+                 QString::fromStdString(scene.robots[robot].robot.name), ellipseColour);
+    const auto &analysis = scene.robots[robot].analysis;
+    if (!analysis)
+        return;
+    const Nanoseconds time = scene.views[view].recording.frameTimes.at(static_cast<std::size_t>(frame)) +
+                             scene.views[view].startOffset;
+    const auto first = scene.frameAt(0, time);
+    const Nanoseconds sampleTime = first ? scene.frameTimes()[static_cast<std::size_t>(*first)] : time;
+    if (const Spike *spike = spikeAt(analysis->profile, sampleTime))
+        paintSpike(painter, centre - QPointF(0, halfHeight), *spike);
+}
+
+} // namespace odo

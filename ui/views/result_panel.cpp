@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/result_panel.h"
+
+#include "ui/models/figure_text.h"
+#include "ui/views/figure_grid.h"
+
+#include <QComboBox>
+#include <QSignalBlocker>
+#include <QStringList>
+
+namespace odo {
+
+namespace {
+
+/// The most telling ones first; what else there is fills the grid up.
+std::vector<Metric> chosenMetrics(const std::vector<Metric> &all)
+{
+    constexpr std::size_t shown = 6;
+    static const std::vector<std::string> order = {"duration",   "path_length",      "max_speed",
+                                                   "mean_speed", "max_acceleration", "cross_track"};
+    std::vector<Metric> chosen;
+    for (const std::string &name : order) {
+        const auto found = std::find_if(all.begin(), all.end(),
+                                        [&name](const Metric &metric) { return metric.name == name; });
+        if (found != all.end())
+            chosen.push_back(*found);
+    }
+    for (const Metric &metric : all) {
+        const bool there = std::any_of(chosen.begin(), chosen.end(),
+                                       [&metric](const Metric &each) { return each.name == metric.name; });
+        if (!there)
+            chosen.push_back(metric);
+    }
+    chosen.resize(std::min(chosen.size(), shown));
+    return chosen;
+}
+
+} // namespace
+
+ResultPanel::ResultPanel(QWidget *parent)
+    : Card(tr("Result"), parent), m_grid(new FigureGrid(this)), m_robots(new QComboBox(this))
+{
+    setContent(m_grid);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    m_robots->setAccessibleName(tr("Robot whose result is shown"));
+    m_robots->hide();
+    addToHeader(m_robots);
+    connect(m_robots, &QComboBox::currentIndexChanged, this, &ResultPanel::showRobot);
+}
+
+void ResultPanel::setScene(TrialScenePtr scene)
+{
+    m_scene = std::move(scene);
+    const QSignalBlocker blocked(m_robots);
+    m_robots->clear();
+    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot)
+        m_robots->addItem(QString::fromStdString(m_scene->robots[robot].robot.name));
+    m_robots->setVisible(m_robots->count() > 1);
+    showRobot(m_robots->count() > 0 ? 0 : -1);
+}
+
+void ResultPanel::showRobot(int robot)
+{
+    const bool known = m_scene && robot >= 0 && robot < static_cast<int>(m_scene->robots.size());
+    if (!known) {
+        m_grid->setFigures({});
+        setRemark({});
+        return;
+    }
+    const SceneRobot &shown = m_scene->robots[static_cast<std::size_t>(robot)];
+    QStringList remark;
+    if (!m_scene->trial.teamName.empty())
+        remark += QString::fromStdString(m_scene->trial.teamName);
+    if (m_robots->count() == 1)
+        remark += tr("robot \u201c%1\u201d").arg(QString::fromStdString(shown.robot.name));
+    setRemark(remark.join(QStringLiteral(" \u00b7 ")));
+    std::vector<NamedFigure> figures;
+    if (shown.analysis) {
+        for (const Metric &metric : chosenMetrics(shown.analysis->profile.metrics))
+            figures.push_back({metricName(metric.name), metricFigure(metric)});
+    }
+    m_grid->setFigures(std::move(figures));
+}
+
+} // namespace odo

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/time_slider.h"
+
+#include "ui/models/timeline.h"
+#include "ui/views/axis_ticks.h"
+#include "ui/views/theme.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+namespace odo {
+
+namespace {
+
+constexpr double margin = 12, handleRadius = 8, grooveHeight = 5;
+
+} // namespace
+
+TimeSlider::TimeSlider(Timeline &timeline, QWidget *parent) : QAbstractSlider(parent), m_timeline(timeline)
+{
+    setOrientation(Qt::Horizontal);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Time of the trial"));
+    const auto takeRange = [this] {
+        setRange(0, static_cast<int>(std::max<qint64>(0, m_timeline.frameCount() - 1)));
+        setPageStep(std::max(1, maximum() / 10));
+        setEnabled(m_timeline.frameCount() > 0);
+        update();
+    };
+    connect(&m_timeline, &Timeline::rangeChanged, this, takeRange);
+    connect(&m_timeline, &Timeline::currentChanged, this,
+            [this] { setValue(static_cast<int>(m_timeline.currentFrame())); });
+    connect(this, &QAbstractSlider::valueChanged, this, [this](int frame) {
+        if (frame != m_timeline.currentFrame())
+            m_timeline.setCurrentFrame(frame);
+        update();
+    });
+    takeRange();
+}
+
+void TimeSlider::setScene(TrialScenePtr scene)
+{
+    m_scene = std::move(scene);
+    update();
+}
+
+QSize TimeSlider::sizeHint() const
+{
+    return {320, static_cast<int>(2 * handleRadius) + 14 + fontMetrics().height()};
+}
+QSize TimeSlider::minimumSizeHint() const
+{
+    return {120, sizeHint().height()};
+}
+
+double TimeSlider::grooveY() const
+{
+    return 12 + handleRadius;
+}
+
+double TimeSlider::xOf(Nanoseconds time) const
+{
+    const double span = toSeconds(m_timeline.endTime() - m_timeline.startTime());
+    const double part = span > 0 ? toSeconds(time - m_timeline.startTime()) / span : 0;
+    return margin + part * (width() - 2 * margin);
+}
+
+void TimeSlider::goTo(double x)
+{
+    const double part = std::clamp((x - margin) / std::max(1.0, width() - 2 * margin), 0.0, 1.0);
+    m_timeline.setCurrentTime(m_timeline.startTime() +
+                              fromSeconds(part * toSeconds(m_timeline.endTime() - m_timeline.startTime())));
+}
+
+void TimeSlider::mousePressEvent(QMouseEvent *event)
+{
+    if (event->button() != Qt::LeftButton)
+        return;
+    setSliderDown(true);
+    m_timeline.pause();
+    goTo(event->position().x());
+}
+
+void TimeSlider::mouseMoveEvent(QMouseEvent *event)
+{
+    if (isSliderDown())
+        goTo(event->position().x());
+}
+
+void TimeSlider::mouseReleaseEvent(QMouseEvent *)
+{
+    setSliderDown(false);
+}
+
+void TimeSlider::wheelEvent(QWheelEvent *event)
+{
+    m_timeline.step(event->angleDelta().y() > 0 ? -1 : 1);
+    event->accept();
+}
+
+void TimeSlider::paintSeconds(QPainter &painter, double y) const
+{
+    const double start = toSeconds(m_timeline.startTime()), end = toSeconds(m_timeline.endTime());
+    const QFontMetrics metrics = fontMetrics();
+    const int labelWidth = metrics.horizontalAdvance(QStringLiteral("00000"));
+    const AxisTicks ticks = niceTicks(start, end, std::max(2, width() / (2 * labelWidth)));
+    painter.setPen(ThemeColours::of(palette()).muted);
+    for (const double second : ticks.values()) {
+        const double x = xOf(fromSeconds(second));
+        const QRectF box(x - labelWidth / 2.0, y, labelWidth, metrics.height());
+        if (second > start + 1e-9 && box.right() <= width())
+            painter.drawText(box, Qt::AlignCenter, ticks.label(second));
+    }
+}
+
+void TimeSlider::paintSpikes(QPainter &painter, double y) const
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ThemeColours::of(palette()).spike);
+    for (const SceneRobot &robot : m_scene->robots) {
+        if (!robot.analysis)
+            continue;
+        for (const Spike &spike : robot.analysis->profile.spikes) {
+            const double x = xOf(spike.time);
+            const QPointF triangle[] = {{x - 4, y + 7}, {x + 4, y + 7}, {x, y}};
+            painter.drawConvexPolygon(triangle, 3);
+        }
+    }
+}
+
+void TimeSlider::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const ThemeColours colours = ThemeColours::of(palette());
+    const double y = grooveY(), left = margin, right = width() - margin;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colours.border);
+    painter.drawRoundedRect(QRectF(left, y - grooveHeight / 2, right - left, grooveHeight), 2, 2);
+    if (m_timeline.frameCount() == 0)
+        return;
+    const double x = xOf(m_timeline.currentTime());
+    painter.setBrush(colours.accent);
+    painter.drawRoundedRect(QRectF(left, y - grooveHeight / 2, x - left, grooveHeight), 2, 2);
+    paintSeconds(painter, y + handleRadius + 2);
+    if (m_scene)
+        paintSpikes(painter, y - handleRadius - 8);
+    if (hasFocus()) {
+        QColor halo = colours.accent;
+        halo.setAlpha(70);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(halo);
+        painter.drawEllipse(QPointF(x, y), handleRadius + 3, handleRadius + 3);
+    }
+    painter.setPen(QPen(colours.accent, 2.5));
+    painter.setBrush(colours.card);
+    painter.drawEllipse(QPointF(x, y), handleRadius - 1, handleRadius - 1);
+}
+
+} // namespace odo

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/trial_scene.h"
+
+#include <QAbstractSlider>
+
+namespace odo {
+
+class Timeline;
+
+/// The slider of the time line: value = frame; spikes as triangles above the groove, seconds below it.
+class TimeSlider : public QAbstractSlider
+{
+    Q_OBJECT
+public:
+    explicit TimeSlider(Timeline &timeline, QWidget *parent = nullptr);
+    void setScene(TrialScenePtr scene);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+    /// Where a time lies, in widget coordinates.
+    double xOf(Nanoseconds time) const;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+
+private:
+    void goTo(double x);
+    void paintSeconds(QPainter &painter, double y) const;
+    void paintSpikes(QPainter &painter, double y) const;
+    double grooveY() const;
+
+    Timeline &m_timeline;
+    TrialScenePtr m_scene;
+};
+
+} // namespace odo
