@@ -18,10 +18,10 @@ struct VideoInfo
     FrameFormat format;
     std::string codec;                   ///< libav's name, e.g. "h264"
     std::vector<Nanoseconds> frameTimes; ///< presentation times since the first frame, strictly increasing
-    double framesPerSecond = 0;          ///< 1 / median interval; 0 for a single frame
-    bool variableRate = false;           ///< intervals differ by more than 10 % of the median
-    Nanoseconds duration{0};             ///< last frame time − first frame time + median interval
-    std::string warning;                 ///< empty, or e.g. "ends early at 12.4 s: …" for a truncated file
+    double framesPerSecond = 0; ///< 1 / typical interval (mean of those near the median); 0 for one frame
+    bool variableRate = false;  ///< intervals differ by more than 10 % of the median
+    Nanoseconds duration{0};    ///< last frame time − first frame time + typical interval
+    std::string warning;        ///< empty, or e.g. "ends early at 12.4 s: …" for a truncated file
 };
 
 /// Decodes one local video file to planes, exactly as coded, frame-accurately. Only ordinary container

@@ -51,11 +51,13 @@ int numberIn(const Frame &frame)
 
 std::uint64_t fingerprint(const Frame &frame)
 {
-    std::uint64_t sum = 1469598103934665603ULL;
+    std::uint64_t sum = 0;
     for (const PlaneView &plane : {frame.y, frame.u, frame.v})
-        for (int y = 0; y < plane.height; ++y)
-            for (int x = 0; x < plane.width; ++x)
-                sum = (sum ^ plane.at(x, y)) * 1099511628211ULL;
+        for (int y = 0; y < plane.height; ++y) {
+            const std::string_view row(reinterpret_cast<const char *>(plane.row(y)),
+                                       static_cast<std::size_t>(plane.width));
+            sum = sum * 1099511628211ULL + std::hash<std::string_view>()(row);
+        }
     return sum;
 }
 

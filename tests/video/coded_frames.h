@@ -18,7 +18,8 @@ Frame codedFrame(const FrameFormat &format, int number, Nanoseconds time);
 /// The number that codedFrame wrote.
 int numberIn(const Frame &frame);
 
-/// A sum that tells any two different pictures apart with near certainty (FNV-1a over luma and chroma).
+/// A sum that tells any two different pictures apart with near certainty (hashes of the rows of luma and
+/// chroma).
 std::uint64_t fingerprint(const Frame &frame);
 
 /// Frames numbered 0, 1, ... at these times, written to a file. Fails the calling test by returning an error

@@ -6,6 +6,7 @@
 #include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 #include <fstream>
 #include <random>
 #include <sys/inotify.h>
@@ -21,6 +22,7 @@ private Q_SLOTS:
     void seekingEqualsReading_data();
     void seekingEqualsReading();
     void seekingOutside();
+    void rateOfRoundedAndDroppedTimes();
     void framesOutliveTheirReader();
     void truncated_data();
     void truncated();
@@ -104,6 +106,22 @@ void TestVideoReader::seekingOutside()
         QVERIFY(frame.error().message().find("frames 0 to 4") != std::string::npos);
     }
     QCOMPARE(numberIn((*reader)->frameAt(4).value()), 4);
+}
+
+void TestVideoReader::rateOfRoundedAndDroppedTimes()
+{
+    std::vector<Nanoseconds> times;
+    for (int i = 0; i < 60; ++i) // 33, 34, 33 ms, ..., as most Matroska files have them
+        times.push_back(std::chrono::milliseconds(std::lround(i * 1000.0 / 30.0)));
+    QCOMPARE(writeCoded(path("rounded.mkv"), times, {}), QString());
+    const auto rounded = VideoReader::open(path("rounded.mkv"));
+    QVERIFY(std::abs((*rounded)->info().framesPerSecond - 30.0) < 0.02);
+    QVERIFY(!(*rounded)->info().variableRate);
+    times.erase(times.begin() + 20);
+    QCOMPARE(writeCoded(path("dropped.mkv"), times, {}), QString());
+    const auto dropped = VideoReader::open(path("dropped.mkv"));
+    QVERIFY(std::abs((*dropped)->info().framesPerSecond - 30.0) < 0.02);
+    QVERIFY((*dropped)->info().variableRate);
 }
 
 void TestVideoReader::framesOutliveTheirReader()
