@@ -153,6 +153,8 @@ bool hasContenders(const FusedTrack &track)
 
 void chooseByMotion(FusedTrack &track, const FusionSettings &settings, Nanoseconds longestGap)
 {
+    if (!hasContenders(track))
+        return;
     auto segments = cutIntoSegments(track.samples, longestGap);
     const MotionNoise noise = estimateMotionNoise(nodesOf(segments), true);
     for (int pass = 0; pass < mostPasses && hasContenders(track); ++pass) {

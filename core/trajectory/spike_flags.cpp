@@ -95,10 +95,12 @@ bool flagJumps(std::vector<Sample> &samples, const std::vector<bool> &open, Moti
     return changed;
 }
 
-/// Lifts flags from samples that lie where the smoothed track without them says they should.
-void restoreFitting(std::vector<Sample> &samples, const std::vector<bool> &open, MotionNoise noise,
+/// Lifts flags from samples that lie where the smoothed track without them says they should; true when there
+/// are any.
+bool restoreFitting(std::vector<Sample> &samples, const std::vector<bool> &open, MotionNoise noise,
                     Nanoseconds longestGap)
 {
+    bool restored = false;
     for (const TrackSegment &segment : cutIntoSegments(samples, longestGap)) {
         if (segment.measured < 3)
             continue;
@@ -110,10 +112,13 @@ void restoreFitting(std::vector<Sample> &samples, const std::vector<bool> &open,
             const Eigen::Matrix2d s =
                 estimates[i].covariance.topLeftCorner<2, 2>() + noise.measurementScale * sample.covariance;
             const Eigen::Vector2d d = *sample.position - estimates[i].position();
-            if (d.dot(s.inverse() * d) <= refusalGate)
-                sample.flags &= ~flagBit(SampleFlag::Jump);
+            if (d.dot(s.inverse() * d) > refusalGate)
+                continue;
+            sample.flags &= ~flagBit(SampleFlag::Jump);
+            restored = true;
         }
     }
+    return restored;
 }
 
 /// Adds to refused samples which physical limit they would break.
@@ -157,13 +162,14 @@ MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &opti
     MotionNoise noise = estimateMotionNoise(nodesOf(used()), true);
     for (int pass = 0; pass < mostPasses; ++pass) {
         const bool changed = flagJumps(samples, open, noise, options.longestBridgedGap);
-        noise = estimateMotionNoise(nodesOf(used()), false);
-        if (!changed)
+        if (pass > 0 && !changed)
             break;
+        noise = estimateMotionNoise(nodesOf(used()), false);
     }
-    restoreFitting(samples, open, noise, options.longestBridgedGap);
+    if (restoreFitting(samples, open, noise, options.longestBridgedGap))
+        noise = estimateMotionNoise(nodesOf(used()), false);
     nameLimits(samples, options);
-    return estimateMotionNoise(nodesOf(used()), false);
+    return noise;
 }
 
 namespace {
