@@ -22,6 +22,38 @@ std::vector<TimedPosition> track(int count, double stepS, double sigmaM,
     return nodes;
 }
 
+/// A run of the model itself: white jerk of a density, white measurement noise.
+struct Simulated
+{
+    std::vector<Eigen::Matrix<double, 6, 1>> states;
+    std::vector<TimedPosition> nodes;
+};
+
+Simulated simulate(int count, double dt, double density, double sigmaM, std::mt19937 &random)
+{
+    std::normal_distribution<double> noise(0, 1);
+    Eigen::Matrix3d q, f;
+    q << std::pow(dt, 5) / 20, std::pow(dt, 4) / 8, std::pow(dt, 3) / 6, std::pow(dt, 4) / 8,
+        std::pow(dt, 3) / 3, dt * dt / 2, std::pow(dt, 3) / 6, dt * dt / 2, dt;
+    f << 1, dt, dt * dt / 2, 0, 1, dt, 0, 0, 1;
+    const Eigen::Matrix3d root = (density * q).llt().matrixL();
+    Eigen::Matrix<double, 3, 2> state = Eigen::Matrix<double, 3, 2>::Zero();
+    Simulated simulated;
+    for (int i = 0; i < count; ++i) {
+        Eigen::Matrix<double, 3, 2> kick;
+        for (double &k : kick.reshaped())
+            k = noise(random);
+        state = f * state + root * kick;
+        Eigen::Matrix<double, 6, 1> packed;
+        packed << state.row(0).transpose(), state.row(1).transpose(), state.row(2).transpose();
+        simulated.states.push_back(packed);
+        simulated.nodes.push_back({i * dt, true,
+                                   packed.head<2>() + sigmaM * Eigen::Vector2d(noise(random), noise(random)),
+                                   Eigen::Matrix2d::Identity() * sigmaM * sigmaM});
+    }
+    return simulated;
+}
+
 } // namespace
 
 class TestKalmanSmoother : public QObject
@@ -101,33 +133,40 @@ private Q_SLOTS:
 
     void findsTheNoiseThatMadeTheTrack()
     {
-        // Simulate the model itself: white jerk of density 8 and measurements twice as noisy as stated.
         std::mt19937 random(11);
-        std::normal_distribution<double> noise(0, 1);
-        const double dt = 0.02, density = 8, stated = 0.002;
-        Eigen::Matrix3d q;
-        q << std::pow(dt, 5) / 20, std::pow(dt, 4) / 8, std::pow(dt, 3) / 6, std::pow(dt, 4) / 8,
-            std::pow(dt, 3) / 3, dt * dt / 2, std::pow(dt, 3) / 6, dt * dt / 2, dt;
-        const Eigen::Matrix3d root = (density * q).llt().matrixL();
-        Eigen::Matrix3d f;
-        f << 1, dt, dt * dt / 2, 0, 1, dt, 0, 0, 1;
-        Eigen::Matrix<double, 3, 2> state = Eigen::Matrix<double, 3, 2>::Zero();
-        std::vector<TimedPosition> nodes;
-        for (int i = 0; i < 3000; ++i) {
-            Eigen::Matrix<double, 3, 2> kick;
-            for (double &k : kick.reshaped())
-                k = noise(random);
-            state = f * state + root * kick;
-            nodes.push_back(
-                {i * dt, true,
-                 state.row(0).transpose() + 2 * stated * Eigen::Vector2d(noise(random), noise(random)),
-                 Eigen::Matrix2d::Identity() * stated * stated});
-        }
+        const Simulated simulated = simulate(3000, 0.02, 8, 0.004, random);
+        auto nodes = simulated.nodes;
+        for (TimedPosition &node : nodes)
+            node.covariance /= 4; // measurements twice as noisy as stated
         const MotionNoise found = estimateMotionNoise({std::span<const TimedPosition>(nodes)}, false);
         QVERIFY2(std::abs(found.measurementScale - 4) < 0.3,
                  qPrintable(QString::number(found.measurementScale)));
         QVERIFY2(found.jerkDensity > 5 && found.jerkDensity < 12,
                  qPrintable(QString::number(found.jerkDensity)));
+    }
+
+    void truthLiesInsideTheIntervals()
+    {
+        // 95 % intervals of position, velocity and acceleration over runs drawn from the model, noise
+        // estimated.
+        std::mt19937 random(17);
+        std::array<int, 3> inside{};
+        int total = 0;
+        for (int run = 0; run < 15; ++run) {
+            const Simulated simulated = simulate(200, 1.0 / 30, 20, 0.002, random);
+            const auto noise = estimateMotionNoise({std::span<const TimedPosition>(simulated.nodes)}, false);
+            const auto estimates = smoothMotion(simulated.nodes, noise);
+            for (std::size_t i = 0; i < estimates.size(); ++i) {
+                for (int k = 0; k < 6; ++k)
+                    inside[static_cast<std::size_t>(k / 2)] +=
+                        std::abs(estimates[i].mean[k] - simulated.states[i][k]) <
+                        1.96 * std::sqrt(estimates[i].covariance(k, k));
+                total += 2;
+            }
+        }
+        for (const int count : inside)
+            QVERIFY2(count > 0.92 * total && count < 0.98 * total,
+                     qPrintable(QString::number(double(count) / total)));
     }
 
     void aRobotAtRestNeedsNoJerk()

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/fusion.h"
+#include "core/trajectory/height_estimation.h"
+#include "core/trajectory/view_interpolation.h"
+
+#include "synthetic_trial.h"
+
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+namespace {
+
+FloorPosition place(double x, double y, double sx, double sy, double common = 0)
+{
+    FloorPosition position;
+    position.pointInWorld = {x, y};
+    position.pixelCovariance = Eigen::Vector2d(sx * sx, sy * sy).asDiagonal();
+    position.calibrationCovariance = Eigen::Matrix2d::Identity() * common * common;
+    position.displacementPerMetreHeight = {1, 0};
+    return position;
+}
+
+std::vector<Sighting> sightings(const std::vector<double> &times, const std::function<double(double)> &x)
+{
+    std::vector<Sighting> all;
+    for (const double t : times) {
+        Sighting sighting;
+        sighting.time = fromSeconds(t);
+        sighting.seen = true;
+        sighting.score = 1;
+        sighting.place = place(x(t), 0, 0.002, 0.002);
+        all.push_back(sighting);
+    }
+    return all;
+}
+
+std::vector<Nanoseconds> at(const std::vector<double> &times)
+{
+    std::vector<Nanoseconds> all;
+    for (const double t : times)
+        all.push_back(fromSeconds(t));
+    return all;
+}
+
+std::vector<std::vector<Sighting>> lookAtZero(const std::vector<ViewTrack> &views)
+{
+    std::vector<Nanoseconds> times;
+    for (const Observation &observation : views[0].observations)
+        times.push_back(observation.time);
+    std::vector<std::vector<Sighting>> all;
+    for (const ViewTrack &view : views)
+        all.push_back(sightingsAt(times, placeObservations(view, 0)));
+    return all;
+}
+
+} // namespace
+
+class TestFusion : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void twoGaussiansInClosedForm()
+    {
+        // x: σ 1 and 2 mm → weights 4:1; y: 2 and 1 mm → 1:4; variance 1/(1/1 + 1/4) = 0.8 mm².
+        const std::vector<ViewPosition> both{{0, place(0, 0, 0.001, 0.002)},
+                                             {2, place(0.005, 0.005, 0.002, 0.001)}};
+        const FusedPosition fused = fuse(both);
+        QVERIFY((fused.position - Eigen::Vector2d(0.001, 0.004)).norm() < 1e-12);
+        QVERIFY((fused.covariance - Eigen::Matrix2d::Identity() * 0.8e-6).norm() < 1e-15);
+        QVERIFY(fused.commonCovariance.isZero());
+        QCOMPARE(fused.views, 5u);
+        QVERIFY(std::abs(largestDistance(both) - std::hypot(0.005, 0.005)) < 1e-12);
+    }
+
+    void theCommonPartIsKeptApart()
+    {
+        // Equal views: each part is halved, and neither leaks into the other.
+        const std::vector<ViewPosition> both{{0, place(0, 0, 0.001, 0.001, 0.003)},
+                                             {1, place(0, 0, 0.001, 0.001, 0.003)}};
+        const FusedPosition fused = fuse(both);
+        QVERIFY((fused.covariance - Eigen::Matrix2d::Identity() * 0.5e-6).norm() < 1e-15);
+        QVERIFY((fused.commonCovariance - Eigen::Matrix2d::Identity() * 4.5e-6).norm() < 1e-15);
+        QVERIFY((fused.displacementPerMetreHeight - Eigen::Vector2d(1, 0)).norm() < 1e-12);
+    }
+
+    void theGateStandsASteadyDisagreement()
+    {
+        // 20 mm apart all the time is bad calibration; 120 mm once is a false sighting.
+        auto a = sightings({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, [](double) { return 0; });
+        auto b = sightings({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, [](double) { return 0.02; });
+        const AgreementGate gate({a, b});
+        QVERIFY(gate.agree({0, a[3].place}, {1, b[3].place}));
+        QVERIFY(!gate.agree({0, a[3].place}, {1, place(0.12, 0, 0.002, 0.002)}));
+        // Without such a history 20 mm are too much already.
+        QVERIFY(!AgreementGate({a, a}).agree({0, a[3].place}, {1, b[3].place}));
+        const std::vector<ViewPosition> three{
+            {0, a[3].place}, {1, place(0.12, 0, 0.002, 0.002)}, {2, a[3].place}};
+        const auto group = gate.largestAgreeingGroup(three);
+        QCOMPARE(group.size(), std::size_t(2));
+        QCOMPARE(group[1].view, 2u);
+    }
+
+    void interpolationIsExactForACubic()
+    {
+        const auto cubic = [](double t) { return 1 + t - 2 * t * t + 5 * t * t * t; };
+        const auto view = sightings({0, 0.03, 0.07, 0.1, 0.13, 0.17}, cubic);
+        for (const Sighting &sighting : sightingsAt(at({0.04, 0.05, 0.09, 0.12}), view)) {
+            QVERIFY(sighting.seen);
+            QVERIFY(std::abs(sighting.place.pointInWorld.x() - cubic(toSeconds(sighting.time))) < 1e-9);
+            QVERIFY(std::abs(sighting.place.pixelCovariance(0, 0) - 4e-6) < 1e-12);
+        }
+    }
+
+    void interpolationEndsAtGapsAndEnds()
+    {
+        const auto line = [](double t) { return t; };
+        auto view = sightings({0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8}, line);
+        view[2].seen = false;
+        view[5].seen = view[6].seen = false;
+        const auto found = sightingsAt(at({-0.05, 0.0, 0.05, 0.15, 0.2, 0.45, 0.55, 0.65, 0.75, 0.85}), view);
+        const std::vector<bool> expected{false, true, true, true, false, false, false, false, true, false};
+        for (std::size_t i = 0; i < found.size(); ++i)
+            QVERIFY2(found[i].seen == expected[i], qPrintable(QString::number(i)));
+        QVERIFY(std::abs(found[3].place.pointInWorld.x() - 0.15) < 1e-9);
+        QVERIFY(sightingsAt(at({1.0}), {}).front().seen == false);
+    }
+
+    void aSlowerViewIsWidened()
+    {
+        // Ten frames a second asked for thirty times a second: a third of the information each.
+        std::vector<double> slow, fast;
+        for (int i = 0; i < 20; ++i)
+            slow.push_back(i * 0.1);
+        for (int i = 1; i < 55; ++i)
+            fast.push_back(i / 30.0);
+        const auto found = sightingsAt(at(fast), sightings(slow, [](double t) { return t; }));
+        QVERIFY(std::abs(found[20].place.pixelCovariance(0, 0) - 3 * 4e-6) < 1e-7);
+    }
+
+    void heightFromTwoViews()
+    {
+        std::mt19937 random(1);
+        for (const double plane : {0.0, 0.03, 0.11}) {
+            FilmSettings settings;
+            settings.planeM = plane;
+            const Course course = figureEight(1, 0.7, 8);
+            auto a = film("A", cameraA(), course, settings, random);
+            const auto b = film("B", cameraB(), course, settings, random);
+            for (std::size_t i = 10; i < 40; ++i) // false sightings must not move it
+                a.observations[i].ellipse.centrePx.x() += 100;
+            const auto estimate = estimatePlane(lookAtZero({a, b}));
+            QVERIFY(estimate.has_value());
+            QVERIFY2(std::abs(estimate->planeM - plane) < std::max(4 * estimate->sigmaM, 2e-4),
+                     qPrintable(QString::number(estimate->planeM)));
+            QVERIFY(estimate->sigmaM < 0.001);
+        }
+    }
+
+    void heightNeedsParallax()
+    {
+        std::mt19937 random(2);
+        const Course course = figureEight(1, 0.7, 8);
+        const auto a = film("A", cameraA(), course, {}, random);
+        const auto same = film("B", cameraA(), course, {}, random);
+        QVERIFY(!estimatePlane(lookAtZero({a, same})));
+        QVERIFY(!estimatePlane(lookAtZero({a})));
+        QVERIFY(!estimatePlane({}));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFusion)
+#include "tst_fusion.moc"
