@@ -19,20 +19,27 @@ struct TrackTarget
 };
 
 /// Follows one or more coloured robots through the frames of one view, on the chroma planes as decoded.
+/// The told colour only has to be near what the camera shows: each robot's own look is learned when it is
+/// first found, told apart from the background and the other robots, and followed through changes of light.
 /// Feed every frame in order. Not thread-safe; one tracker a view.
 class ColourTracker
 {
 public:
-    explicit ColourTracker(std::vector<TrackTarget> targets);
+    /// InvalidInput when there is no target, or one of a colour without chroma (black, grey, white), of which
+    /// the chroma planes show nothing.
+    static Result<std::unique_ptr<ColourTracker>> create(std::vector<TrackTarget> targets);
     ~ColourTracker();
     ColourTracker(const ColourTracker &) = delete;
     ColourTracker &operator=(const ColourTracker &) = delete;
 
-    /// One observation a target, in the order given to the constructor.
+    /// One observation a target, in the order given. A frame that repeats the one before it gives the same
+    /// observations again, marked as such. A frame of another size or format than the one before it starts
+    /// anew.
     std::vector<Observation> track(const Frame &frame);
 
 private:
     struct Impl;
+    explicit ColourTracker(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> m_impl;
 };
 

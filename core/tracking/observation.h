@@ -8,7 +8,8 @@
 
 namespace odo {
 
-/// An ellipse in luma pixels: of second moments equal to the region's (semi-axes are two standard deviations).
+/// An ellipse in luma pixels: of second moments equal to the region's (semi-axes are two standard
+/// deviations).
 struct Ellipse
 {
     Eigen::Vector2d centrePx = Eigen::Vector2d::Zero();
@@ -19,14 +20,14 @@ struct Ellipse
 /// What one view saw of one robot in one frame. Never edited once stored.
 struct Observation
 {
-    std::int64_t frame = 0; ///< index in the recording
-    Nanoseconds time{0};    ///< of the recording, since its first frame
-    bool found = false;     ///< when false the rest is meaningless
+    std::int64_t frame = 0;      ///< index in the recording
+    Nanoseconds time{0};         ///< of the recording, since its first frame
+    bool found = false;          ///< when false the rest is meaningless
     bool duplicateFrame = false; ///< the picture repeats the one before it
     Ellipse ellipse;
     Eigen::Matrix2d centreCovariancePx2 = Eigen::Matrix2d::Zero();
     double areaPx = 0;
-    double score = 0; ///< 0 to 1: how well colour, size and shape agree with what is expected
+    double score = 0;           ///< 0 to 1: how well colour, size and shape agree with what is expected
     bool touchesBorder = false; ///< cut by the picture's edge: the centre is biased
 };
 

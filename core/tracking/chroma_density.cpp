@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/chroma_density.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace odo {
+
+namespace {
+
+constexpr double dimmestUnpenalised = 0.6, brightestUnpenalised = 1.5;
+constexpr double hueSigmaRad = 11.0 * std::numbers::pi / 180.0;
+constexpr double chromaSigma = 3.0; ///< code values: noise and coding, matters for pale colours
+constexpr int lightSteps = 9;
+
+} // namespace
+
+Chroma ChromaDensity::centreOf(std::size_t bin)
+{
+    constexpr double half = ((1 << binShift) - 1) / 2.0;
+    const auto u = static_cast<double>((bin / binsPerAxis) << binShift);
+    const auto v = static_cast<double>((bin % binsPerAxis) << binShift);
+    return {u + half - 128.0, v + half - 128.0};
+}
+
+void ChromaDensity::count(const ChromaGrid &grid, const ChromaRect &area, int step, float weight)
+{
+    for (int y = area.top; y < area.bottom; y += step) {
+        const std::uint8_t *u = grid.u.row(y);
+        const std::uint8_t *v = grid.v.row(y);
+        for (int x = area.left; x < area.right; x += step)
+            m_bins[binOf(u[x], v[x])] += weight;
+    }
+}
+
+double ChromaDensity::sum() const
+{
+    return std::accumulate(m_bins.begin(), m_bins.end(), 0.0);
+}
+
+void ChromaDensity::normalise()
+{
+    const double total = sum();
+    if (total <= 0)
+        return;
+    const auto factor = static_cast<float>(1.0 / total);
+    for (float &bin : m_bins)
+        bin *= factor;
+}
+
+void ChromaDensity::blur(int times)
+{
+    constexpr int n = binsPerAxis;
+    std::array<float, binCount> once;
+    for (int pass = 0; pass < 2 * times; ++pass) {
+        const int stride = pass % 2 == 0 ? 1 : n;
+        for (int i = 0; i < binCount; ++i) {
+            const int along = stride == 1 ? i % n : i / n;
+            const float before = along > 0 ? m_bins[i - stride] : m_bins[i];
+            const float after = along < n - 1 ? m_bins[i + stride] : m_bins[i];
+            once[i] = 0.25f * before + 0.5f * m_bins[i] + 0.25f * after;
+        }
+        m_bins = once;
+    }
+}
+
+float ChromaDensity::interpolated(const Chroma &chroma) const
+{
+    constexpr double perBin = 1 << binShift;
+    const double half = (perBin - 1) / 2.0;
+    const double bu = (chroma.x() + 128.0 - half) / perBin;
+    const double bv = (chroma.y() + 128.0 - half) / perBin;
+    if (bu < 0 || bv < 0 || bu >= binsPerAxis - 1 || bv >= binsPerAxis - 1)
+        return 0;
+    const int iu = static_cast<int>(bu), iv = static_cast<int>(bv);
+    const auto fu = static_cast<float>(bu - iu), fv = static_cast<float>(bv - iv);
+    const float *p = &m_bins[static_cast<std::size_t>(iu) * binsPerAxis + iv];
+    return (1 - fu) * ((1 - fv) * p[0] + fv * p[1]) +
+           fu * ((1 - fv) * p[binsPerAxis] + fv * p[binsPerAxis + 1]);
+}
+
+ChromaDensity ChromaDensity::underOtherLight(double low, double high, double scale, double turnRad) const
+{
+    std::array<double, lightSteps> light;
+    std::array<float, lightSteps> trust;
+    for (int i = 0; i < lightSteps; ++i) {
+        const double part = static_cast<double>(i) / (lightSteps - 1);
+        light[i] = std::exp(std::log(low) + part * std::log(high / low));
+        trust[i] = static_cast<float>(1.0 - 0.6 * std::abs(2 * part - 1));
+    }
+    const double c = std::cos(-turnRad), s = std::sin(-turnRad);
+    ChromaDensity result;
+    for (std::size_t bin = 0; bin < binCount; ++bin) {
+        const Chroma seen = centreOf(bin) / scale;
+        const Chroma turned(c * seen.x() - s * seen.y(), s * seen.x() + c * seen.y());
+        float best = 0;
+        for (int i = 0; i < lightSteps; ++i)
+            best = std::max(best, trust[i] * interpolated(turned / light[i]));
+        result.m_bins[bin] = best;
+    }
+    return result;
+}
+
+double ChromaDensity::overlap(const ChromaDensity &other) const
+{
+    double sum = 0;
+    for (std::size_t bin = 0; bin < binCount; ++bin)
+        sum += std::sqrt(static_cast<double>(m_bins[bin]) * other.m_bins[bin]);
+    return sum;
+}
+
+double likeness(const Chroma &seen, const Chroma &told)
+{
+    const double toldSaturation = told.norm(), seenSaturation = seen.norm();
+    if (toldSaturation <= 0 || seenSaturation <= 0)
+        return 0;
+    const double angle = std::acos(std::clamp(seen.dot(told) / (seenSaturation * toldSaturation), -1.0, 1.0));
+    const double angleSigma = std::hypot(hueSigmaRad, chromaSigma / std::min(toldSaturation, seenSaturation));
+    const double ratio = seenSaturation / toldSaturation;
+    double excess = 0;
+    if (ratio < dimmestUnpenalised)
+        excess = std::log(dimmestUnpenalised / ratio) / 0.25;
+    else if (ratio > brightestUnpenalised)
+        excess = std::log(ratio / brightestUnpenalised) / 0.35;
+    return std::exp(-0.5 * (angle * angle / (angleSigma * angleSigma) + excess * excess));
+}
+
+ChromaDensity densityOfToldColour(const Chroma &told)
+{
+    ChromaDensity density;
+    for (std::size_t bin = 0; bin < ChromaDensity::binCount; ++bin)
+        density[bin] = static_cast<float>(likeness(ChromaDensity::centreOf(bin), told));
+    density.normalise();
+    return density;
+}
+
+} // namespace odo

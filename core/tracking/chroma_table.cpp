@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/chroma_table.h"
+
+namespace odo {
+
+ChromaTable::ChromaTable(const ChromaDensity &robot, const ChromaDensity &background, float doubt)
+{
+    for (std::size_t bin = 0; bin < ChromaDensity::binCount; ++bin) {
+        const float likelihood = robot[bin];
+        const float all = likelihood + background[bin] + doubt;
+        m_weights[bin] = all > 0 ? static_cast<std::uint8_t>(255.0f * likelihood / all + 0.5f) : 0;
+    }
+}
+
+} // namespace odo

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/colour_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr double dimmer = 0.6, brighter = 1.35; ///< smear of the table about the present colour
+constexpr double learnedDoubt = 2e-3, toldDoubt = 1e-4;
+constexpr double followGain = 0.25;
+constexpr double scaleStep = 0.06, turnStepRad = 0.035; ///< before the table is built again
+constexpr double leastScale = 0.35, mostScale = 2.5, mostTurnRad = 0.4;
+
+} // namespace
+
+ColourModel::ColourModel(const Chroma &told) : m_told(told), m_density(densityOfToldColour(told)) {}
+
+Chroma ColourModel::expected() const
+{
+    if (!m_learned)
+        return m_told;
+    const double c = std::cos(m_turnRad), s = std::sin(m_turnRad);
+    return m_scale * Chroma(c * m_mean.x() - s * m_mean.y(), s * m_mean.x() + c * m_mean.y());
+}
+
+ChromaDensity ColourModel::density() const
+{
+    ChromaDensity now = m_learned ? m_density.underOtherLight(0.9, 1.1, m_scale, m_turnRad) : m_density;
+    now.normalise();
+    return now;
+}
+
+ChromaTable ColourModel::toldTable(const ChromaDensity *background) const
+{
+    const ChromaDensity told = densityOfToldColour(m_told);
+    if (background)
+        return {told, *background, static_cast<float>(toldDoubt)};
+    // Without a background the doubt is set so that a likeness of 0.4 just passes.
+    float highest = 0;
+    for (std::size_t bin = 0; bin < ChromaDensity::binCount; ++bin)
+        highest = std::max(highest, told[bin]);
+    return {told, ChromaDensity(), 0.4f * highest};
+}
+
+void ColourModel::learn(const ChromaGrid &grid, const RegionMask &mask, const Chroma &mean)
+{
+    m_density = ChromaDensity();
+    const ChromaRect area = mask.area.clippedTo(grid.bounds());
+    for (int y = area.top; y < area.bottom; ++y) {
+        const std::uint8_t *inside = mask.row(y) - mask.area.left;
+        for (int x = area.left; x < area.right; ++x) {
+            if (inside[x])
+                m_density[ChromaDensity::binOf(grid.u.at(x, y), grid.v.at(x, y))] += 1;
+        }
+    }
+    m_density.normalise();
+    m_density.blur(2);
+    m_mean = mean;
+    m_learned = true;
+    m_scale = 1;
+    m_turnRad = 0;
+}
+
+bool ColourModel::follow(const Chroma &seen)
+{
+    const double cross = m_mean.x() * seen.y() - m_mean.y() * seen.x();
+    const double turn = std::clamp(std::atan2(cross, m_mean.dot(seen)), -mostTurnRad, mostTurnRad);
+    const double scale = std::clamp(seen.norm() / std::max(m_mean.norm(), 1.0), leastScale, mostScale);
+    m_scale += followGain * (scale - m_scale);
+    m_turnRad += followGain * (turn - m_turnRad);
+    return std::abs(std::log(m_scale / m_tableScale)) > scaleStep ||
+           std::abs(m_turnRad - m_tableTurnRad) > turnStepRad;
+}
+
+void ColourModel::buildTable(const ChromaDensity &background)
+{
+    m_table = {m_density.underOtherLight(dimmer, brighter, m_scale, m_turnRad), background,
+               static_cast<float>(learnedDoubt)};
+    m_tableScale = m_scale;
+    m_tableTurnRad = m_turnRad;
+}
+
+} // namespace odo

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/blob_finder.h"
+
+namespace odo {
+
+/// What is known of a robot's colour: first what was told, then what was seen of it, followed through changes
+/// of light.
+class ColourModel
+{
+public:
+    ColourModel() = default;
+    explicit ColourModel(const Chroma &told);
+
+    const Chroma &told() const { return m_told; }
+    bool isLearned() const { return m_learned; }
+    /// The chroma the robot is expected to show now.
+    Chroma expected() const;
+    /// The robot's density now, of sum one (told, or as learned); what others have to tell themselves apart
+    /// from.
+    ChromaDensity density() const;
+
+    /// A table from the told colour. Without regard to the background it finds more, and more that is wrong.
+    ChromaTable toldTable(const ChromaDensity *background) const;
+
+    /// Learns the colour from the samples of a mask that lie in the picture.
+    void learn(const ChromaGrid &grid, const RegionMask &mask, const Chroma &mean);
+    /// Follows the light. True when the colour has moved so far from what the table was built for that it
+    /// should be built again.
+    bool follow(const Chroma &seen);
+    /// Builds the table for the colour as it is now. The background is a density of sum about one, without
+    /// the robot.
+    void buildTable(const ChromaDensity &background);
+    const ChromaTable &table() const { return m_table; }
+
+private:
+    Chroma m_told = Chroma::Zero(), m_mean = Chroma::Zero();
+    bool m_learned = false;
+    ChromaDensity m_density;
+    double m_scale = 1, m_turnRad = 0; ///< of the present colour against the learned one
+    double m_tableScale = 1, m_tableTurnRad = 0;
+    ChromaTable m_table;
+};
+
+} // namespace odo

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/blob_finder.h"
+#include "core/tracking/observation.h"
+
+namespace odo {
+
+/// A region at sub-pixel precision, in chroma samples.
+struct RegionShape
+{
+    double area = 0;
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity(); ///< second central moments of the area
+    Eigen::Matrix2d centreCovariance =
+        Eigen::Matrix2d::Zero();    ///< of the centre, from the noise of the samples
+    Chroma colour = Chroma::Zero(); ///< mean of the samples that are wholly inside
+    double noise = 0;               ///< standard deviation of a sample's chroma, along one axis
+};
+
+/// Weighs each sample along a region's edge by the part of it that the robot covers, and takes the moments.
+///
+/// The part is found from the edge itself: alpha = (c − b)·(f − b)/|f − b|², where f is the chroma a few
+/// samples further in and b that a few samples further out along the normal of the region's ellipse. So
+/// neither a second, darker side of the robot nor a background of several colours biases it. Alpha is
+/// stretched from 0.2..0.8 to 0..1, which takes out noise and shading on both sides of the edge (a plain
+/// linear alpha costs 0.6 px of bias under mild shading). Samples wholly inside count one. Keeps its memory:
+/// no allocation once it is warm.
+class RegionMeasure
+{
+public:
+    static constexpr int margin = 4; ///< that the mask must have around the blob
+
+    /// The mask must have been painted from the blob. `expected` stands in where the region is too small to
+    /// have a sample that is wholly inside.
+    RegionShape measure(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
+                        const Chroma &expected);
+
+    /// 2 for a sample of the last measured region that has only such around it, 1 for one near its edge, else
+    /// 0.
+    int classAt(int x, int y) const;
+
+private:
+    struct Sums;
+    void classify(const RegionMask &mask);
+    void addInside(const ChromaGrid &grid, const Blob &blob, Sums &sums) const;
+    void addEdge(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask, const Chroma &inside,
+                 double noise, Sums &sums) const;
+
+    ChromaRect m_area;
+    std::vector<std::uint8_t> m_classes;
+};
+
+/// The ellipse in luma pixels that has the second moments of the shape.
+Ellipse ellipseOf(const RegionShape &shape, const ChromaGrid &grid);
+
+} // namespace odo

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/robot_follower.h"
+
+#include "core/tracking/region_score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace odo {
+
+namespace {
+
+constexpr int mostSearchSamples = 160'000; ///< per plane and frame, in a whole-frame search
+constexpr int mostCountedSamples = 20'000;
+constexpr int framesPerTable = 64;
+constexpr int missesUntilLost = 1;
+constexpr double relearnAfterS = 1.5; ///< lost for so long, the told colour is believed again
+constexpr double leastRankInWindow = 0.02, leastRankInPicture = 0.15, leastFirstScore = 0.25;
+constexpr std::size_t mostCandidates = 6;
+
+} // namespace
+
+TrackedFrame::TrackedFrame(const Frame &frame) : m_frame(&frame), m_grid(frame)
+{
+    const double samples = static_cast<double>(m_grid.u.width) * m_grid.u.height;
+    m_searchStep = std::max(1, static_cast<int>(std::ceil(std::sqrt(samples / mostSearchSamples))));
+    m_countStep = std::max(1, static_cast<int>(std::ceil(std::sqrt(samples / mostCountedSamples))));
+}
+
+ChromaDensity TrackedFrame::backgroundWithout(const ChromaRect &rect)
+{
+    if (!m_counted) {
+        m_counts.count(m_grid, m_grid.bounds(), m_countStep);
+        m_counted = true;
+    }
+    ChromaDensity density = m_counts;
+    ChromaRect inside = rect.clippedTo(m_grid.bounds());
+    if (!inside.isEmpty()) {
+        // The same samples that were counted: on the same lattice.
+        inside.left = (inside.left + m_countStep - 1) / m_countStep * m_countStep;
+        inside.top = (inside.top + m_countStep - 1) / m_countStep * m_countStep;
+        density.count(m_grid, inside, m_countStep, -1.0f);
+    }
+    density.normalise();
+    density.blur(1);
+    return density;
+}
+
+void RobotFollower::reset(const FrameFormat &format)
+{
+    m_phase = Phase::Unseen;
+    m_model = ColourModel(chromaOf(m_told, format));
+    m_candidates.clear();
+    m_missed = 0;
+}
+
+ChromaRect RobotFollower::windowOf(const TrackedFrame &frame) const
+{
+    const double sinceS = std::max(0.0, frame.timeS() - m_predictor.lastTimeS());
+    const double doubt =
+        6.0 + 0.5 * m_radiusPx + 0.5 * sinceS * m_predictor.velocity().norm() + 0.5 * m_missed * m_radiusPx;
+    const Eigen::Vector2d centre = m_predictor.at(frame.timeS());
+    const Eigen::Vector2d half = 1.3 * m_halfSizePx + Eigen::Vector2d::Constant(doubt);
+    const Eigen::Vector2d low = frame.grid().fromLuma(centre - half),
+                          high = frame.grid().fromLuma(centre + half);
+    const ChromaRect window{static_cast<int>(std::floor(low.x())), static_cast<int>(std::floor(low.y())),
+                            static_cast<int>(std::ceil(high.x())) + 1,
+                            static_cast<int>(std::ceil(high.y())) + 1};
+    return window.clippedTo(frame.grid().bounds());
+}
+
+double RobotFollower::rankInWindow(const TrackedFrame &frame, const Blob &blob) const
+{
+    const double ratio = blob.area() * frame.lumaPerSample() / m_areaPx;
+    if (ratio > 4 || ratio < (m_atBorder ? 0.02 : 0.25))
+        return 0;
+    const Eigen::Vector2d centre = frame.grid().toLuma(blob.centre());
+    const double sinceS = std::max(0.0, frame.timeS() - m_predictor.lastTimeS());
+    const double reach =
+        0.7 * m_radiusPx + 3.0 + 0.5 * sinceS * m_predictor.velocity().norm() + 0.5 * m_missed * m_radiusPx;
+    return bellOf((centre - m_predictor.at(frame.timeS())).norm() / reach) * bellOf(std::log(ratio) / 0.7) *
+           blob.meanWeight();
+}
+
+double RobotFollower::rankUnseen(const TrackedFrame &frame, const Blob &blob) const
+{
+    return compactness(blob.covariance(), blob.area()) *
+           sizeLikelihood(blob.area() * frame.lumaPerSample() / frame.pictureAreaPx()) * blob.meanWeight();
+}
+
+double RobotFollower::rankLost(const TrackedFrame &frame, const Blob &blob) const
+{
+    const double ratio = blob.area() * frame.lumaPerSample() / m_areaPx;
+    const Eigen::Vector2d centre = frame.grid().toLuma(blob.centre());
+    const double lostS = std::max(0.0, frame.timeS() - m_predictor.lastTimeS());
+    const double reach = m_radiusPx * (3.0 + 25.0 * lostS);
+    return bellOf((centre - m_predictor.at(frame.timeS())).norm() / reach) * bellOf(std::log(ratio) / 0.6) *
+           blob.meanWeight() * compactness(blob.covariance(), blob.area());
+}
+
+void RobotFollower::collect(const TrackedFrame &frame,
+                            double (RobotFollower::*rank)(const TrackedFrame &, const Blob &) const,
+                            double least)
+{
+    for (const Blob &blob : m_finder.blobs()) {
+        if (blob.count < 3)
+            continue;
+        const double score = (this->*rank)(frame, blob);
+        if (score >= least)
+            m_candidates.push_back({blob, frame.grid().toLuma(blob.centre()), score});
+    }
+    std::sort(m_candidates.begin(), m_candidates.end(),
+              [](const Candidate &a, const Candidate &b) { return a.score > b.score; });
+    if (m_candidates.size() > mostCandidates)
+        m_candidates.resize(mostCandidates);
+}
+
+void RobotFollower::propose(const TrackedFrame &frame)
+{
+    m_candidates.clear();
+    const ChromaRect window = windowOf(frame);
+    if (window.isEmpty())
+        return;
+    m_finder.find(frame.grid(), m_model.table(), window, 1);
+    collect(frame, &RobotFollower::rankInWindow, leastRankInWindow);
+}
+
+void RobotFollower::search(TrackedFrame &frame, const ChromaDensity &background)
+{
+    m_candidates.clear();
+    const ChromaRect picture = frame.grid().bounds();
+    const bool lostForLong = m_phase == Phase::Lost &&
+                             frame.timeS() - m_predictor.lastTimeS() > relearnAfterS && m_missed % 8 == 0;
+    m_searchedByToldColour = m_phase == Phase::Unseen || lostForLong;
+    if (m_phase == Phase::Lost) {
+        m_finder.find(frame.grid(), m_model.table(), picture, frame.searchStep());
+        collect(frame, &RobotFollower::rankLost, leastRankInPicture);
+        if (!m_candidates.empty())
+            m_searchedByToldColour = false;
+    }
+    if (!m_searchedByToldColour)
+        return;
+    for (const bool regardBackground : {true, false}) {
+        m_searchTable = m_model.toldTable(regardBackground ? &background : nullptr);
+        m_finder.find(frame.grid(), m_searchTable, picture, frame.searchStep());
+        collect(frame, &RobotFollower::rankUnseen, leastRankInPicture);
+        if (!m_candidates.empty())
+            break;
+    }
+}
+
+bool RobotFollower::learnFrom(const TrackedFrame &frame, const Candidate &candidate,
+                              const ChromaDensity &background, Blob &blob)
+{
+    const ChromaRect box = candidate.blob.box;
+    const int margin = 8 + std::max(box.width(), box.height()) / 2;
+    const ChromaRect window = box.grownBy(margin).clippedTo(frame.grid().bounds());
+    const ColourModel before = m_model;
+    // First with the told colour, then twice with what was learned, which gathers sides and shades that were
+    // missed.
+    for (int pass = 0; pass < 3; ++pass) {
+        m_finder.find(frame.grid(), pass == 0 ? m_searchTable : m_model.table(), window, 1);
+        const Blob *best = nullptr;
+        for (const Blob &found : m_finder.blobs()) {
+            const ChromaRect common = found.box.clippedTo(box.grownBy(2));
+            if (!common.isEmpty() && (!best || found.count > best->count))
+                best = &found;
+        }
+        if (!best || best->count < 4) {
+            m_model = before;
+            return false;
+        }
+        blob = *best;
+        m_finder.paint(blob, RegionMeasure::margin, m_mask);
+        if (pass == 2)
+            break;
+        const RegionShape shape = m_measure.measure(frame.grid(), blob, m_mask, m_model.told());
+        m_model.learn(frame.grid(), m_mask, shape.colour);
+        m_model.buildTable(background);
+    }
+    const RegionShape shape = m_measure.measure(frame.grid(), blob, m_mask, m_model.expected());
+    const double score = likeness(shape.colour, m_model.told()) * rankUnseen(frame, blob);
+    if (score < leastFirstScore) {
+        m_model = before;
+        return false;
+    }
+    return true;
+}
+
+bool RobotFollower::accept(const TrackedFrame &frame, const Candidate &candidate,
+                           const ChromaDensity &background, Observation &observation)
+{
+    Blob blob = candidate.blob;
+    const bool first = !isFollowing();
+    if (first && m_searchedByToldColour) {
+        if (!learnFrom(frame, candidate, background, blob))
+            return false;
+    } else if (first) {
+        // Found again on the coarse lattice: once more on every sample.
+        const ChromaRect window = blob.box.grownBy(8).clippedTo(frame.grid().bounds());
+        m_finder.find(frame.grid(), m_model.table(), window, 1);
+        const auto &blobs = m_finder.blobs();
+        const auto best = std::max_element(blobs.begin(), blobs.end(),
+                                           [](const Blob &a, const Blob &b) { return a.count < b.count; });
+        if (best == blobs.end() || best->count < 4)
+            return false;
+        blob = *best;
+        m_finder.paint(blob, RegionMeasure::margin, m_mask);
+    } else {
+        m_finder.paint(blob, RegionMeasure::margin, m_mask);
+    }
+    const RegionShape shape = m_measure.measure(frame.grid(), blob, m_mask, m_model.expected());
+    if (first) {
+        m_areaPx = shape.area * frame.lumaPerSample();
+        m_predictor.start(frame.grid().toLuma(shape.centre), frame.timeS());
+    }
+    const Eigen::Vector2d &scale = frame.grid().scale;
+    const ChromaRect inner = frame.grid().bounds().grownBy(-1);
+    m_atBorder = blob.box.left < inner.left || blob.box.top < inner.top || blob.box.right > inner.right ||
+                 blob.box.bottom > inner.bottom;
+    observation.found = true;
+    observation.ellipse = ellipseOf(shape, frame.grid());
+    observation.centreCovariancePx2 = scale.asDiagonal() * shape.centreCovariance * scale.asDiagonal();
+    observation.areaPx = shape.area * frame.lumaPerSample();
+    observation.touchesBorder = m_atBorder;
+    observation.score = scoreOf(frame, blob, shape);
+    update(frame, blob, shape, observation);
+    return true;
+}
+
+double RobotFollower::scoreOf(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape) const
+{
+    const double colour = std::min(1.0, blob.meanWeight() / 0.9) * likeness(shape.colour, m_model.expected());
+    const double form = compactness(shape.covariance, shape.area);
+    const double sizeRatio = shape.area * frame.lumaPerSample() / m_areaPx;
+    const double size = m_atBorder ? 1.0 : bellOf(std::log(sizeRatio) / 0.4);
+    const double away = (frame.grid().toLuma(shape.centre) - m_predictor.at(frame.timeS())).norm();
+    return std::clamp(colour * form * size * bellOf(away / (m_radiusPx + 4.0)), 0.0, 1.0);
+}
+
+void RobotFollower::update(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape,
+                           const Observation &observation)
+{
+    const bool wasFollowing = isFollowing();
+    m_phase = Phase::Following;
+    m_missed = 0;
+    m_predictor.update(observation.ellipse.centrePx, frame.timeS());
+    const bool trusted = observation.score > 0.4;
+    if (wasFollowing && (m_atBorder ? observation.areaPx > m_areaPx : trusted))
+        m_areaPx += 0.2 * (observation.areaPx - m_areaPx);
+    else if (wasFollowing)
+        m_areaPx += 0.03 * (observation.areaPx - m_areaPx);
+    m_radiusPx = std::sqrt(m_areaPx / std::numbers::pi);
+    m_halfSizePx =
+        2.0 * frame.grid().scale.cwiseProduct(shape.covariance.diagonal().cwiseMax(0.1).cwiseSqrt());
+    m_occupied = blob.box.grownBy(3);
+    ++m_framesSinceTable;
+    m_wantsTable = m_framesSinceTable >= framesPerTable;
+    if (trusted && !m_atBorder && m_model.follow(shape.colour))
+        m_wantsTable = true;
+}
+
+void RobotFollower::miss()
+{
+    ++m_missed;
+    if (m_phase == Phase::Following && m_missed >= missesUntilLost)
+        m_phase = Phase::Lost;
+}
+
+void RobotFollower::buildTable(const ChromaDensity &background)
+{
+    m_model.buildTable(background);
+    m_framesSinceTable = 0;
+    m_wantsTable = false;
+}
+
+} // namespace odo

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/colour_model.h"
+#include "core/tracking/motion_predictor.h"
+#include "core/tracking/region_measure.h"
+
+namespace odo {
+
+/// A frame as all followers share it; what several need is made once.
+class TrackedFrame
+{
+public:
+    explicit TrackedFrame(const Frame &frame);
+
+    const Frame &frame() const { return *m_frame; }
+    const ChromaGrid &grid() const { return m_grid; }
+    double timeS() const { return toSeconds(m_frame->time); }
+    int searchStep() const { return m_searchStep; }
+    double pictureAreaPx() const
+    {
+        return static_cast<double>(m_frame->format.width) * m_frame->format.height;
+    }
+    double lumaPerSample() const { return m_grid.scale.prod(); }
+    /// Density of all chroma of the picture outside a rectangle (empty: of the whole picture).
+    ChromaDensity backgroundWithout(const ChromaRect &rect);
+
+private:
+    const Frame *m_frame;
+    ChromaGrid m_grid;
+    int m_searchStep = 1, m_countStep = 1;
+    bool m_counted = false;
+    ChromaDensity m_counts;
+};
+
+/// A region that may be the robot.
+struct Candidate
+{
+    Blob blob;
+    Eigen::Vector2d centrePx; ///< luma pixels
+    double score = 0;         ///< 0 to 1, for comparison among candidates
+};
+
+/// Finds one robot in the whole picture, and once found follows it from frame to frame in a window. The
+/// decision which candidate is whose is the caller's, who sees all robots.
+class RobotFollower
+{
+public:
+    explicit RobotFollower(RgbColour told) : m_told(told) {}
+
+    bool isFollowing() const { return m_phase == Phase::Following; }
+    const ColourModel &model() const { return m_model; }
+
+    /// Begins anew for frames of this format.
+    void reset(const FrameFormat &format);
+
+    /// Following: looks for candidates in the window about the predicted place, best first.
+    void propose(const TrackedFrame &frame);
+    /// Not following: looks for candidates in the whole picture, best first. `background` is what else there
+    /// is.
+    void search(TrackedFrame &frame, const ChromaDensity &background);
+    const std::vector<Candidate> &candidates() const { return m_candidates; }
+
+    /// Takes a candidate of propose() or of search() as the robot. False when a closer look denies it (search
+    /// only).
+    bool accept(const TrackedFrame &frame, const Candidate &candidate, const ChromaDensity &background,
+                Observation &observation);
+    /// None of the candidates is the robot.
+    void miss();
+
+    /// The colour has changed, or time has passed: give a fresh background.
+    bool wantsTable() const { return m_phase == Phase::Following && m_wantsTable; }
+    void buildTable(const ChromaDensity &background);
+    /// Where the robot and its blurred edge were seen last; empty when it is not followed.
+    ChromaRect occupied() const { return isFollowing() ? m_occupied : ChromaRect(); }
+
+private:
+    enum class Phase { Unseen, Following, Lost };
+
+    ChromaRect windowOf(const TrackedFrame &frame) const;
+    double rankInWindow(const TrackedFrame &frame, const Blob &blob) const;
+    double rankUnseen(const TrackedFrame &frame, const Blob &blob) const;
+    double rankLost(const TrackedFrame &frame, const Blob &blob) const;
+    void collect(const TrackedFrame &frame,
+                 double (RobotFollower::*rank)(const TrackedFrame &, const Blob &) const, double least);
+    bool learnFrom(const TrackedFrame &frame, const Candidate &candidate, const ChromaDensity &background,
+                   Blob &blob);
+    double scoreOf(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape) const;
+    void update(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape,
+                const Observation &observation);
+
+    RgbColour m_told;
+    Phase m_phase = Phase::Unseen;
+    ColourModel m_model;
+    ChromaTable m_searchTable;
+    MotionPredictor m_predictor;
+    BlobFinder m_finder;
+    RegionMask m_mask;
+    RegionMeasure m_measure;
+    std::vector<Candidate> m_candidates;
+    ChromaRect m_occupied;
+    double m_areaPx = 0;                                    ///< expected
+    double m_radiusPx = 0;                                  ///< of the circle of that area
+    Eigen::Vector2d m_halfSizePx = Eigen::Vector2d::Zero(); ///< of the last ellipse along x and y
+    bool m_atBorder = false;
+    bool m_searchedByToldColour = false;
+    bool m_wantsTable = false;
+    int m_missed = 0, m_framesSinceTable = 0;
+};
+
+} // namespace odo
