@@ -30,16 +30,18 @@ struct ColourTracker::Impl
     DuplicateDetector duplicates;
     FrameFormat format{.width = -1};
 
-    ChromaDensity backgroundOf(std::size_t robot, TrackedFrame &frame) const;
+    ChromaDensity backgroundOf(std::size_t robot, TrackedFrame &frame, const ChromaRect &rect) const;
     bool isTaken(const Candidate &candidate, std::size_t robot) const;
     void followAll(const TrackedFrame &frame);
     void findMissing(TrackedFrame &frame);
     void rebuildTables(TrackedFrame &frame);
 };
 
-ChromaDensity ColourTracker::Impl::backgroundOf(std::size_t robot, TrackedFrame &frame) const
+/// What there is in the picture but the robot, which takes up the rectangle; and the other robots' colours.
+ChromaDensity ColourTracker::Impl::backgroundOf(std::size_t robot, TrackedFrame &frame,
+                                                const ChromaRect &rect) const
 {
-    ChromaDensity background = frame.backgroundWithout(followers[robot].occupied());
+    ChromaDensity background = frame.backgroundWithout(rect);
     if (followers.size() == 1)
         return background;
     const ChromaDensity own = followers[robot].model().density();
@@ -89,7 +91,7 @@ void ColourTracker::Impl::followAll(const TrackedFrame &frame)
         }
         if (!best)
             break;
-        followers[bestRobot].accept(frame, *best, {}, last[bestRobot]);
+        followers[bestRobot].accept(frame, *best, last[bestRobot]);
     }
 }
 
@@ -102,10 +104,10 @@ void ColourTracker::Impl::findMissing(TrackedFrame &frame)
         follower.miss();
         if (follower.isFollowing())
             continue;
-        const ChromaDensity background = backgroundOf(robot, frame);
-        follower.search(frame, background);
+        follower.search(frame, backgroundOf(robot, frame, {}));
         for (const Candidate &candidate : follower.candidates()) {
-            if (!isTaken(candidate, robot) && follower.accept(frame, candidate, background, last[robot]))
+            const ChromaDensity background = backgroundOf(robot, frame, candidate.blob.box.grownBy(3));
+            if (!isTaken(candidate, robot) && follower.acceptFound(frame, candidate, background, last[robot]))
                 break;
         }
     }
@@ -115,7 +117,7 @@ void ColourTracker::Impl::rebuildTables(TrackedFrame &frame)
 {
     for (std::size_t robot = 0; robot < followers.size(); ++robot) {
         if (followers[robot].wantsTable())
-            followers[robot].buildTable(backgroundOf(robot, frame));
+            followers[robot].buildTable(backgroundOf(robot, frame, followers[robot].occupied()));
     }
 }
 

@@ -10,7 +10,8 @@ namespace odo {
 namespace {
 
 constexpr std::uint8_t outsideClass = 0, edgeClass = 1, insideClass = 2;
-constexpr double alphaLow = 0.2, alphaRange = 0.6;
+constexpr double alphaLow = 0.1, alphaRange = 0.8;
+constexpr int farthestReference = 6;  ///< samples from an edge sample to what is wholly in or out
 constexpr double leastContrast = 5.0; ///< code values between inside and outside, else the mask decides
 constexpr double referenceNoise =
     1.35; ///< variance of alpha with that of its two references, each of two samples
@@ -58,11 +59,13 @@ void RegionMeasure::classify(const RegionMask &mask)
         const std::uint8_t *m = mask.bytes.data() + static_cast<std::ptrdiff_t>(y) * w;
         std::uint8_t *c = m_classes.data() + static_cast<std::ptrdiff_t>(y) * w;
         for (int x = 2; x < w - 2; ++x) {
-            const int cross = m[x - 1] & m[x] & m[x + 1] & m[x - w] & m[x + w];
-            const int diamond = m[x] | m[x - 1] | m[x + 1] | m[x - w] | m[x + w] | m[x - 2] | m[x + 2] |
-                                m[x - 2 * w] | m[x + 2 * w] | m[x - w - 1] | m[x - w + 1] | m[x + w - 1] |
-                                m[x + w + 1];
-            c[x] = static_cast<std::uint8_t>(cross + diamond);
+            const int any = m[x] | m[x - 1] | m[x + 1] | m[x - w] | m[x + w] | m[x - 2] | m[x + 2] |
+                            m[x - 2 * w] | m[x + 2 * w] | m[x - w - 1] | m[x - w + 1] | m[x + w - 1] |
+                            m[x + w + 1];
+            const int all = m[x] & m[x - 1] & m[x + 1] & m[x - w] & m[x + w] & m[x - 2] & m[x + 2] &
+                            m[x - 2 * w] & m[x + 2 * w] & m[x - w - 1] & m[x - w + 1] & m[x + w - 1] &
+                            m[x + w + 1];
+            c[x] = static_cast<std::uint8_t>(any + all);
         }
     }
 }
@@ -96,26 +99,28 @@ void RegionMeasure::addEdge(const ChromaGrid &grid, const Blob &blob, const Regi
                             const Chroma &inside, double noise, Sums &sums) const
 {
     const Eigen::Vector2d centre = blob.centre();
-    const Eigen::Matrix2d blobCovariance = blob.covariance();
-    const Eigen::Matrix2d inverse = blobCovariance.inverse();
-    const double smallest = std::sqrt(std::max(0.0, blobCovariance.determinant() / blobCovariance.trace()));
-    const double reach = std::clamp(smallest, 1.5, 2.5);
+    const Eigen::Matrix2d inverse = blob.covariance().inverse();
     const ChromaRect bounds = grid.bounds();
     const ChromaRect area = m_area.clippedTo(bounds);
     const double noiseOfAlpha = referenceNoise * noise * noise / (alphaRange * alphaRange);
 
-    // The mean of the samples at two distances along the normal; false unless both are of the wanted class.
+    // The mean of the first two samples along the normal that are wholly of the wanted class; false when
+    // there are none near.
     const auto reference = [&](double x, double y, double nx, double ny, int wanted, Chroma &mean) {
-        Chroma sum = Chroma::Zero();
-        for (const double r : {reach, reach + 1.0}) {
+        for (int r = 1; r <= farthestReference; ++r) {
             const int sx = static_cast<int>(std::lround(x + r * nx)),
                       sy = static_cast<int>(std::lround(y + r * ny));
-            if (!bounds.contains(sx, sy) || classAt(sx, sy) != wanted)
+            if (!bounds.contains(sx, sy))
                 return false;
-            sum += grid.at(sx, sy);
+            if (classAt(sx, sy) != wanted)
+                continue;
+            const int tx = static_cast<int>(std::lround(x + (r + 1) * nx));
+            const int ty = static_cast<int>(std::lround(y + (r + 1) * ny));
+            const bool both = bounds.contains(tx, ty) && classAt(tx, ty) == wanted;
+            mean = both ? Chroma((grid.at(sx, sy) + grid.at(tx, ty)) / 2) : grid.at(sx, sy);
+            return true;
         }
-        mean = sum / 2;
-        return true;
+        return false;
     };
 
     for (int y = area.top; y < area.bottom; ++y) {

@@ -20,12 +20,12 @@ struct RegionShape
 
 /// Weighs each sample along a region's edge by the part of it that the robot covers, and takes the moments.
 ///
-/// The part is found from the edge itself: alpha = (c − b)·(f − b)/|f − b|², where f is the chroma a few
-/// samples further in and b that a few samples further out along the normal of the region's ellipse. So
-/// neither a second, darker side of the robot nor a background of several colours biases it. Alpha is
-/// stretched from 0.2..0.8 to 0..1, which takes out noise and shading on both sides of the edge (a plain
-/// linear alpha costs 0.6 px of bias under mild shading). Samples wholly inside count one. Keeps its memory:
-/// no allocation once it is warm.
+/// The part is found from the edge itself: alpha = (c − b)·(f − b)/|f − b|², where f is the chroma of the
+/// nearest samples that are wholly inside and b that of the nearest wholly outside, along the normal of the
+/// region's ellipse. So neither a second, darker side of the robot nor a background of several colours biases
+/// it (references from the whole region do: 0.1 px and more). Alpha is stretched from 0.1..0.9 to 0..1, which
+/// takes out noise on both sides of the edge; a stronger stretch costs sub-pixel precision where the edge is
+/// sharp. Samples wholly inside count one. Keeps its memory: no allocation once it is warm.
 class RegionMeasure
 {
 public:

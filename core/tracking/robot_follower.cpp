@@ -16,6 +16,7 @@ constexpr int mostCountedSamples = 20'000;
 constexpr int framesPerTable = 64;
 constexpr int missesUntilLost = 1;
 constexpr double relearnAfterS = 1.5; ///< lost for so long, the told colour is believed again
+constexpr int missesPerRelearning = 8;
 constexpr double leastRankInWindow = 0.02, leastRankInPicture = 0.15, leastFirstScore = 0.25;
 constexpr std::size_t mostCandidates = 6;
 
@@ -99,17 +100,20 @@ double RobotFollower::rankLost(const TrackedFrame &frame, const Blob &blob) cons
            blob.meanWeight() * compactness(blob.covariance(), blob.area());
 }
 
-void RobotFollower::collect(const TrackedFrame &frame,
-                            double (RobotFollower::*rank)(const TrackedFrame &, const Blob &) const,
-                            double least)
+void RobotFollower::collect(const TrackedFrame &frame, Candidate::By by, double least,
+                            double (RobotFollower::*rank)(const TrackedFrame &, const Blob &) const)
 {
     for (const Blob &blob : m_finder.blobs()) {
         if (blob.count < 3)
             continue;
         const double score = (this->*rank)(frame, blob);
         if (score >= least)
-            m_candidates.push_back({blob, frame.grid().toLuma(blob.centre()), score});
+            m_candidates.push_back({blob, frame.grid().toLuma(blob.centre()), score, by});
     }
+}
+
+void RobotFollower::sortCandidates()
+{
     std::sort(m_candidates.begin(), m_candidates.end(),
               [](const Candidate &a, const Candidate &b) { return a.score > b.score; });
     if (m_candidates.size() > mostCandidates)
@@ -123,98 +127,104 @@ void RobotFollower::propose(const TrackedFrame &frame)
     if (window.isEmpty())
         return;
     m_finder.find(frame.grid(), m_model.table(), window, 1);
-    collect(frame, &RobotFollower::rankInWindow, leastRankInWindow);
+    collect(frame, Candidate::By::LearnedColour, leastRankInWindow, &RobotFollower::rankInWindow);
+    sortCandidates();
 }
 
-void RobotFollower::search(TrackedFrame &frame, const ChromaDensity &background)
+void RobotFollower::search(const TrackedFrame &frame, const ChromaDensity &background)
 {
     m_candidates.clear();
     const ChromaRect picture = frame.grid().bounds();
-    const bool lostForLong = m_phase == Phase::Lost &&
-                             frame.timeS() - m_predictor.lastTimeS() > relearnAfterS && m_missed % 8 == 0;
-    m_searchedByToldColour = m_phase == Phase::Unseen || lostForLong;
     if (m_phase == Phase::Lost) {
         m_finder.find(frame.grid(), m_model.table(), picture, frame.searchStep());
-        collect(frame, &RobotFollower::rankLost, leastRankInPicture);
-        if (!m_candidates.empty())
-            m_searchedByToldColour = false;
+        collect(frame, Candidate::By::LearnedColour, leastRankInPicture, &RobotFollower::rankLost);
+        const bool forLong = frame.timeS() - m_predictor.lastTimeS() > relearnAfterS;
+        if (!m_candidates.empty() || !forLong || m_missed % missesPerRelearning != 0) {
+            sortCandidates();
+            return;
+        }
     }
-    if (!m_searchedByToldColour)
-        return;
-    for (const bool regardBackground : {true, false}) {
-        m_searchTable = m_model.toldTable(regardBackground ? &background : nullptr);
-        m_finder.find(frame.grid(), m_searchTable, picture, frame.searchStep());
-        collect(frame, &RobotFollower::rankUnseen, leastRankInPicture);
-        if (!m_candidates.empty())
-            break;
-    }
+    // A robot that fills much of the picture is much of the background as well: so once more without regard
+    // to it.
+    m_finder.find(frame.grid(), m_model.toldTable(&background), picture, frame.searchStep());
+    collect(frame, Candidate::By::ToldColour, leastRankInPicture, &RobotFollower::rankUnseen);
+    m_finder.find(frame.grid(), m_model.toldTable(nullptr), picture, frame.searchStep());
+    collect(frame, Candidate::By::ToldColourAlone, leastRankInPicture, &RobotFollower::rankUnseen);
+    sortCandidates();
 }
 
+/// Found on the coarse lattice by the colour that is known: the same region on every sample.
+bool RobotFollower::lookAgain(const TrackedFrame &frame, const Candidate &candidate, Blob &blob)
+{
+    const ChromaRect window = candidate.blob.box.grownBy(8).clippedTo(frame.grid().bounds());
+    m_finder.find(frame.grid(), m_model.table(), window, 1);
+    const auto &blobs = m_finder.blobs();
+    const auto largest = std::max_element(blobs.begin(), blobs.end(),
+                                          [](const Blob &a, const Blob &b) { return a.count < b.count; });
+    if (largest == blobs.end() || largest->count < 4)
+        return false;
+    blob = *largest;
+    return true;
+}
+
+/// Found by the told colour: learns the colour, first from what that shows, then from what was learned, which
+/// gathers sides and shades that were missed.
 bool RobotFollower::learnFrom(const TrackedFrame &frame, const Candidate &candidate,
                               const ChromaDensity &background, Blob &blob)
 {
     const ChromaRect box = candidate.blob.box;
     const int margin = 8 + std::max(box.width(), box.height()) / 2;
     const ChromaRect window = box.grownBy(margin).clippedTo(frame.grid().bounds());
-    const ColourModel before = m_model;
-    // First with the told colour, then twice with what was learned, which gathers sides and shades that were
-    // missed.
+    ColourModel model = m_model;
+    ChromaTable table = model.toldTable(candidate.by == Candidate::By::ToldColour ? &background : nullptr);
+    RegionShape shape;
     for (int pass = 0; pass < 3; ++pass) {
-        m_finder.find(frame.grid(), pass == 0 ? m_searchTable : m_model.table(), window, 1);
+        m_finder.find(frame.grid(), table, window, 1);
         const Blob *best = nullptr;
         for (const Blob &found : m_finder.blobs()) {
             const ChromaRect common = found.box.clippedTo(box.grownBy(2));
             if (!common.isEmpty() && (!best || found.count > best->count))
                 best = &found;
         }
-        if (!best || best->count < 4) {
-            m_model = before;
+        if (!best || best->count < 4)
             return false;
-        }
         blob = *best;
         m_finder.paint(blob, RegionMeasure::margin, m_mask);
+        shape = m_measure.measure(frame.grid(), blob, m_mask, model.expected());
         if (pass == 2)
             break;
-        const RegionShape shape = m_measure.measure(frame.grid(), blob, m_mask, m_model.told());
-        m_model.learn(frame.grid(), m_mask, shape.colour);
-        m_model.buildTable(background);
+        model.learn(frame.grid(), m_mask, shape.colour);
+        model.buildTable(background);
+        table = model.table();
     }
-    const RegionShape shape = m_measure.measure(frame.grid(), blob, m_mask, m_model.expected());
-    const double score = likeness(shape.colour, m_model.told()) * rankUnseen(frame, blob);
-    if (score < leastFirstScore) {
-        m_model = before;
+    if (likeness(shape.colour, model.told()) * rankUnseen(frame, blob) < leastFirstScore)
         return false;
-    }
+    m_model = model;
     return true;
 }
 
-bool RobotFollower::accept(const TrackedFrame &frame, const Candidate &candidate,
-                           const ChromaDensity &background, Observation &observation)
+void RobotFollower::accept(const TrackedFrame &frame, const Candidate &candidate, Observation &observation)
 {
-    Blob blob = candidate.blob;
-    const bool first = !isFollowing();
-    if (first && m_searchedByToldColour) {
-        if (!learnFrom(frame, candidate, background, blob))
-            return false;
-    } else if (first) {
-        // Found again on the coarse lattice: once more on every sample.
-        const ChromaRect window = blob.box.grownBy(8).clippedTo(frame.grid().bounds());
-        m_finder.find(frame.grid(), m_model.table(), window, 1);
-        const auto &blobs = m_finder.blobs();
-        const auto best = std::max_element(blobs.begin(), blobs.end(),
-                                           [](const Blob &a, const Blob &b) { return a.count < b.count; });
-        if (best == blobs.end() || best->count < 4)
-            return false;
-        blob = *best;
-        m_finder.paint(blob, RegionMeasure::margin, m_mask);
-    } else {
-        m_finder.paint(blob, RegionMeasure::margin, m_mask);
-    }
+    observe(frame, candidate.blob, observation);
+}
+
+bool RobotFollower::acceptFound(const TrackedFrame &frame, const Candidate &candidate,
+                                const ChromaDensity &background, Observation &observation)
+{
+    Blob blob;
+    const bool known = candidate.by == Candidate::By::LearnedColour;
+    if (!(known ? lookAgain(frame, candidate, blob) : learnFrom(frame, candidate, background, blob)))
+        return false;
+    m_areaPx = blob.area() * frame.lumaPerSample();
+    m_predictor.start(frame.grid().toLuma(blob.centre()), frame.timeS());
+    observe(frame, blob, observation);
+    return true;
+}
+
+void RobotFollower::observe(const TrackedFrame &frame, const Blob &blob, Observation &observation)
+{
+    m_finder.paint(blob, RegionMeasure::margin, m_mask);
     const RegionShape shape = m_measure.measure(frame.grid(), blob, m_mask, m_model.expected());
-    if (first) {
-        m_areaPx = shape.area * frame.lumaPerSample();
-        m_predictor.start(frame.grid().toLuma(shape.centre), frame.timeS());
-    }
     const Eigen::Vector2d &scale = frame.grid().scale;
     const ChromaRect inner = frame.grid().bounds().grownBy(-1);
     m_atBorder = blob.box.left < inner.left || blob.box.top < inner.top || blob.box.right > inner.right ||
@@ -226,7 +236,6 @@ bool RobotFollower::accept(const TrackedFrame &frame, const Candidate &candidate
     observation.touchesBorder = m_atBorder;
     observation.score = scoreOf(frame, blob, shape);
     update(frame, blob, shape, observation);
-    return true;
 }
 
 double RobotFollower::scoreOf(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape) const

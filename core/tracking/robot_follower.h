@@ -39,6 +39,11 @@ struct Candidate
     Blob blob;
     Eigen::Vector2d centrePx; ///< luma pixels
     double score = 0;         ///< 0 to 1, for comparison among candidates
+    enum class By {
+        LearnedColour,
+        ToldColour,
+        ToldColourAlone
+    } by = By::LearnedColour; ///< Alone: whatever the background
 };
 
 /// Finds one robot in the whole picture, and once found follows it from frame to frame in a window. The
@@ -58,13 +63,15 @@ public:
     void propose(const TrackedFrame &frame);
     /// Not following: looks for candidates in the whole picture, best first. `background` is what else there
     /// is.
-    void search(TrackedFrame &frame, const ChromaDensity &background);
+    void search(const TrackedFrame &frame, const ChromaDensity &background);
     const std::vector<Candidate> &candidates() const { return m_candidates; }
 
-    /// Takes a candidate of propose() or of search() as the robot. False when a closer look denies it (search
-    /// only).
-    bool accept(const TrackedFrame &frame, const Candidate &candidate, const ChromaDensity &background,
-                Observation &observation);
+    /// Takes a candidate of propose() as the robot.
+    void accept(const TrackedFrame &frame, const Candidate &candidate, Observation &observation);
+    /// Takes a candidate of search() as the robot, unless a closer look denies it: then false. `background`
+    /// is what else there is beside the candidate.
+    bool acceptFound(const TrackedFrame &frame, const Candidate &candidate, const ChromaDensity &background,
+                     Observation &observation);
     /// None of the candidates is the robot.
     void miss();
 
@@ -81,10 +88,13 @@ private:
     double rankInWindow(const TrackedFrame &frame, const Blob &blob) const;
     double rankUnseen(const TrackedFrame &frame, const Blob &blob) const;
     double rankLost(const TrackedFrame &frame, const Blob &blob) const;
-    void collect(const TrackedFrame &frame,
-                 double (RobotFollower::*rank)(const TrackedFrame &, const Blob &) const, double least);
+    void collect(const TrackedFrame &frame, Candidate::By by, double least,
+                 double (RobotFollower::*rank)(const TrackedFrame &, const Blob &) const);
+    void sortCandidates();
+    bool lookAgain(const TrackedFrame &frame, const Candidate &candidate, Blob &blob);
     bool learnFrom(const TrackedFrame &frame, const Candidate &candidate, const ChromaDensity &background,
                    Blob &blob);
+    void observe(const TrackedFrame &frame, const Blob &blob, Observation &observation);
     double scoreOf(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape) const;
     void update(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape,
                 const Observation &observation);
@@ -92,7 +102,6 @@ private:
     RgbColour m_told;
     Phase m_phase = Phase::Unseen;
     ColourModel m_model;
-    ChromaTable m_searchTable;
     MotionPredictor m_predictor;
     BlobFinder m_finder;
     RegionMask m_mask;
@@ -103,7 +112,6 @@ private:
     double m_radiusPx = 0;                                  ///< of the circle of that area
     Eigen::Vector2d m_halfSizePx = Eigen::Vector2d::Zero(); ///< of the last ellipse along x and y
     bool m_atBorder = false;
-    bool m_searchedByToldColour = false;
     bool m_wantsTable = false;
     int m_missed = 0, m_framesSinceTable = 0;
 };
