@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/column_blob.h"
+#include "core/project/connection.h"
+#include "core/project/repositories.h"
+#include "core/project/series_blobs.h"
+#include "core/project/stored_words.h"
+
+namespace odo {
+
+namespace {
+
+const QString newestColumns = QStringLiteral(
+    "SELECT analysis.id, trial_id, robot_id, robot.name, made_ms, software_version, smoother, "
+    "max_speed_m_s, max_accel_m_s2, longest_bridged_gap_ns, analysis.height_m, height_estimated, "
+    "mean_view_disagreement_m FROM analysis JOIN robot ON robot.id=robot_id WHERE analysis.id IN "
+    "(SELECT MAX(id) FROM analysis WHERE trial_id=? GROUP BY robot_id) ORDER BY robot_id");
+
+Result<void> checkAnalysis(const AnalysisRecord &analysis)
+{
+    const auto refuse = [](const std::string &why) {
+        return fail(ErrorCode::InvalidInput, "analysis of a trial", why, "analyse the trial again");
+    };
+    const Profile &profile = analysis.profile;
+    if (profile.samples.size() != profile.points.size())
+        return refuse("samples and profile differ in length");
+    if (profile.samples.size() > maxBlobRows)
+        return refuse("it has more than " + std::to_string(maxBlobRows) + " samples");
+    if (!analysis.registrations.empty() && analysis.registrations.size() != analysis.views.size())
+        return refuse("views and registrations differ in number");
+    return {};
+}
+
+Result<RecordId> addRow(ProjectConnection &connection, const AnalysisRecord &analysis)
+{
+    Statement insert(
+        connection,
+        QStringLiteral("INSERT INTO analysis (trial_id, robot_id, made_ms, software_version, smoother, "
+                       "max_speed_m_s, max_accel_m_s2, longest_bridged_gap_ns, height_m, "
+                       "height_estimated, mean_view_disagreement_m) VALUES (?,?,?,?,?,?,?,?,?,?,?)"));
+    const AnalysisOptions &options = analysis.options;
+    insert.bind(analysis.trial).bind(analysis.robot);
+    insert.bind(static_cast<std::int64_t>(analysis.made.time_since_epoch().count()))
+        .bind(analysis.softwareVersion);
+    insert.bind(storedWord(smootherWords, options.smoother))
+        .bind(options.maxSpeedMps)
+        .bind(options.maxAccelMps2);
+    insert.bind(static_cast<std::int64_t>(options.longestBridgedGap.count())).bind(analysis.profile.heightM);
+    insert.bind(analysis.profile.heightEstimated ? 1 : 0).bind(analysis.profile.meanViewDisagreementM);
+    if (auto done = insert.run(); !done)
+        return tl::unexpected(done.error());
+    return insert.insertedId();
+}
+
+Result<void> addViews(ProjectConnection &connection, RecordId id, const AnalysisRecord &analysis)
+{
+    for (std::size_t i = 0; i < analysis.views.size(); ++i) {
+        Statement insert(connection, QStringLiteral("INSERT INTO analysis_view VALUES (?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(analysis.views[i]);
+        insert.bindReference(analysis.registrations.empty() ? 0 : analysis.registrations[i]);
+        if (auto done = insert.run(); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> addFindings(ProjectConnection &connection, RecordId id, const Profile &profile)
+{
+    for (std::size_t i = 0; i < profile.metrics.size(); ++i) {
+        const Metric &metric = profile.metrics[i];
+        if (!std::isfinite(metric.value) || (metric.sigma && !std::isfinite(*metric.sigma)))
+            return fail(ErrorCode::InvalidInput, "metric '" + metric.name + "'", "it is not a finite number",
+                        "analyse the trial again");
+        Statement insert(connection, QStringLiteral("INSERT INTO metric VALUES (?,?,?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(metric.name).bind(metric.unit);
+        if (auto done = insert.bind(metric.value).bind(metric.sigma).run(); !done)
+            return done;
+    }
+    for (std::size_t i = 0; i < profile.spikes.size(); ++i) {
+        const Spike &spike = profile.spikes[i];
+        Statement insert(connection, QStringLiteral("INSERT INTO spike VALUES (?,?,?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(spike.sampleIndex);
+        insert.bind(static_cast<std::int64_t>(spike.time.count()))
+            .bind(static_cast<std::int64_t>(spike.flags));
+        if (auto done = insert.bind(spike.reason).run(); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> addSeries(ProjectConnection &connection, RecordId id, const Profile &profile)
+{
+    Statement insert(connection, QStringLiteral("INSERT INTO analysis_series VALUES (?,?,?)"));
+    return insert.bind(id).bind(packSamples(profile.samples)).bind(packPoints(profile.points)).run();
+}
+
+Result<AnalysisRecord> analysisOf(const Statement &row)
+{
+    AnalysisRecord analysis;
+    analysis.id = row.integer(0);
+    analysis.trial = row.integer(1);
+    analysis.robot = row.integer(2);
+    analysis.robotName = row.text(3);
+    analysis.made = Instant(std::chrono::milliseconds(row.integer(4)));
+    analysis.softwareVersion = row.text(5);
+    const auto smoother =
+        fromStoredWord(smootherWords, row.text(6), "analysis " + std::to_string(analysis.id));
+    if (!smoother)
+        return tl::unexpected(smoother.error());
+    analysis.options.smoother = *smoother;
+    analysis.options.maxSpeedMps = row.real(7);
+    analysis.options.maxAccelMps2 = row.real(8);
+    analysis.options.longestBridgedGap = Nanoseconds(row.integer(9));
+    analysis.profile.heightM = row.real(10);
+    analysis.profile.heightEstimated = row.integer(11) != 0;
+    analysis.profile.meanViewDisagreementM = row.real(12);
+    return analysis;
+}
+
+Result<void> readMetrics(const ProjectConnection &connection, AnalysisRecord &into)
+{
+    Statement select(
+        connection,
+        QStringLiteral("SELECT name, unit, value, sigma FROM metric WHERE analysis_id=? ORDER BY position"));
+    return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.profile.metrics.push_back({row.text(0), row.text(1), row.real(2), row.optionalReal(3)});
+        return {};
+    });
+}
+
+Result<void> readViewsAndSpikes(const ProjectConnection &connection, AnalysisRecord &into)
+{
+    Statement views(connection, QStringLiteral("SELECT name, registration_id FROM analysis_view "
+                                               "WHERE analysis_id=? ORDER BY position"));
+    auto read = views.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.views.push_back(row.text(0));
+        into.registrations.push_back(row.integer(1));
+        return {};
+    });
+    if (!read)
+        return read;
+    Statement spikes(connection, QStringLiteral("SELECT sample_index, time_ns, flags, reason FROM spike "
+                                                "WHERE analysis_id=? ORDER BY position"));
+    return spikes.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.profile.spikes.push_back({row.integer(0), Nanoseconds(row.integer(1)),
+                                       static_cast<SampleFlags>(row.integer(2)), row.text(3)});
+        return {};
+    });
+}
+
+Result<void> readSeries(const ProjectConnection &connection, AnalysisRecord &into)
+{
+    const std::string what = "analysis " + std::to_string(into.id) + " of the project";
+    const auto damaged = [&what](const std::string &why) {
+        return fail(ErrorCode::InvalidInput, what, why, "analyse the trial again");
+    };
+    Statement select(connection,
+                     QStringLiteral("SELECT samples, points FROM analysis_series WHERE analysis_id=?"));
+    const auto found = select.bind(into.id).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return damaged("its series are missing");
+    auto samples = unpackSamples(select.blob(0), what);
+    if (!samples)
+        return tl::unexpected(samples.error());
+    auto points = unpackPoints(select.blob(1), what);
+    if (!points)
+        return tl::unexpected(points.error());
+    if (samples->size() != points->size())
+        return damaged("samples and profile differ in length");
+    const auto count = static_cast<std::int64_t>(samples->size());
+    for (const Spike &spike : into.profile.spikes) {
+        if (spike.sampleIndex < 0 || spike.sampleIndex >= count)
+            return damaged("a spike refers to a sample that is not there");
+    }
+    into.profile.samples = std::move(*samples);
+    into.profile.points = std::move(*points);
+    return {};
+}
+
+} // namespace
+
+AnalysisRepository::AnalysisRepository(ProjectConnection &connection) : m_connection(connection) {}
+
+Result<AnalysisRecord> AnalysisRepository::add(const AnalysisRecord &analysis)
+{
+    return transact(m_connection, [&]() -> Result<AnalysisRecord> {
+        if (auto valid = checkAnalysis(analysis); !valid)
+            return tl::unexpected(valid.error());
+        const auto id = addRow(m_connection, analysis);
+        if (!id)
+            return tl::unexpected(id.error());
+        if (auto added = addViews(m_connection, *id, analysis); !added)
+            return tl::unexpected(added.error());
+        if (auto added = addFindings(m_connection, *id, analysis.profile); !added)
+            return tl::unexpected(added.error());
+        if (auto added = addSeries(m_connection, *id, analysis.profile); !added)
+            return tl::unexpected(added.error());
+        AnalysisRecord stored = analysis;
+        stored.id = *id;
+        return stored;
+    });
+}
+
+Result<std::vector<AnalysisRecord>> AnalysisRepository::current(RecordId trial) const
+{
+    auto analyses = currentMetrics(trial);
+    if (!analyses)
+        return analyses;
+    for (AnalysisRecord &analysis : *analyses) {
+        if (auto read = readViewsAndSpikes(m_connection, analysis); !read)
+            return tl::unexpected(read.error());
+        if (auto read = readSeries(m_connection, analysis); !read)
+            return tl::unexpected(read.error());
+    }
+    return analyses;
+}
+
+Result<std::vector<AnalysisRecord>> AnalysisRepository::currentMetrics(RecordId trial) const
+{
+    std::vector<AnalysisRecord> analyses;
+    Statement select(m_connection, newestColumns);
+    auto read = select.bind(trial).eachRow([&](const Statement &row) -> Result<void> {
+        auto analysis = analysisOf(row);
+        if (!analysis)
+            return tl::unexpected(analysis.error());
+        if (auto metrics = readMetrics(m_connection, *analysis); !metrics)
+            return metrics;
+        analyses.push_back(std::move(*analysis));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return analyses;
+}
+
+} // namespace odo

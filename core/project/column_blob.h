@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QByteArray>
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+namespace odo {
+
+/// A packed column array (docs/project_file.md): kind (one letter), version, two zero bytes, the number of
+/// rows as u32, then one column after the other, little-endian, without gaps.
+struct BlobLayout
+{
+    char kind;
+    std::uint8_t version;
+    std::uint32_t bytesPerRow;
+};
+
+constexpr std::uint32_t blobHeaderBytes = 8;
+constexpr std::uint32_t maxBlobRows = 4'000'000;
+
+/// Fills a blob column by column.
+class BlobWriter
+{
+public:
+    BlobWriter(const BlobLayout &layout, std::size_t rows);
+
+    template <class Value>
+    void put(Value value)
+    {
+        static_assert(std::is_arithmetic_v<Value>);
+        unsigned char bytes[sizeof(Value)];
+        std::memcpy(bytes, &value, sizeof value);
+        appendLittleEndian(bytes, sizeof value);
+    }
+    /// The finished blob; asserts that exactly the announced columns were put.
+    QByteArray take();
+
+private:
+    void appendLittleEndian(const unsigned char *bytes, std::size_t count);
+
+    QByteArray m_bytes;
+    std::size_t m_expectedBytes;
+};
+
+/// Reads a blob whose kind, version and length were checked against its layout, so that no read can leave it.
+class BlobReader
+{
+public:
+    /// Error InvalidInput when the bytes are not such a blob; `what` names it.
+    static Result<BlobReader> open(const QByteArray &bytes, const BlobLayout &layout,
+                                   const std::string &what);
+
+    std::size_t rows() const { return m_rows; }
+
+    template <class Value>
+    Value take()
+    {
+        static_assert(std::is_arithmetic_v<Value>);
+        unsigned char bytes[sizeof(Value)];
+        takeLittleEndian(bytes, sizeof(Value));
+        Value value;
+        std::memcpy(&value, bytes, sizeof value);
+        return value;
+    }
+
+private:
+    BlobReader(QByteArray bytes, std::size_t rows) : m_bytes(std::move(bytes)), m_rows(rows) {}
+    void takeLittleEndian(unsigned char *bytes, std::size_t count);
+
+    QByteArray m_bytes;
+    std::size_t m_rows;
+    std::size_t m_position = blobHeaderBytes;
+};
+
+} // namespace odo

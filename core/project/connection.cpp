@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/connection.h"
+
+#include <QSqlDriver>
+#include <QSqlError>
+#include <QUrl>
+#include <atomic>
+#include <limits>
+#include <sqlite3.h>
+
+namespace odo {
+
+namespace {
+
+QString toQString(const std::filesystem::path &path)
+{
+    return QString::fromStdString(path.string());
+}
+
+/// A file: address, in which ?, # and % of the path are told apart from the options.
+QString immutableAddress(const std::filesystem::path &file)
+{
+    const QByteArray path = QUrl::toPercentEncoding(toQString(file), QByteArrayLiteral("/"));
+    return QStringLiteral("file:") + QString::fromLatin1(path) + QStringLiteral("?immutable=1");
+}
+
+struct Explanation
+{
+    ErrorCode code;
+    const char *why, *advice;
+};
+
+/// SQLite's result codes in words for a person.
+Explanation explain(int resultCode)
+{
+    switch (resultCode & 0xff) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+        return {ErrorCode::Io, "another program is writing to it", "close the other program and try again"};
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+    case SQLITE_AUTH:
+        return {ErrorCode::ReadOnly, "it cannot be written to",
+                "copy it to a folder that you may write to, and open the copy"};
+    case SQLITE_CANTOPEN:
+        return {ErrorCode::ReadOnly, "its folder cannot be written to",
+                "copy it to a folder that you may write to, and open the copy"};
+    case SQLITE_FULL:
+        return {ErrorCode::Io, "the disk is full, the change was not saved",
+                "make room on the disk and try again"};
+    case SQLITE_IOERR:
+        return {ErrorCode::Io, "the disk reported an error, the change was not saved",
+                "check the disk, and copy the project to another one"};
+    case SQLITE_CORRUPT:
+        return {ErrorCode::InvalidInput, "the file is damaged", "restore it from a backup copy"};
+    case SQLITE_NOTADB:
+        return {ErrorCode::InvalidInput, "it is not a project file",
+                "choose a file that Odograph has written"};
+    case SQLITE_CONSTRAINT:
+        return {ErrorCode::InvalidInput,
+                "it refers to something that is not in the project, or a value is missing",
+                "add what it refers to first"};
+    case SQLITE_TOOBIG:
+        return {ErrorCode::InvalidInput, "a value is too large to be stored",
+                "split the recording into shorter ones"};
+    default:
+        return {ErrorCode::Internal, "the database refused", "run a check of the project"};
+    }
+}
+
+} // namespace
+
+Result<std::unique_ptr<ProjectConnection>> ProjectConnection::open(const std::filesystem::path &file,
+                                                                   DatabaseAccess access)
+{
+    static std::atomic<int> count = 0;
+    const QString name = QStringLiteral("odograph-%1").arg(++count);
+    std::unique_ptr<ProjectConnection> connection(new ProjectConnection(file, name));
+    connection->m_database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), name);
+    QSqlDatabase &database = connection->m_database;
+    QString options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000");
+    if (access != DatabaseAccess::ReadWrite)
+        options += QStringLiteral(";QSQLITE_OPEN_READONLY");
+    if (access == DatabaseAccess::Immutable)
+        options += QStringLiteral(";QSQLITE_OPEN_URI");
+    database.setConnectOptions(options);
+    database.setDatabaseName(access == DatabaseAccess::Immutable ? immutableAddress(file) : toQString(file));
+    if (!database.open()) {
+        const Explanation reason = explain(database.lastError().nativeErrorCode().toInt());
+        return fail(reason.code, connection->displayName(), reason.why, reason.advice);
+    }
+    if (auto configured = connection->configure(access); !configured)
+        return tl::unexpected(configured.error());
+    return connection;
+}
+
+Result<void> ProjectConnection::configure(DatabaseAccess access)
+{
+    if (access == DatabaseAccess::ReadWrite && sqlite3_db_readonly(handle(), "main") == 1)
+        return fail(ErrorCode::ReadOnly, displayName(), "it cannot be written to",
+                    "copy it to a folder that you may write to, and open the copy");
+    // A project may come from anyone: its schema is data, not trusted code.
+    sqlite3_db_config(handle(), SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    sqlite3_limit(handle(), SQLITE_LIMIT_LENGTH, 512 * 1024 * 1024);
+    sqlite3_limit(handle(), SQLITE_LIMIT_ATTACHED, 1);
+    for (const char *pragma :
+         {"PRAGMA trusted_schema=OFF", "PRAGMA cell_size_check=ON", "PRAGMA mmap_size=0",
+          "PRAGMA temp_store=MEMORY", "PRAGMA foreign_keys=ON", "PRAGMA synchronous=FULL"}) {
+        if (auto done = execute(QString::fromLatin1(pragma)); !done)
+            return done;
+    }
+    return {};
+}
+
+ProjectConnection::~ProjectConnection()
+{
+    m_database.close();
+    m_database = QSqlDatabase();
+    QSqlDatabase::removeDatabase(m_name);
+}
+
+sqlite3 *ProjectConnection::handle() const
+{
+    const QVariant handle = m_database.driver()->handle();
+    return *static_cast<sqlite3 *const *>(handle.constData());
+}
+
+std::string ProjectConnection::displayName() const
+{
+    return "project '" + m_file.filename().string() + "'";
+}
+
+Result<void> ProjectConnection::execute(const QString &sql)
+{
+    return Statement(*this, sql).run();
+}
+
+Result<std::int64_t> ProjectConnection::number(const QString &sql) const
+{
+    Statement statement(*this, sql);
+    const auto found = statement.firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    return *found ? statement.integer(0) : 0;
+}
+
+void ProjectConnection::checkpoint()
+{
+    sqlite3_wal_checkpoint_v2(handle(), nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
+}
+
+Statement::Statement(const ProjectConnection &connection, const QString &sql)
+    : m_connection(connection), m_query(connection.database())
+{
+    m_query.setForwardOnly(true);
+    m_prepared = m_query.prepare(sql);
+}
+
+Statement &Statement::bind(std::int64_t value)
+{
+    m_query.bindValue(m_bound++, QVariant(static_cast<qlonglong>(value)));
+    return *this;
+}
+
+Statement &Statement::bind(double value)
+{
+    // SQLite would turn NaN into NULL without a word.
+    m_finite = m_finite && std::isfinite(value);
+    m_query.bindValue(m_bound++, QVariant(value));
+    return *this;
+}
+
+Statement &Statement::bind(const std::string &value)
+{
+    // A null QString would become NULL, an empty one stays a text.
+    m_query.bindValue(m_bound++, value.empty() ? QStringLiteral("") : QString::fromStdString(value));
+    return *this;
+}
+
+Statement &Statement::bind(const QByteArray &value)
+{
+    m_query.bindValue(m_bound++, value);
+    return *this;
+}
+
+Statement &Statement::bind(const std::optional<double> &value)
+{
+    if (value)
+        return bind(*value);
+    m_query.bindValue(m_bound++, QVariant(QMetaType::fromType<double>()));
+    return *this;
+}
+
+Statement &Statement::bindReference(RecordId id)
+{
+    if (id != 0)
+        return bind(id);
+    m_query.bindValue(m_bound++, QVariant(QMetaType::fromType<qlonglong>()));
+    return *this;
+}
+
+Result<void> Statement::start()
+{
+    if (!m_finite)
+        return fail(ErrorCode::InvalidInput, m_connection.displayName(),
+                    "a value to be stored is not a finite number",
+                    "check the input that it was computed from");
+    if (!m_prepared || !m_query.exec())
+        return failure();
+    return {};
+}
+
+Result<void> Statement::run()
+{
+    return start();
+}
+
+Result<void> Statement::eachRow(const std::function<Result<void>(const Statement &)> &row)
+{
+    if (auto started = start(); !started)
+        return started;
+    while (m_query.next()) {
+        if (auto done = row(*this); !done)
+            return done;
+    }
+    if (m_query.lastError().isValid())
+        return failure();
+    return {};
+}
+
+Result<bool> Statement::firstRow()
+{
+    if (auto started = start(); !started)
+        return tl::unexpected(started.error());
+    if (m_query.next())
+        return true;
+    if (m_query.lastError().isValid())
+        return failure();
+    return false;
+}
+
+tl::unexpected<Error> Statement::failure() const
+{
+    const QSqlError error = m_query.lastError();
+    const Explanation reason = explain(error.nativeErrorCode().toInt());
+    std::string why = reason.why;
+    if (reason.code == ErrorCode::Internal)
+        why += " (" + error.databaseText().toStdString() + ")";
+    return fail(reason.code, m_connection.displayName(), why, reason.advice);
+}
+
+std::int64_t Statement::integer(int column) const
+{
+    return m_query.value(column).toLongLong();
+}
+
+int Statement::smallInteger(int column) const
+{
+    const std::int64_t value = integer(column);
+    using Limits = std::numeric_limits<int>;
+    return value < Limits::min() || value > Limits::max() ? 0 : static_cast<int>(value);
+}
+
+double Statement::real(int column) const
+{
+    return m_query.value(column).toDouble();
+}
+
+std::optional<double> Statement::optionalReal(int column) const
+{
+    if (m_query.isNull(column))
+        return std::nullopt;
+    return real(column);
+}
+
+std::string Statement::text(int column) const
+{
+    return m_query.value(column).toString().toStdString();
+}
+QByteArray Statement::blob(int column) const
+{
+    return m_query.value(column).toByteArray();
+}
+RecordId Statement::insertedId() const
+{
+    return m_query.lastInsertId().toLongLong();
+}
+
+Result<void> Transaction::begin()
+{
+    m_depth = m_connection.m_transactionDepth;
+    // An error such as a full disk makes SQLite end the outer transaction by itself: nothing may follow in
+    // it.
+    if (m_depth > 0 && sqlite3_get_autocommit(m_connection.handle()) != 0)
+        return fail(ErrorCode::Io, m_connection.displayName(), "an earlier step of this change failed",
+                    "try the whole change again");
+    const QString sql =
+        m_depth == 0 ? QStringLiteral("BEGIN IMMEDIATE") : QStringLiteral("SAVEPOINT step%1").arg(m_depth);
+    if (auto begun = m_connection.execute(sql); !begun)
+        return begun;
+    m_open = true;
+    ++m_connection.m_transactionDepth;
+    return {};
+}
+
+Result<void> Transaction::commit()
+{
+    const QString sql =
+        m_depth == 0 ? QStringLiteral("COMMIT") : QStringLiteral("RELEASE step%1").arg(m_depth);
+    if (auto done = m_connection.execute(sql); !done) {
+        rollBack();
+        return done;
+    }
+    m_open = false;
+    --m_connection.m_transactionDepth;
+    return {};
+}
+
+Transaction::~Transaction()
+{
+    if (m_open)
+        rollBack();
+}
+
+void Transaction::rollBack()
+{
+    m_open = false;
+    --m_connection.m_transactionDepth;
+    if (sqlite3_get_autocommit(m_connection.handle()) != 0)
+        return; // SQLite has rolled back by itself
+    if (m_depth == 0) {
+        static_cast<void>(m_connection.execute(QStringLiteral("ROLLBACK")));
+        return;
+    }
+    static_cast<void>(m_connection.execute(QStringLiteral("ROLLBACK TO step%1").arg(m_depth)));
+    static_cast<void>(m_connection.execute(QStringLiteral("RELEASE step%1").arg(m_depth)));
+}
+
+} // namespace odo

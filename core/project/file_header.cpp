@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/file_header.h"
+
+#include "core/project/schema.h"
+
+#include <array>
+#include <fstream>
+#include <string_view>
+
+namespace odo {
+
+namespace {
+
+// Offsets of the header of an SQLite file: https://www.sqlite.org/fileformat.html, section 1.3.
+constexpr std::string_view sqliteMagic("SQLite format 3\0", 16);
+constexpr std::size_t pageSizeOffset = 16, changeCounterOffset = 24, pageCountOffset = 28,
+                      userVersionOffset = 60, applicationIdOffset = 68, countValidForOffset = 92;
+using Header = std::array<unsigned char, 100>;
+
+std::uint32_t bigEndian(const Header &header, std::size_t offset)
+{
+    return std::uint32_t(header[offset]) << 24 | std::uint32_t(header[offset + 1]) << 16 |
+           std::uint32_t(header[offset + 2]) << 8 | header[offset + 3];
+}
+
+/// The size that the header promises, or 0 where it does not say.
+std::uintmax_t promisedBytes(const Header &header)
+{
+    if (bigEndian(header, changeCounterOffset) != bigEndian(header, countValidForOffset))
+        return 0;
+    const std::uint32_t coded = std::uint32_t(header[pageSizeOffset]) << 8 | header[pageSizeOffset + 1];
+    const std::uintmax_t pageBytes = coded == 1 ? 65536 : coded;
+    return pageBytes * bigEndian(header, pageCountOffset);
+}
+
+} // namespace
+
+Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersion)
+{
+    const std::string what = "project '" + file.string() + "'";
+    std::error_code problem;
+    const auto status = std::filesystem::status(file, problem);
+    if (!std::filesystem::exists(status))
+        return fail(ErrorCode::NotFound, what, "there is no such file",
+                    "check the name, or make a new project");
+    if (!std::filesystem::is_regular_file(status))
+        return fail(ErrorCode::InvalidInput, what, "it is a folder or a device, not a file",
+                    "choose a file that Odograph has written");
+    const auto bytes = std::filesystem::file_size(file, problem);
+    std::ifstream input(file, std::ios::binary);
+    if (problem || !input)
+        return fail(ErrorCode::Io, what, "it cannot be read", "check that you may read the file");
+    Header header{};
+    input.read(reinterpret_cast<char *>(header.data()), header.size());
+    if (bytes == 0)
+        return fail(ErrorCode::InvalidInput, what, "the file is empty", "restore it from a backup copy");
+    if (!std::equal(sqliteMagic.begin(), sqliteMagic.end(), header.begin()))
+        return fail(ErrorCode::InvalidInput, what, "it is not a project file",
+                    "choose a file that Odograph has written");
+    const auto truncated = [&](std::uintmax_t promised) {
+        return fail(ErrorCode::InvalidInput, what,
+                    "the file is cut off: it has " + std::to_string(bytes) + " of " +
+                        std::to_string(promised) + " bytes",
+                    "copy it again from where it came, or restore a backup copy");
+    };
+    if (bytes < header.size())
+        return truncated(header.size());
+    if (bigEndian(header, applicationIdOffset) != projectApplicationId)
+        return fail(ErrorCode::InvalidInput, what, "it is a database of another program",
+                    "choose a file that Odograph has written");
+    const auto version = static_cast<std::int32_t>(bigEndian(header, userVersionOffset));
+    if (version > newestVersion)
+        return fail(ErrorCode::NewerFormat, what,
+                    "it was written by a newer Odograph (format " + std::to_string(version) +
+                        ", this one knows formats up to " + std::to_string(newestVersion) + ")",
+                    "open it with that Odograph, or update this one");
+    // While a write-ahead log lies beside it, the file itself may lag behind.
+    std::filesystem::path log = file;
+    log += "-wal";
+    if (!std::filesystem::exists(log, problem) && bytes < promisedBytes(header))
+        return truncated(promisedBytes(header));
+    return {};
+}
+
+} // namespace odo

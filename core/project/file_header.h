@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <filesystem>
+
+namespace odo {
+
+/// Looks at the first bytes of a file, without SQLite and without a lock, and says in words why it is no
+/// project that can be opened: missing, a folder, empty, another kind of file, another program's database,
+/// truncated, or written by a newer Odograph than one that knows `newestVersion`. Never changes anything.
+Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersion);
+
+} // namespace odo

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/connection.h"
+#include "core/project/names.h"
+#include "core/project/repositories.h"
+
+#include <set>
+
+namespace odo {
+
+namespace {
+
+Result<void> checkMarkers(const MarkerLayout &layout)
+{
+    std::set<std::string> labels;
+    for (const Marker &marker : layout.markers) {
+        if (auto valid = checkName("marker", marker.label); !valid)
+            return valid;
+        if (!labels.insert(marker.label).second)
+            return fail(ErrorCode::InvalidInput, "layout '" + layout.name + "'",
+                        "the label '" + marker.label + "' is there twice",
+                        "give each marker a label of its own");
+    }
+    return {};
+}
+
+Result<LayoutRecord> readLayout(const ProjectConnection &connection, RecordId id, const std::string &name)
+{
+    LayoutRecord record{id, {name, {}}};
+    Statement select(
+        connection, QStringLiteral("SELECT label, x_m, y_m FROM marker WHERE layout_id=? ORDER BY position"));
+    auto read = select.bind(id).eachRow([&record](const Statement &row) -> Result<void> {
+        record.layout.markers.push_back({row.text(0), {row.real(1), row.real(2)}});
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return record;
+}
+
+} // namespace
+
+LayoutRepository::LayoutRepository(ProjectConnection &connection) : m_connection(connection) {}
+
+Result<LayoutRecord> LayoutRepository::add(const MarkerLayout &layout)
+{
+    return transact(m_connection, [&]() -> Result<LayoutRecord> {
+        if (auto valid = checkName("layout", layout.name); !valid)
+            return tl::unexpected(valid.error());
+        if (auto valid = checkMarkers(layout); !valid)
+            return tl::unexpected(valid.error());
+        if (auto isFree = checkNameIsFree(m_connection, "layout", "layout", layout.name); !isFree)
+            return tl::unexpected(isFree.error());
+        Statement insert(m_connection, QStringLiteral("INSERT INTO layout (name) VALUES (?)"));
+        if (auto done = insert.bind(layout.name).run(); !done)
+            return tl::unexpected(done.error());
+        const RecordId id = insert.insertedId();
+        for (std::size_t i = 0; i < layout.markers.size(); ++i) {
+            const Marker &marker = layout.markers[i];
+            Statement row(m_connection, QStringLiteral("INSERT INTO marker VALUES (?,?,?,?,?)"));
+            row.bind(id).bind(static_cast<std::int64_t>(i)).bind(marker.label);
+            if (auto done = row.bind(marker.pointInWorld.x()).bind(marker.pointInWorld.y()).run(); !done)
+                return tl::unexpected(done.error());
+        }
+        return LayoutRecord{id, layout};
+    });
+}
+
+Result<std::vector<LayoutRecord>> LayoutRepository::all() const
+{
+    std::vector<LayoutRecord> layouts;
+    Statement select(m_connection, QStringLiteral("SELECT id, name FROM layout ORDER BY id"));
+    auto read = select.eachRow([&](const Statement &row) -> Result<void> {
+        auto layout = readLayout(m_connection, row.integer(0), row.text(1));
+        if (!layout)
+            return tl::unexpected(layout.error());
+        layouts.push_back(std::move(*layout));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return layouts;
+}
+
+Result<LayoutRecord> LayoutRepository::find(const std::string &name) const
+{
+    Statement select(m_connection, QStringLiteral("SELECT id, name FROM layout WHERE name=?"));
+    const auto found = select.bind(name).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return noSuchName(m_connection, "layout", "layout", name);
+    return readLayout(m_connection, select.integer(0), select.text(1));
+}
+
+Result<LayoutRecord> LayoutRepository::get(RecordId id) const
+{
+    Statement select(m_connection, QStringLiteral("SELECT id, name FROM layout WHERE id=?"));
+    const auto found = select.bind(id).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return noSuchId(m_connection, "layout", id);
+    return readLayout(m_connection, select.integer(0), select.text(1));
+}
+
+} // namespace odo

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project.h"
+
+#include "core/project/connection.h"
+#include "core/project/file_header.h"
+#include "core/project/names.h"
+#include "core/project/new_file.h"
+#include "core/project/project_check.h"
+#include "core/project/recording_rows.h"
+#include "core/project/repositories.h"
+#include "core/project/schema.h"
+
+#include <set>
+
+namespace odo {
+
+namespace {
+
+/// Larger files are looked through only by Project::check: reading them at every start would be slow.
+constexpr std::uintmax_t quickCheckBytes = 64 * 1024 * 1024;
+
+std::filesystem::path beside(const std::filesystem::path &file, const char *suffix)
+{
+    std::filesystem::path other = file;
+    other += suffix;
+    return other;
+}
+
+/// The schema as SQLite keeps it: one text for each table, index, trigger and view.
+Result<std::set<std::string>> schemaOf(const ProjectConnection &connection)
+{
+    std::set<std::string> schema;
+    Statement select(connection, QStringLiteral("SELECT type, name, sql FROM sqlite_master"));
+    auto read = select.eachRow([&schema](const Statement &row) -> Result<void> {
+        schema.insert(row.text(0) + ' ' + row.text(1) + ' ' + row.text(2));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return schema;
+}
+
+/// A project may come from anyone: views or triggers in it that are not ours would be a program that we run.
+Result<void> checkSchema(const ProjectConnection &connection, const Migrator &migrator, int version)
+{
+    const auto reference = ProjectConnection::open(":memory:", DatabaseAccess::ReadWrite);
+    if (!reference)
+        return tl::unexpected(reference.error());
+    if (auto made = migrator.create(**reference, version); !made)
+        return made;
+    const auto expected = schemaOf(**reference);
+    const auto found = schemaOf(connection);
+    if (!expected || !found)
+        return tl::unexpected(expected ? found.error() : expected.error());
+    if (*expected != *found)
+        return fail(ErrorCode::InvalidInput, connection.displayName(),
+                    "its tables are not those of a project", "restore it from a backup copy");
+    return {};
+}
+
+Result<void> quickCheck(const ProjectConnection &connection)
+{
+    std::error_code problem;
+    if (std::filesystem::file_size(connection.file(), problem) > quickCheckBytes)
+        return {};
+    Statement check(connection, QStringLiteral("PRAGMA quick_check(1)"));
+    const auto row = check.firstRow();
+    if (!row)
+        return tl::unexpected(row.error());
+    if (!*row || check.text(0) != "ok")
+        return fail(ErrorCode::InvalidInput, connection.displayName(), "the file is damaged",
+                    "restore it from a backup copy");
+    return {};
+}
+
+/// The version of the schema, when the file is whole and holds nothing but that schema.
+Result<int> checkContent(const ProjectConnection &connection, const Migrator &migrator)
+{
+    if (auto sound = quickCheck(connection); !sound)
+        return tl::unexpected(sound.error());
+    const auto version = migrator.knownVersion(connection);
+    if (!version)
+        return version;
+    if (auto ours = checkSchema(connection, migrator, *version); !ours)
+        return tl::unexpected(ours.error());
+    return version;
+}
+
+DatabaseAccess databaseAccess(const std::filesystem::path &file, Project::Access access)
+{
+    if (access == Project::Access::ReadWrite)
+        return DatabaseAccess::ReadWrite;
+    std::error_code problem;
+    return std::filesystem::exists(beside(file, "-wal"), problem) ? DatabaseAccess::ReadOnly
+                                                                  : DatabaseAccess::Immutable;
+}
+
+Result<void> setProperty(ProjectConnection &connection, const char *name, const std::string &value)
+{
+    Statement remove(connection, QStringLiteral("DELETE FROM property WHERE name=?"));
+    if (auto done = remove.bind(std::string(name)).run(); !done)
+        return done;
+    Statement insert(connection, QStringLiteral("INSERT INTO property VALUES (?,?)"));
+    return insert.bind(std::string(name)).bind(value).run();
+}
+
+/// A new database in the rollback journal's mode, so that its header is in the file from the first moment.
+Result<void> makeDatabase(const std::filesystem::path &file, const std::string &title)
+{
+    const auto connection = ProjectConnection::open(file, DatabaseAccess::ReadWrite);
+    if (!connection)
+        return tl::unexpected(connection.error());
+    const QString id = QStringLiteral("PRAGMA application_id=%1").arg(projectApplicationId);
+    if (auto done = (*connection)->execute(id); !done)
+        return done;
+    const Migrator migrator(projectMigrations());
+    if (auto made = migrator.create(**connection, migrator.newestVersion()); !made)
+        return made;
+    return setProperty(**connection, "title", title);
+}
+
+} // namespace
+
+struct Project::Impl
+{
+    explicit Impl(std::unique_ptr<ProjectConnection> opened)
+        : connection(std::move(opened)), cameras(*connection), layouts(*connection), robots(*connection),
+          teams(*connection), trials(*connection), analyses(*connection)
+    {
+    }
+
+    std::unique_ptr<ProjectConnection> connection;
+    CameraRepository cameras;
+    LayoutRepository layouts;
+    RobotRepository robots;
+    TeamRepository teams;
+    TrialRepository trials;
+    AnalysisRepository analyses;
+    bool writable = false;
+};
+
+Project::Project(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+
+Project::~Project()
+{
+    if (m_impl->writable)
+        m_impl->connection->checkpoint();
+}
+
+Result<std::unique_ptr<Project>> Project::create(const std::filesystem::path &file, const std::string &title)
+{
+    const std::string what = "project '" + file.string() + "'";
+    if (auto valid = checkText("title of the project", title); !valid)
+        return tl::unexpected(valid.error());
+    {
+        NewFile newFile(file, what);
+        if (auto ready = newFile.prepare(); !ready)
+            return tl::unexpected(ready.error());
+        if (auto made = makeDatabase(newFile.temporary(), title); !made)
+            return fail(made.error().code, what, made.error().why, made.error().advice);
+        if (auto published = newFile.publish(); !published)
+            return tl::unexpected(published.error());
+    }
+    return open(file, Access::ReadWrite);
+}
+
+Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file, Access access)
+{
+    const Migrator migrator(projectMigrations());
+    if (auto sound = checkFileHeader(file, migrator.newestVersion()); !sound)
+        return tl::unexpected(sound.error());
+    auto connection = ProjectConnection::open(file, databaseAccess(file, access));
+    if (!connection)
+        return tl::unexpected(connection.error());
+    // Nothing is written before it is certain that this is a sound project.
+    const auto version = checkContent(**connection, migrator);
+    if (!version)
+        return tl::unexpected(version.error());
+    if (access == Access::ReadWrite) {
+        if (auto done = (*connection)->execute(QStringLiteral("PRAGMA journal_mode=WAL")); !done)
+            return tl::unexpected(done.error());
+        if (auto migrated = migrator.migrate(**connection); !migrated)
+            return tl::unexpected(migrated.error());
+    } else if (*version != migrator.newestVersion()) {
+        return fail(ErrorCode::ReadOnly, (*connection)->displayName(),
+                    "it has the older format " + std::to_string(*version) + " and may not be written to",
+                    "copy it to a folder that you may write to, and open the copy");
+    }
+    auto impl = std::make_unique<Impl>(std::move(*connection));
+    impl->writable = access == Access::ReadWrite;
+    return std::unique_ptr<Project>(new Project(std::move(impl)));
+}
+
+const std::filesystem::path &Project::file() const
+{
+    return m_impl->connection->file();
+}
+
+std::filesystem::path Project::mediaFolder() const
+{
+    std::filesystem::path folder = file();
+    return folder.replace_extension(".media");
+}
+
+std::filesystem::path Project::resolve(const RecordingRecord &recording) const
+{
+    return absolutePath(file(), recording.path);
+}
+
+std::string Project::title() const
+{
+    Statement select(*m_impl->connection, QStringLiteral("SELECT value FROM property WHERE name='title'"));
+    const auto found = select.firstRow();
+    return found && *found ? select.text(0) : std::string();
+}
+
+Result<void> Project::setTitle(const std::string &title)
+{
+    if (auto valid = checkText("title of the project", title); !valid)
+        return valid;
+    return transact(*m_impl->connection, [&] { return setProperty(*m_impl->connection, "title", title); });
+}
+
+CameraRepository &Project::cameras()
+{
+    return m_impl->cameras;
+}
+LayoutRepository &Project::layouts()
+{
+    return m_impl->layouts;
+}
+RobotRepository &Project::robots()
+{
+    return m_impl->robots;
+}
+TeamRepository &Project::teams()
+{
+    return m_impl->teams;
+}
+TrialRepository &Project::trials()
+{
+    return m_impl->trials;
+}
+AnalysisRepository &Project::analyses()
+{
+    return m_impl->analyses;
+}
+
+Result<void> Project::inTransaction(const std::function<Result<void>()> &work)
+{
+    return transact(*m_impl->connection, work);
+}
+
+Result<void> Project::saveCopy(const std::filesystem::path &file) const
+{
+    return copyDatabase(*m_impl->connection, file);
+}
+
+Result<std::vector<ProjectProblem>> Project::check(bool withHashes) const
+{
+    // Repositories are reached through a Project that may be changed; checking only reads.
+    return checkProject(const_cast<Project &>(*this), *m_impl->connection, withHashes);
+}
+
+} // namespace odo

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project_check.h"
+
+#include "core/project/connection.h"
+#include "core/project/recording_rows.h"
+#include "core/project/repositories.h"
+
+namespace odo {
+
+namespace {
+
+using Problems = std::vector<ProjectProblem>;
+
+const std::string restoreAdvice = "restore the project from a backup copy";
+
+Result<void> checkDatabase(const ProjectConnection &connection, Problems &problems)
+{
+    const std::string where = connection.file().filename().string();
+    Statement integrity(connection, QStringLiteral("PRAGMA integrity_check(20)"));
+    auto read = integrity.eachRow([&](const Statement &row) -> Result<void> {
+        if (row.text(0) != "ok")
+            problems.push_back({"the file is damaged: " + row.text(0), where, restoreAdvice});
+        return {};
+    });
+    if (!read)
+        return read;
+    Statement references(connection, QStringLiteral("PRAGMA foreign_key_check"));
+    return references.eachRow([&](const Statement &row) -> Result<void> {
+        problems.push_back({"row " + row.text(1) + " of '" + row.text(0) + "' refers to a row of '" +
+                                row.text(2) + "' that is not there",
+                            where, restoreAdvice});
+        return {};
+    });
+}
+
+void checkFile(const Project &project, const RecordingRecord &recording, bool withHash, Problems &problems)
+{
+    const std::filesystem::path file = project.resolve(recording);
+    const auto report = [&](const std::string &what, const std::string &advice) {
+        problems.push_back({what, file.string(), advice});
+    };
+    std::error_code problem;
+    const std::uintmax_t bytes = std::filesystem::file_size(file, problem);
+    if (problem)
+        return report("the recording of view '" + recording.cameraName + "' is missing",
+                      "put the file back in its place; the measured track is kept without it");
+    if (bytes != static_cast<std::uintmax_t>(recording.bytes))
+        return report("the recording of view '" + recording.cameraName + "' has " + std::to_string(bytes) +
+                          " bytes instead of " + std::to_string(recording.bytes),
+                      "put the original file back in its place");
+    if (!withHash || recording.sha256.empty())
+        return;
+    const auto hash = fileSha256(file, {});
+    if (!hash)
+        return report("the recording of view '" + recording.cameraName + "' cannot be read",
+                      "check the disk");
+    if (*hash != recording.sha256)
+        report("the recording of view '" + recording.cameraName + "' was changed since it was made",
+               "put the original file back in its place");
+}
+
+void checkObservations(Project &project, const RecordingRecord &recording, const std::string &where,
+                       const RobotRecord &robot, Problems &problems)
+{
+    const auto series = project.trials().currentObservations(recording.id, robot.id);
+    if (!series) {
+        problems.push_back({series.error().what + ": " + series.error().why, where, "track the trial again"});
+        return;
+    }
+    if (!*series)
+        return;
+    const auto frames = static_cast<std::int64_t>(recording.frameTimes.size());
+    const auto &observations = (*series)->observations;
+    const bool outside =
+        std::any_of(observations.begin(), observations.end(),
+                    [frames](const Observation &o) { return o.frame < 0 || o.frame >= frames; });
+    if (outside || static_cast<std::int64_t>(observations.size()) > frames)
+        problems.push_back({"view '" + recording.cameraName + "' has " + std::to_string(frames) +
+                                " frames, but the observations of '" + robot.name + "' (" +
+                                std::to_string(observations.size()) + ") do not fit them",
+                            where, "track the trial again"});
+}
+
+void checkTrial(Project &project, const TrialRecord &trial, const std::vector<RobotRecord> &robots,
+                bool withHashes, Problems &problems)
+{
+    const std::string where = "trial '" + trial.name + "'";
+    const auto recordings = project.trials().recordings(trial.id);
+    if (!recordings) {
+        problems.push_back({recordings.error().what + ": " + recordings.error().why, where, restoreAdvice});
+        return;
+    }
+    for (const RecordingRecord &recording : *recordings) {
+        checkFile(project, recording, withHashes, problems);
+        for (const RobotRecord &robot : robots)
+            checkObservations(project, recording, where, robot, problems);
+    }
+    if (const auto analyses = project.analyses().current(trial.id); !analyses)
+        problems.push_back(
+            {analyses.error().what + ": " + analyses.error().why, where, "track the trial again"});
+}
+
+} // namespace
+
+Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnection &connection,
+                                                 bool withHashes)
+{
+    Problems problems;
+    if (auto checked = checkDatabase(connection, problems); !checked)
+        problems.push_back({checked.error().why, connection.file().filename().string(), restoreAdvice});
+    const auto robots = project.robots().all();
+    const auto trials = project.trials().all();
+    for (const auto &[readable, error] : {std::pair{robots.has_value(), robots ? Error{} : robots.error()},
+                                          std::pair{trials.has_value(), trials ? Error{} : trials.error()}}) {
+        if (!readable)
+            problems.push_back(
+                {error.what + ": " + error.why, connection.file().filename().string(), restoreAdvice});
+    }
+    if (!robots || !trials)
+        return problems;
+    for (const TrialRecord &trial : *trials)
+        checkTrial(project, trial, *robots, withHashes, problems);
+    return problems;
+}
+
+} // namespace odo

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+namespace odo {
+
+struct ProjectConnection;
+
+/// All that Project::check looks at, in the order: database, references, series, recordings.
+Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnection &connection,
+                                                 bool withHashes);
+
+} // namespace odo

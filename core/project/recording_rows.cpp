@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/recording_rows.h"
+
+#include "core/project/connection.h"
+#include "core/project/names.h"
+#include "core/project/series_blobs.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+
+namespace odo {
+
+namespace {
+
+/// The folder of the project, absolute and without "." and "..".
+std::filesystem::path folderOf(const std::filesystem::path &projectFile)
+{
+    std::error_code problem;
+    const std::filesystem::path absolute = std::filesystem::absolute(projectFile, problem);
+    return (problem ? projectFile : absolute).lexically_normal().parent_path();
+}
+
+bool climbsOut(const std::filesystem::path &relative)
+{
+    return relative.empty() || *relative.begin() == "..";
+}
+
+Result<void> addFrameTimes(ProjectConnection &connection, RecordId id, const std::vector<Nanoseconds> &times)
+{
+    const std::span<const Nanoseconds> all(times);
+    for (std::size_t start = 0; start < all.size(); start += rowsPerChunk) {
+        const auto chunk = all.subspan(start, std::min(rowsPerChunk, all.size() - start));
+        Statement insert(connection, QStringLiteral("INSERT INTO frame_time_chunk VALUES (?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(start / rowsPerChunk)).bind(packTimes(chunk));
+        if (auto done = insert.run(); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> readFrameTimes(const ProjectConnection &connection, RecordingRecord &into)
+{
+    Statement select(
+        connection,
+        QStringLiteral("SELECT times FROM frame_time_chunk WHERE recording_id=? ORDER BY position"));
+    return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        return unpackTimes(row.blob(0), "frame times of '" + into.path + "'", into.frameTimes);
+    });
+}
+
+} // namespace
+
+Result<RecordId> addRecording(ProjectConnection &connection, const RecordingRecord &recording)
+{
+    if (auto valid = checkText("path of a recording", recording.path); !valid)
+        return tl::unexpected(valid.error());
+    if (recording.path.empty())
+        return fail(ErrorCode::InvalidInput, "recording", "it has no file", "name the video's file");
+    const std::filesystem::path path(recording.path);
+    if (path.is_relative() && climbsOut(path.lexically_normal()))
+        return fail(ErrorCode::InvalidInput, "recording '" + recording.path + "'",
+                    "its relative path leaves the project's folder", "copy the file beside the project");
+    Statement insert(
+        connection,
+        QStringLiteral("INSERT INTO recording (trial_id, camera_id, position, path, sha256, bytes, "
+                       "width_px, height_px, frames_per_second, start_offset_s) "
+                       "VALUES (?,?,?,?,?,?,?,?,?,?)"));
+    insert.bind(recording.trial).bind(recording.camera).bind(recording.position);
+    insert.bind(path.is_absolute() ? storedPath(connection.file(), path) : recording.path);
+    insert.bind(recording.sha256).bind(recording.bytes).bind(recording.widthPx).bind(recording.heightPx);
+    if (auto done = insert.bind(recording.framesPerSecond).bind(recording.startOffsetS).run(); !done)
+        return tl::unexpected(done.error());
+    const RecordId id = insert.insertedId();
+    if (auto added = addFrameTimes(connection, id, recording.frameTimes); !added)
+        return tl::unexpected(added.error());
+    return id;
+}
+
+Result<std::vector<RecordingRecord>> recordingsOf(const ProjectConnection &connection, RecordId trial)
+{
+    std::vector<RecordingRecord> recordings;
+    Statement select(
+        connection,
+        QStringLiteral("SELECT recording.id, trial_id, camera_id, camera.name, position, path, sha256, "
+                       "bytes, width_px, height_px, frames_per_second, start_offset_s FROM recording "
+                       "JOIN camera ON camera.id=camera_id WHERE trial_id=? ORDER BY position"));
+    auto read = select.bind(trial).eachRow([&](const Statement &row) -> Result<void> {
+        RecordingRecord recording;
+        recording.id = row.integer(0);
+        recording.trial = row.integer(1);
+        recording.camera = row.integer(2);
+        recording.cameraName = row.text(3);
+        recording.position = row.smallInteger(4);
+        recording.path = row.text(5);
+        recording.sha256 = row.text(6);
+        recording.bytes = row.integer(7);
+        recording.widthPx = row.smallInteger(8);
+        recording.heightPx = row.smallInteger(9);
+        recording.framesPerSecond = row.real(10);
+        recording.startOffsetS = row.real(11);
+        if (auto times = readFrameTimes(connection, recording); !times)
+            return times;
+        recordings.push_back(std::move(recording));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return recordings;
+}
+
+std::string storedPath(const std::filesystem::path &projectFile, const std::filesystem::path &file)
+{
+    const std::filesystem::path normal = file.lexically_normal();
+    const std::filesystem::path relative = normal.lexically_relative(folderOf(projectFile));
+    return climbsOut(relative) ? normal.string() : relative.generic_string();
+}
+
+std::filesystem::path absolutePath(const std::filesystem::path &projectFile, const std::string &path)
+{
+    const std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
+    if (normal.is_absolute())
+        return normal;
+    return folderOf(projectFile) / (climbsOut(normal) ? normal.filename() : normal);
+}
+
+Result<std::string> fileSha256(const std::filesystem::path &file, const JobControl &control)
+{
+    const std::string what = "file '" + file.string() + "'";
+    QFile input(QString::fromStdString(file.string()));
+    if (!input.open(QIODevice::ReadOnly))
+        return fail(input.exists() ? ErrorCode::Io : ErrorCode::NotFound, what,
+                    "it cannot be read (" + input.errorString().toStdString() + ")",
+                    "check that the file is there and may be read");
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    QByteArray block(1 << 20, Qt::Uninitialized);
+    for (;;) {
+        if (control.isCancelled())
+            return cancelled(what);
+        const qint64 count = input.read(block.data(), block.size());
+        if (count < 0)
+            return fail(ErrorCode::Io, what, "reading it failed (" + input.errorString().toStdString() + ")",
+                        "check the disk");
+        if (count == 0)
+            break;
+        hash.addData(QByteArrayView(block.constData(), count));
+    }
+    return hash.result().toHex().toStdString();
+}
+
+} // namespace odo

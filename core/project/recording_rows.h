@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/project/records.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+struct ProjectConnection;
+
+/// Recordings and their frame times as rows; TrialRepository's part of them.
+Result<RecordId> addRecording(ProjectConnection &connection, const RecordingRecord &recording);
+Result<std::vector<RecordingRecord>> recordingsOf(const ProjectConnection &connection, RecordId trial);
+
+/// How a path is stored: relative to the project's folder, with '/', when the file lies in it or below, so
+/// that folder and project can move together; absolute otherwise.
+std::string storedPath(const std::filesystem::path &projectFile, const std::filesystem::path &file);
+
+/// Where the file of a recording is. A relative path that would climb out of the project's folder is cut to
+/// its file name: a project from elsewhere cannot point at other files that way.
+std::filesystem::path absolutePath(const std::filesystem::path &projectFile, const std::string &path);
+
+/// SHA-256 of a file in lower-case hexadecimal. Any thread. Errors: NotFound, Io, Cancelled.
+Result<std::string> fileSha256(const std::filesystem::path &file, const JobControl &control);
+
+} // namespace odo

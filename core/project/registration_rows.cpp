@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The registrations of CameraRepository.
+#include "core/project/connection.h"
+#include "core/project/lens_rows.h"
+#include "core/project/names.h"
+#include "core/project/repositories.h"
+#include "core/project/series_blobs.h"
+
+namespace odo {
+
+namespace {
+
+const QString registrationColumns = QStringLiteral(
+    "SELECT id, camera_id, layout_id, intrinsics_id, assumed_lens_id, made_ms, qw, qx, qy, qz, "
+    "x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict FROM registration ");
+
+Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord &record, RecordId lensId)
+{
+    Statement insert(
+        connection,
+        QStringLiteral("INSERT INTO registration (camera_id, layout_id, intrinsics_id, assumed_lens_id, "
+                       "made_ms, qw, qx, qy, qz, x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict) "
+                       "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
+    const FloorRegistration &registration = record.registration;
+    const Eigen::Quaterniond &q = registration.worldFromCamera.rotation;
+    const Eigen::Vector3d &t = registration.worldFromCamera.translation;
+    insert.bind(record.camera).bind(record.layout).bindReference(record.intrinsics).bind(lensId);
+    insert.bind(static_cast<std::int64_t>(record.made.time_since_epoch().count()));
+    insert.bind(q.w()).bind(q.x()).bind(q.y()).bind(q.z()).bind(t.x()).bind(t.y()).bind(t.z());
+    insert.bind(packSquare(registration.poseCovariance)).bind(registration.rmsPx).bind(registration.rmsM);
+    insert.bind(registration.verdict);
+    if (auto done = insert.run(); !done)
+        return tl::unexpected(done.error());
+    return insert.insertedId();
+}
+
+Result<void> addMarkers(ProjectConnection &connection, RecordId id, const RegistrationRecord &record)
+{
+    for (std::size_t i = 0; i < record.pixels.size(); ++i) {
+        const MarkerPixel &marker = record.pixels[i];
+        if (auto valid = checkName("marker", marker.label); !valid)
+            return valid;
+        Statement insert(connection, QStringLiteral("INSERT INTO registration_pixel VALUES (?,?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(marker.label);
+        if (auto done = insert.bind(marker.pixel.x()).bind(marker.pixel.y()).run(); !done)
+            return done;
+    }
+    for (std::size_t i = 0; i < record.registration.markers.size(); ++i) {
+        const MarkerError &marker = record.registration.markers[i];
+        if (auto valid = checkName("marker", marker.label); !valid)
+            return valid;
+        Statement insert(connection, QStringLiteral("INSERT INTO registration_error VALUES (?,?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(marker.label);
+        if (auto done = insert.bind(marker.errorM).bind(marker.errorPx).run(); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> readMarkers(const ProjectConnection &connection, RegistrationRecord &into)
+{
+    Statement pixels(connection, QStringLiteral("SELECT label, u_px, v_px FROM registration_pixel "
+                                                "WHERE registration_id=? ORDER BY position"));
+    auto read = pixels.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.pixels.push_back({row.text(0), {row.real(1), row.real(2)}});
+        return {};
+    });
+    if (!read)
+        return read;
+    Statement errors(connection, QStringLiteral("SELECT label, error_m, error_px FROM registration_error "
+                                                "WHERE registration_id=? ORDER BY position"));
+    return errors.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.registration.markers.push_back({row.text(0), row.real(1), row.real(2)});
+        return {};
+    });
+}
+
+Result<RegistrationRecord> readRegistration(const ProjectConnection &connection, const Statement &row)
+{
+    RegistrationRecord record;
+    record.id = row.integer(0);
+    record.camera = row.integer(1);
+    record.layout = row.integer(2);
+    record.intrinsics = row.integer(3);
+    record.made = Instant(std::chrono::milliseconds(row.integer(5)));
+    FloorRegistration &registration = record.registration;
+    registration.worldFromCamera.rotation = {row.real(6), row.real(7), row.real(8), row.real(9)};
+    registration.worldFromCamera.translation = {row.real(10), row.real(11), row.real(12)};
+    registration.rmsPx = row.real(14);
+    registration.rmsM = row.real(15);
+    registration.verdict = row.text(16);
+    const std::string what = "registration " + std::to_string(record.id) + " of the project";
+    const auto covariance = unpackSquare(row.blob(13), what);
+    if (!covariance)
+        return tl::unexpected(covariance.error());
+    if (covariance->rows() != 6)
+        return fail(ErrorCode::InvalidInput, what, "its stored covariance is not a 6 by 6 matrix",
+                    "the project file is damaged: restore it from a backup copy");
+    registration.poseCovariance = *covariance;
+    auto assumed = lens(connection, row.integer(4));
+    if (!assumed)
+        return tl::unexpected(assumed.error());
+    record.assumedIntrinsics = std::move(*assumed);
+    if (auto read = readMarkers(connection, record); !read)
+        return tl::unexpected(read.error());
+    return record;
+}
+
+} // namespace
+
+Result<RegistrationRecord> CameraRepository::addRegistration(const RegistrationRecord &registration)
+{
+    return transact(m_connection, [&]() -> Result<RegistrationRecord> {
+        const auto lensId = addLens(m_connection, registration.assumedIntrinsics);
+        if (!lensId)
+            return tl::unexpected(lensId.error());
+        const auto id = addRow(m_connection, registration, *lensId);
+        if (!id)
+            return tl::unexpected(id.error());
+        if (auto added = addMarkers(m_connection, *id, registration); !added)
+            return tl::unexpected(added.error());
+        RegistrationRecord stored = registration;
+        stored.id = *id;
+        return stored;
+    });
+}
+
+Result<std::optional<RegistrationRecord>> CameraRepository::currentRegistration(RecordId camera) const
+{
+    Statement select(m_connection,
+                     registrationColumns + QStringLiteral("WHERE camera_id=? ORDER BY id DESC LIMIT 1"));
+    const auto found = select.bind(camera).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return std::nullopt;
+    auto record = readRegistration(m_connection, select);
+    if (!record)
+        return tl::unexpected(record.error());
+    return std::optional(std::move(*record));
+}
+
+Result<RegistrationRecord> CameraRepository::registration(RecordId id) const
+{
+    Statement select(m_connection, registrationColumns + QStringLiteral("WHERE id=?"));
+    const auto found = select.bind(id).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return noSuchId(m_connection, "registration", id);
+    return readRegistration(m_connection, select);
+}
+
+} // namespace odo

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/connection.h"
+#include "core/project/names.h"
+#include "core/project/repositories.h"
+#include "core/project/stored_words.h"
+
+namespace odo {
+
+namespace {
+
+const QString robotColumns =
+    QStringLiteral("SELECT id, name, colour, height_mode, height_m, length_m, width_m FROM robot ");
+
+Result<RobotRecord> robotOf(const Statement &row)
+{
+    RobotRecord robot;
+    robot.id = row.integer(0);
+    robot.name = row.text(1);
+    const auto colour = parseColour(row.text(2));
+    if (!colour)
+        return tl::unexpected(colour.error());
+    const auto mode = fromStoredWord(heightModeWords, row.text(3), "robot '" + robot.name + "'");
+    if (!mode)
+        return tl::unexpected(mode.error());
+    robot.colour = *colour;
+    robot.heightMode = *mode;
+    robot.heightM = row.optionalReal(4);
+    robot.lengthM = row.optionalReal(5);
+    robot.widthM = row.optionalReal(6);
+    return robot;
+}
+
+Result<void> checkRobot(const RobotRecord &robot)
+{
+    if (auto valid = checkName("robot", robot.name); !valid)
+        return valid;
+    const auto refuse = [&robot](const std::string &why, const std::string &advice) {
+        return fail(ErrorCode::InvalidInput, "robot '" + robot.name + "'", why, advice);
+    };
+    if (robot.heightMode == RobotRecord::Height::Told && !robot.heightM)
+        return refuse("its height is to be told, but none is given", "give a height, or let it be estimated");
+    if (robot.heightM && !(*robot.heightM >= 0))
+        return refuse("its height is below the floor", "give a height of 0 or more");
+    for (const auto &size : {robot.lengthM, robot.widthM}) {
+        if (size && !(*size > 0))
+            return refuse("its size is not above 0", "give length and width in millimetres, like 260x190");
+    }
+    return {};
+}
+
+} // namespace
+
+RobotRepository::RobotRepository(ProjectConnection &connection) : m_connection(connection) {}
+
+Result<RobotRecord> RobotRepository::add(const RobotRecord &robot)
+{
+    return transact(m_connection, [&]() -> Result<RobotRecord> {
+        if (auto valid = checkRobot(robot); !valid)
+            return tl::unexpected(valid.error());
+        if (auto isFree = checkNameIsFree(m_connection, "robot", "robot", robot.name); !isFree)
+            return tl::unexpected(isFree.error());
+        Statement insert(m_connection,
+                         QStringLiteral("INSERT INTO robot (name, colour, height_mode, height_m, "
+                                        "length_m, width_m) VALUES (?,?,?,?,?,?)"));
+        insert.bind(robot.name)
+            .bind(robot.colour.toString())
+            .bind(storedWord(heightModeWords, robot.heightMode));
+        if (auto done = insert.bind(robot.heightM).bind(robot.lengthM).bind(robot.widthM).run(); !done)
+            return tl::unexpected(done.error());
+        RobotRecord stored = robot;
+        stored.id = insert.insertedId();
+        return stored;
+    });
+}
+
+Result<std::vector<RobotRecord>> RobotRepository::all() const
+{
+    std::vector<RobotRecord> robots;
+    Statement select(m_connection, robotColumns + QStringLiteral("ORDER BY id"));
+    auto read = select.eachRow([&robots](const Statement &row) -> Result<void> {
+        auto robot = robotOf(row);
+        if (!robot)
+            return tl::unexpected(robot.error());
+        robots.push_back(std::move(*robot));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return robots;
+}
+
+Result<RobotRecord> RobotRepository::find(const std::string &name) const
+{
+    Statement select(m_connection, robotColumns + QStringLiteral("WHERE name=?"));
+    const auto found = select.bind(name).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return noSuchName(m_connection, "robot", "robot", name);
+    return robotOf(select);
+}
+
+Result<RobotRecord> RobotRepository::get(RecordId id) const
+{
+    Statement select(m_connection, robotColumns + QStringLiteral("WHERE id=?"));
+    const auto found = select.bind(id).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return noSuchId(m_connection, "robot", id);
+    return robotOf(select);
+}
+
+} // namespace odo

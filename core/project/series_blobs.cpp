@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/series_blobs.h"
+
+#include "core/project/column_blob.h"
+
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr BlobLayout timesLayout{'T', 1, 8};
+constexpr BlobLayout observationsLayout{'O', 1, 8 + 8 + 1 + 10 * 8};
+constexpr BlobLayout samplesLayout{'S', 1, 8 + 8 + 1 + 8 * 8 + 4 + 8 + 4};
+constexpr BlobLayout pointsLayout{'P', 1, 1 + 12 * 8};
+constexpr BlobLayout truthLayout{'R', 1, 8 + 6 * 8};
+constexpr BlobLayout numbersLayout{'D', 1, 8};
+constexpr BlobLayout squareLayout{'M', 1, 8};
+
+constexpr std::uint8_t foundBit = 1, duplicateBit = 2, borderBit = 4;
+constexpr std::uint8_t positionBit = 1, disagreementBit = 2;
+constexpr std::size_t maxSquareSize = 64;
+
+/// One column: each row's value, as `value(row)` gives it.
+template <class Rows, class Column>
+void putColumn(BlobWriter &writer, const Rows &rows, Column value)
+{
+    for (const auto &row : rows)
+        writer.put(value(row));
+}
+
+/// One column: sets each row's value through `set(row, value)`.
+template <class Value, class Rows, class Column>
+void takeColumn(BlobReader &reader, Rows &&rows, Column set)
+{
+    for (auto &row : rows)
+        set(row, reader.take<Value>());
+}
+
+template <class Rows, class Matrix>
+void putCovariance(BlobWriter &writer, const Rows &rows, Matrix matrix)
+{
+    for (const auto &[r, c] : {std::pair{0, 0}, std::pair{0, 1}, std::pair{1, 1}})
+        putColumn(writer, rows,
+                  [&, row = r, column = c](const auto &value) { return matrix(value)(row, column); });
+}
+
+template <class Rows, class Matrix>
+void takeCovariance(BlobReader &reader, Rows &&rows, Matrix matrix)
+{
+    for (const auto &[r, c] : {std::pair{0, 0}, std::pair{0, 1}, std::pair{1, 1}}) {
+        takeColumn<double>(reader, rows, [&, row = r, column = c](auto &value, double number) {
+            matrix(value)(row, column) = number;
+            matrix(value)(column, row) = number;
+        });
+    }
+}
+
+template <class Rows, class Vector>
+void putVector(BlobWriter &writer, const Rows &rows, Vector vector)
+{
+    for (int axis : {0, 1})
+        putColumn(writer, rows, [&](const auto &value) { return vector(value)[axis]; });
+}
+
+template <class Rows, class Vector>
+void takeVector(BlobReader &reader, Rows &&rows, Vector vector)
+{
+    for (int axis : {0, 1})
+        takeColumn<double>(reader, rows, [&](auto &value, double number) { vector(value)[axis] = number; });
+}
+
+} // namespace
+
+QByteArray packTimes(std::span<const Nanoseconds> times)
+{
+    BlobWriter writer(timesLayout, times.size());
+    putColumn(writer, times, [](Nanoseconds t) { return static_cast<std::int64_t>(t.count()); });
+    return writer.take();
+}
+
+Result<void> unpackTimes(const QByteArray &bytes, const std::string &what, std::vector<Nanoseconds> &appendTo)
+{
+    auto reader = BlobReader::open(bytes, timesLayout, what);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    for (std::size_t i = 0; i < reader->rows(); ++i)
+        appendTo.emplace_back(reader->take<std::int64_t>());
+    return {};
+}
+
+QByteArray packObservations(std::span<const Observation> observations)
+{
+    BlobWriter writer(observationsLayout, observations.size());
+    const auto column = [&](auto value) { putColumn(writer, observations, value); };
+    column([](const Observation &o) { return o.frame; });
+    column([](const Observation &o) { return static_cast<std::int64_t>(o.time.count()); });
+    column([](const Observation &o) {
+        return static_cast<std::uint8_t>((o.found ? foundBit : 0) | (o.duplicateFrame ? duplicateBit : 0) |
+                                         (o.touchesBorder ? borderBit : 0));
+    });
+    putVector(writer, observations, [](const Observation &o) { return o.ellipse.centrePx; });
+    column([](const Observation &o) { return o.ellipse.semiMajorPx; });
+    column([](const Observation &o) { return o.ellipse.semiMinorPx; });
+    column([](const Observation &o) { return o.ellipse.angleRad; });
+    putCovariance(writer, observations, [](const Observation &o) { return o.centreCovariancePx2; });
+    column([](const Observation &o) { return o.areaPx; });
+    column([](const Observation &o) { return o.score; });
+    return writer.take();
+}
+
+Result<void> unpackObservations(const QByteArray &bytes, const std::string &what,
+                                std::vector<Observation> &appendTo)
+{
+    auto reader = BlobReader::open(bytes, observationsLayout, what);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    const std::size_t before = appendTo.size();
+    appendTo.resize(before + reader->rows());
+    const std::span<Observation> rows(appendTo.begin() + static_cast<std::ptrdiff_t>(before), appendTo.end());
+    takeColumn<std::int64_t>(*reader, rows, [](Observation &o, std::int64_t value) { o.frame = value; });
+    takeColumn<std::int64_t>(*reader, rows,
+                             [](Observation &o, std::int64_t value) { o.time = Nanoseconds(value); });
+    takeColumn<std::uint8_t>(*reader, rows, [](Observation &o, std::uint8_t bits) {
+        o.found = (bits & foundBit) != 0;
+        o.duplicateFrame = (bits & duplicateBit) != 0;
+        o.touchesBorder = (bits & borderBit) != 0;
+    });
+    takeVector(*reader, rows, [](Observation &o) -> Eigen::Vector2d & { return o.ellipse.centrePx; });
+    takeColumn<double>(*reader, rows, [](Observation &o, double value) { o.ellipse.semiMajorPx = value; });
+    takeColumn<double>(*reader, rows, [](Observation &o, double value) { o.ellipse.semiMinorPx = value; });
+    takeColumn<double>(*reader, rows, [](Observation &o, double value) { o.ellipse.angleRad = value; });
+    takeCovariance(*reader, rows, [](Observation &o) -> Eigen::Matrix2d & { return o.centreCovariancePx2; });
+    takeColumn<double>(*reader, rows, [](Observation &o, double value) { o.areaPx = value; });
+    takeColumn<double>(*reader, rows, [](Observation &o, double value) { o.score = value; });
+    return {};
+}
+
+QByteArray packSamples(std::span<const Sample> samples)
+{
+    BlobWriter writer(samplesLayout, samples.size());
+    const auto column = [&](auto value) { putColumn(writer, samples, value); };
+    column([](const Sample &s) { return static_cast<std::int64_t>(s.time.count()); });
+    column([](const Sample &s) { return s.frame; });
+    column([](const Sample &s) {
+        return static_cast<std::uint8_t>((s.position ? positionBit : 0) |
+                                         (s.viewDisagreementM ? disagreementBit : 0));
+    });
+    putVector(writer, samples, [](const Sample &s) -> Eigen::Vector2d {
+        return s.position ? *s.position : Eigen::Vector2d(0, 0);
+    });
+    putCovariance(writer, samples, [](const Sample &s) { return s.covariance; });
+    putCovariance(writer, samples, [](const Sample &s) { return s.commonCovariance; });
+    column([](const Sample &s) { return s.views; });
+    column([](const Sample &s) { return s.viewDisagreementM.value_or(0.0); });
+    column([](const Sample &s) { return s.flags; });
+    return writer.take();
+}
+
+Result<std::vector<Sample>> unpackSamples(const QByteArray &bytes, const std::string &what)
+{
+    auto reader = BlobReader::open(bytes, samplesLayout, what);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    std::vector<Sample> rows(reader->rows());
+    takeColumn<std::int64_t>(*reader, rows,
+                             [](Sample &s, std::int64_t value) { s.time = Nanoseconds(value); });
+    takeColumn<std::int64_t>(*reader, rows, [](Sample &s, std::int64_t value) { s.frame = value; });
+    takeColumn<std::uint8_t>(*reader, rows, [](Sample &s, std::uint8_t bits) {
+        if ((bits & positionBit) != 0)
+            s.position = Eigen::Vector2d(0, 0);
+        if ((bits & disagreementBit) != 0)
+            s.viewDisagreementM = 0;
+    });
+    for (int axis : {0, 1}) {
+        takeColumn<double>(*reader, rows, [axis](Sample &s, double value) {
+            if (s.position)
+                (*s.position)[axis] = value;
+        });
+    }
+    takeCovariance(*reader, rows, [](Sample &s) -> Eigen::Matrix2d & { return s.covariance; });
+    takeCovariance(*reader, rows, [](Sample &s) -> Eigen::Matrix2d & { return s.commonCovariance; });
+    takeColumn<std::uint32_t>(*reader, rows, [](Sample &s, std::uint32_t value) { s.views = value; });
+    takeColumn<double>(*reader, rows, [](Sample &s, double value) {
+        if (s.viewDisagreementM)
+            s.viewDisagreementM = value;
+    });
+    takeColumn<std::uint32_t>(*reader, rows, [](Sample &s, std::uint32_t value) { s.flags = value; });
+    return rows;
+}
+
+QByteArray packPoints(std::span<const ProfilePoint> points)
+{
+    BlobWriter writer(pointsLayout, points.size());
+    putColumn(writer, points,
+              [](const ProfilePoint &p) { return static_cast<std::uint8_t>(p.valid ? 1 : 0); });
+    putVector(writer, points, [](const ProfilePoint &p) { return p.position; });
+    putVector(writer, points, [](const ProfilePoint &p) { return p.velocity; });
+    putVector(writer, points, [](const ProfilePoint &p) { return p.acceleration; });
+    for (double ProfilePoint::*member :
+         {&ProfilePoint::sigmaXM, &ProfilePoint::sigmaYM, &ProfilePoint::speedMps,
+          &ProfilePoint::sigmaSpeedMps, &ProfilePoint::accelMps2, &ProfilePoint::sigmaAccelMps2})
+        putColumn(writer, points, [member](const ProfilePoint &p) { return p.*member; });
+    return writer.take();
+}
+
+Result<std::vector<ProfilePoint>> unpackPoints(const QByteArray &bytes, const std::string &what)
+{
+    auto reader = BlobReader::open(bytes, pointsLayout, what);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    std::vector<ProfilePoint> rows(reader->rows());
+    takeColumn<std::uint8_t>(*reader, rows,
+                             [](ProfilePoint &p, std::uint8_t value) { p.valid = value != 0; });
+    takeVector(*reader, rows, [](ProfilePoint &p) -> Eigen::Vector2d & { return p.position; });
+    takeVector(*reader, rows, [](ProfilePoint &p) -> Eigen::Vector2d & { return p.velocity; });
+    takeVector(*reader, rows, [](ProfilePoint &p) -> Eigen::Vector2d & { return p.acceleration; });
+    for (double ProfilePoint::*member :
+         {&ProfilePoint::sigmaXM, &ProfilePoint::sigmaYM, &ProfilePoint::speedMps,
+          &ProfilePoint::sigmaSpeedMps, &ProfilePoint::accelMps2, &ProfilePoint::sigmaAccelMps2})
+        takeColumn<double>(*reader, rows, [member](ProfilePoint &p, double value) { p.*member = value; });
+    return rows;
+}
+
+QByteArray packTruth(const TruthSeries &truth)
+{
+    BlobWriter writer(truthLayout, truth.times.size());
+    putColumn(writer, truth.times, [](Nanoseconds t) { return static_cast<std::int64_t>(t.count()); });
+    for (const auto *series : {&truth.positions, &truth.velocities, &truth.accelerations})
+        putVector(writer, *series, [](const Eigen::Vector2d &v) { return v; });
+    return writer.take();
+}
+
+Result<void> unpackTruth(const QByteArray &bytes, const std::string &what, TruthSeries &into)
+{
+    auto reader = BlobReader::open(bytes, truthLayout, what);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    into.times.resize(reader->rows());
+    takeColumn<std::int64_t>(*reader, into.times,
+                             [](Nanoseconds &t, std::int64_t value) { t = Nanoseconds(value); });
+    for (auto *series : {&into.positions, &into.velocities, &into.accelerations}) {
+        series->resize(reader->rows());
+        takeVector(*reader, *series, [](Eigen::Vector2d &v) -> Eigen::Vector2d & { return v; });
+    }
+    return {};
+}
+
+QByteArray packNumbers(std::span<const double> numbers)
+{
+    BlobWriter writer(numbersLayout, numbers.size());
+    putColumn(writer, numbers, [](double value) { return value; });
+    return writer.take();
+}
+
+Result<std::vector<double>> unpackNumbers(const QByteArray &bytes, const std::string &what)
+{
+    auto reader = BlobReader::open(bytes, numbersLayout, what);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    std::vector<double> numbers(reader->rows());
+    takeColumn<double>(*reader, numbers, [](double &number, double value) { number = value; });
+    return numbers;
+}
+
+QByteArray packSquare(const Eigen::MatrixXd &matrix)
+{
+    BlobWriter writer(squareLayout, static_cast<std::size_t>(matrix.size()));
+    for (Eigen::Index i = 0; i < matrix.size(); ++i)
+        writer.put(matrix.data()[i]);
+    return writer.take();
+}
+
+Result<Eigen::MatrixXd> unpackSquare(const QByteArray &bytes, const std::string &what)
+{
+    auto reader = BlobReader::open(bytes, squareLayout, what);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    std::size_t size = 0;
+    while (size < maxSquareSize && size * size < reader->rows())
+        ++size;
+    if (size * size != reader->rows())
+        return fail(ErrorCode::InvalidInput, what,
+                    "its stored matrix of " + std::to_string(reader->rows()) + " numbers is not square",
+                    "the project file is damaged: restore it from a backup copy");
+    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
+    for (Eigen::Index i = 0; i < matrix.size(); ++i)
+        matrix.data()[i] = reader->take<double>();
+    return matrix;
+}
+
+} // namespace odo

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The observations and the truth of TrialRepository.
+#include "core/project/connection.h"
+#include "core/project/names.h"
+#include "core/project/repositories.h"
+#include "core/project/series_blobs.h"
+
+namespace odo {
+
+Result<void> TrialRepository::addObservations(const ObservationSeries &series)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        Statement insert(m_connection,
+                         QStringLiteral("INSERT INTO observation_series (recording_id, robot_id, "
+                                        "algorithm) VALUES (?,?,?)"));
+        if (auto done = insert.bind(series.recording).bind(series.robot).bind(series.algorithm).run(); !done)
+            return done;
+        const RecordId id = insert.insertedId();
+        const std::span<const Observation> all(series.observations);
+        for (std::size_t start = 0; start < all.size(); start += rowsPerChunk) {
+            const auto chunk = all.subspan(start, std::min(rowsPerChunk, all.size() - start));
+            Statement row(m_connection, QStringLiteral("INSERT INTO observation_chunk VALUES (?,?,?)"));
+            row.bind(id).bind(static_cast<std::int64_t>(start / rowsPerChunk)).bind(packObservations(chunk));
+            if (auto done = row.run(); !done)
+                return done;
+        }
+        return {};
+    });
+}
+
+Result<std::optional<ObservationSeries>> TrialRepository::currentObservations(RecordId recording,
+                                                                              RecordId robot) const
+{
+    Statement select(m_connection,
+                     QStringLiteral("SELECT id, algorithm FROM observation_series "
+                                    "WHERE recording_id=? AND robot_id=? ORDER BY id DESC LIMIT 1"));
+    const auto found = select.bind(recording).bind(robot).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return std::nullopt;
+    const RecordId id = select.integer(0);
+    ObservationSeries series{recording, robot, select.text(1), {}};
+    Statement chunks(
+        m_connection,
+        QStringLiteral("SELECT observations FROM observation_chunk WHERE series_id=? ORDER BY position"));
+    auto read = chunks.bind(id).eachRow([&](const Statement &row) -> Result<void> {
+        return unpackObservations(row.blob(0), "observations " + std::to_string(id) + " of the project",
+                                  series.observations);
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return std::optional(std::move(series));
+}
+
+Result<void> TrialRepository::setTruth(const TruthSeries &truth)
+{
+    const std::size_t count = truth.times.size();
+    for (const auto *series : {&truth.positions, &truth.velocities, &truth.accelerations}) {
+        if (series->size() != count)
+            return fail(ErrorCode::InvalidInput, "truth of a trial", "its series differ in length",
+                        "give position, velocity and acceleration for each time");
+    }
+    return transact(m_connection, [&]() -> Result<void> {
+        Statement remove(m_connection, QStringLiteral("DELETE FROM truth WHERE trial_id=? AND robot_id=?"));
+        if (auto done = remove.bind(truth.trial).bind(truth.robot).run(); !done)
+            return done;
+        Statement insert(m_connection, QStringLiteral("INSERT INTO truth VALUES (?,?,?)"));
+        return insert.bind(truth.trial).bind(truth.robot).bind(packTruth(truth)).run();
+    });
+}
+
+Result<std::optional<TruthSeries>> TrialRepository::truth(RecordId trial, RecordId robot) const
+{
+    Statement select(m_connection,
+                     QStringLiteral("SELECT series FROM truth WHERE trial_id=? AND robot_id=?"));
+    const auto found = select.bind(trial).bind(robot).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return std::nullopt;
+    TruthSeries truth;
+    truth.trial = trial;
+    truth.robot = robot;
+    if (auto read = unpackTruth(select.blob(0), "truth of trial " + std::to_string(trial), truth); !read)
+        return tl::unexpected(read.error());
+    return std::optional(std::move(truth));
+}
+
+} // namespace odo

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace odo {
+
+/// The words by which enumerations are stored. They are part of the file format: never change one.
+template <class Value, std::size_t Count>
+using StoredWords = std::array<std::pair<Value, std::string_view>, Count>;
+
+constexpr StoredWords<LensModel, 3> lensModelWords{
+    {{LensModel::Standard, "standard"}, {LensModel::Rational, "rational"}, {LensModel::Fisheye, "fisheye"}}};
+constexpr StoredWords<RobotRecord::Height, 3> heightModeWords{{{RobotRecord::Height::Told, "told"},
+                                                               {RobotRecord::Height::Automatic, "automatic"},
+                                                               {RobotRecord::Height::Free, "free"}}};
+constexpr StoredWords<Smoother, 4> smootherWords{{{Smoother::Rts, "rts"},
+                                                  {Smoother::SavGol, "savgol"},
+                                                  {Smoother::Tracker, "tracker"},
+                                                  {Smoother::None, "none"}}};
+
+template <class Words, class Value>
+std::string storedWord(const Words &words, Value value)
+{
+    for (const auto &[known, word] : words) {
+        if (known == value)
+            return std::string(word);
+    }
+    return std::string(words.front().second);
+}
+
+/// Error NewerFormat for a word that this version does not know.
+template <class Words>
+auto fromStoredWord(const Words &words, const std::string &word, const std::string &what)
+    -> Result<typename Words::value_type::first_type>
+{
+    for (const auto &[value, known] : words) {
+        if (known == word)
+            return value;
+    }
+    return fail(ErrorCode::NewerFormat, what, "its stored setting '" + word + "' is unknown",
+                "open the project with a newer Odograph");
+}
+
+} // namespace odo

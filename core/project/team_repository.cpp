@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/connection.h"
+#include "core/project/named_rows.h"
+#include "core/project/names.h"
+#include "core/project/repositories.h"
+
+namespace odo {
+
+namespace {
+
+const QString teamColumns = QStringLiteral("SELECT team.id, team.name, class.name FROM team "
+                                           "LEFT JOIN class ON class.id=team.class_id ");
+
+TeamRecord teamOf(const Statement &row)
+{
+    return {row.integer(0), row.text(1), row.text(2)};
+}
+
+} // namespace
+
+TeamRepository::TeamRepository(ProjectConnection &connection) : m_connection(connection) {}
+
+Result<TeamRecord> TeamRepository::add(const TeamRecord &team)
+{
+    return transact(m_connection, [&]() -> Result<TeamRecord> {
+        if (auto valid = checkName("team", team.name); !valid)
+            return tl::unexpected(valid.error());
+        if (auto isFree = checkNameIsFree(m_connection, "team", "team", team.name); !isFree)
+            return tl::unexpected(isFree.error());
+        const auto classId = idOfName(m_connection, "class", team.className);
+        if (!classId)
+            return tl::unexpected(classId.error());
+        Statement insert(m_connection, QStringLiteral("INSERT INTO team (name, class_id) VALUES (?,?)"));
+        if (auto done = insert.bind(team.name).bindReference(*classId).run(); !done)
+            return tl::unexpected(done.error());
+        TeamRecord stored = team;
+        stored.id = insert.insertedId();
+        return stored;
+    });
+}
+
+Result<std::vector<TeamRecord>> TeamRepository::all() const
+{
+    std::vector<TeamRecord> teams;
+    Statement select(m_connection, teamColumns + QStringLiteral("ORDER BY team.id"));
+    auto read = select.eachRow([&teams](const Statement &row) -> Result<void> {
+        teams.push_back(teamOf(row));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return teams;
+}
+
+Result<TeamRecord> TeamRepository::find(const std::string &name) const
+{
+    Statement select(m_connection, teamColumns + QStringLiteral("WHERE team.name=?"));
+    const auto found = select.bind(name).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return noSuchName(m_connection, "team", "team", name);
+    return teamOf(select);
+}
+
+} // namespace odo
