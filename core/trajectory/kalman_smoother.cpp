@@ -53,7 +53,7 @@ void MotionFilter::predict(double timeS)
     m_timeS = timeS;
 }
 
-double MotionFilter::distanceSquared(const TimedPosition &measurement, double *logDeterminant) const
+double MotionFilter::distanceSquared(const TrackNode &measurement, double *logDeterminant) const
 {
     const Eigen::Matrix2d s =
         m_estimate.covariance.topLeftCorner<2, 2>() + m_noise.measurementScale * measurement.covariance;
@@ -63,7 +63,7 @@ double MotionFilter::distanceSquared(const TimedPosition &measurement, double *l
     return innovation.dot(s.inverse() * innovation);
 }
 
-void MotionFilter::restart(const TimedPosition &measurement)
+void MotionFilter::restart(const TrackNode &measurement)
 {
     m_estimate.mean.setZero();
     m_estimate.mean.head<2>() = measurement.position;
@@ -75,7 +75,7 @@ void MotionFilter::restart(const TimedPosition &measurement)
     m_started = true;
 }
 
-void MotionFilter::update(const TimedPosition &measurement)
+void MotionFilter::update(const TrackNode &measurement)
 {
     if (!m_started) {
         restart(measurement);
@@ -90,12 +90,12 @@ void MotionFilter::update(const TimedPosition &measurement)
     m_estimate.covariance = keep * m_estimate.covariance * keep.transpose() + gain * r * gain.transpose();
 }
 
-std::vector<MotionEstimate> smoothMotion(std::span<const TimedPosition> track, MotionNoise noise)
+std::vector<MotionEstimate> smoothMotion(std::span<const TrackNode> track, MotionNoise noise)
 {
     std::vector<MotionEstimate> estimates;
     estimates.reserve(track.size());
     MotionFilter filter(noise);
-    for (const TimedPosition &node : track) {
+    for (const TrackNode &node : track) {
         filter.predict(node.timeS);
         if (node.measured)
             filter.update(node);
@@ -134,11 +134,11 @@ struct Sums
     double distances = 0, logDeterminants = 0, count = 0;
 };
 
-void addInnovations(std::span<const TimedPosition> track, double jerkDensity, bool robust, Sums &sums)
+void addInnovations(std::span<const TrackNode> track, double jerkDensity, bool robust, Sums &sums)
 {
     MotionFilter filter({jerkDensity, 1});
     int taken = 0;
-    for (const TimedPosition &node : track) {
+    for (const TrackNode &node : track) {
         if (!node.measured)
             continue;
         filter.predict(node.timeS);
@@ -157,7 +157,7 @@ void addInnovations(std::span<const TimedPosition> track, double jerkDensity, bo
     }
 }
 
-Likelihood likelihood(std::span<const std::span<const TimedPosition>> blocks, double jerkDensity, bool robust)
+Likelihood likelihood(std::span<const std::span<const TrackNode>> blocks, double jerkDensity, bool robust)
 {
     Sums sums;
     for (const auto &block : blocks)
@@ -170,14 +170,13 @@ Likelihood likelihood(std::span<const std::span<const TimedPosition>> blocks, do
 }
 
 /// Long tracks are represented by evenly spread blocks.
-std::vector<std::span<const TimedPosition>>
-chooseBlocks(const std::vector<std::span<const TimedPosition>> &segments)
+std::vector<std::span<const TrackNode>> chooseBlocks(const std::vector<std::span<const TrackNode>> &segments)
 {
     std::size_t total = 0;
     for (const auto &segment : segments)
         total += segment.size();
     const std::size_t stride = total / mostSamples + 1;
-    std::vector<std::span<const TimedPosition>> blocks;
+    std::vector<std::span<const TrackNode>> blocks;
     for (const auto &all : segments) {
         if (stride == 1) {
             blocks.push_back(all);
@@ -191,7 +190,7 @@ chooseBlocks(const std::vector<std::span<const TimedPosition>> &segments)
 
 } // namespace
 
-MotionNoise estimateMotionNoise(const std::vector<std::span<const TimedPosition>> &segments, bool robust)
+MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &segments, bool robust)
 {
     const auto blocks = chooseBlocks(segments);
     const auto costAt = [&](double exponent) {

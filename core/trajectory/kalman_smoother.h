@@ -9,7 +9,7 @@
 namespace odo {
 
 /// One time of a track, in order of time: with a measured position, or with none (a gap to be bridged). SI.
-struct TimedPosition
+struct TrackNode
 {
     double timeS = 0;
     bool measured = false;
@@ -48,11 +48,11 @@ public:
     void predict(double timeS);
     /// Squared Mahalanobis distance of a measurement from the prediction; logDeterminant of its covariance if
     /// wanted.
-    double distanceSquared(const TimedPosition &measurement, double *logDeterminant = nullptr) const;
+    double distanceSquared(const TrackNode &measurement, double *logDeterminant = nullptr) const;
     /// Takes a measurement in (Joseph's form); the first one starts the filter.
-    void update(const TimedPosition &measurement);
+    void update(const TrackNode &measurement);
     /// Forgets the past: begins again at this measurement.
-    void restart(const TimedPosition &measurement);
+    void restart(const TrackNode &measurement);
 
     const MotionEstimate &estimate() const { return m_estimate; }
 
@@ -65,13 +65,13 @@ private:
 
 /// Rauch–Tung–Striebel smoother (Rauch, Tung, Striebel 1965): one estimate for every time, from all
 /// measurements. The first time must be measured. Pure.
-std::vector<MotionEstimate> smoothMotion(std::span<const TimedPosition> track, MotionNoise noise);
+std::vector<MotionEstimate> smoothMotion(std::span<const TrackNode> track, MotionNoise noise);
 
 /// Noise by maximum likelihood of the innovations (prediction error decomposition: Harvey 1989, § 3.4) over
 /// all segments: the measurement scale in closed form, the jerk density by a logarithmic grid and a golden
 /// section. The scale is drawn to 1 as by ten more innovations, so that few samples change little. robust: an
 /// innovation beyond refusalGate counts as the gate and is not taken in (for data with spikes), scale 1.
-MotionNoise estimateMotionNoise(const std::vector<std::span<const TimedPosition>> &segments, bool robust);
+MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &segments, bool robust);
 
 /// χ² with two degrees of freedom, 99.9 %.
 constexpr double refusalGate = 13.8155;

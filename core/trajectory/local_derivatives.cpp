@@ -14,12 +14,12 @@ constexpr std::size_t coefficients = 4; // of a cubic
 /// Rows: weights of position, velocity, acceleration; columns: the neighbours.
 using Weights = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
-MotionEstimate weightedSum(std::span<const TimedPosition> track, const std::vector<std::size_t> &neighbours,
+MotionEstimate weightedSum(std::span<const TrackNode> track, const std::vector<std::size_t> &neighbours,
                            const Weights &weights, double scale)
 {
     MotionEstimate estimate;
     for (std::size_t n = 0; n < neighbours.size(); ++n) {
-        const TimedPosition &node = track[neighbours[n]];
+        const TrackNode &node = track[neighbours[n]];
         const Eigen::Vector3d w = weights.col(static_cast<Eigen::Index>(n));
         for (int row = 0; row < 3; ++row) {
             estimate.mean.segment<2>(2 * row) += w[row] * node.position;
@@ -32,7 +32,7 @@ MotionEstimate weightedSum(std::span<const TimedPosition> track, const std::vect
 }
 
 /// The measured nodes nearest to index, at most `window`, in order.
-std::vector<std::size_t> nearestMeasured(std::span<const TimedPosition> track, std::size_t index)
+std::vector<std::size_t> nearestMeasured(std::span<const TrackNode> track, std::size_t index)
 {
     std::vector<std::size_t> chosen;
     std::size_t left = index, right = index + 1; // next to look at: left - 1 and right
@@ -51,20 +51,18 @@ std::vector<std::size_t> nearestMeasured(std::span<const TimedPosition> track, s
 }
 
 /// True when the nodes index + from ... index + to exist and are measured.
-bool allMeasured(std::span<const TimedPosition> track, std::size_t index, std::size_t before,
-                 std::size_t behind)
+bool allMeasured(std::span<const TrackNode> track, std::size_t index, std::size_t before, std::size_t behind)
 {
     if (index < before || index + behind >= track.size())
         return false;
     return std::all_of(track.begin() + static_cast<std::ptrdiff_t>(index - before),
                        track.begin() + static_cast<std::ptrdiff_t>(index + behind + 1),
-                       [](const TimedPosition &node) { return node.measured; });
+                       [](const TrackNode &node) { return node.measured; });
 }
 
 } // namespace
 
-std::optional<MotionEstimate> savitzkyGolay(std::span<const TimedPosition> track, std::size_t index,
-                                            double scale)
+std::optional<MotionEstimate> savitzkyGolay(std::span<const TrackNode> track, std::size_t index, double scale)
 {
     const auto neighbours = nearestMeasured(track, index);
     if (neighbours.size() < coefficients)
@@ -86,7 +84,7 @@ std::optional<MotionEstimate> savitzkyGolay(std::span<const TimedPosition> track
     return weightedSum(track, neighbours, weights, scale);
 }
 
-std::optional<MotionEstimate> trackerDifferences(std::span<const TimedPosition> track, std::size_t index,
+std::optional<MotionEstimate> trackerDifferences(std::span<const TrackNode> track, std::size_t index,
                                                  double scale)
 {
     if (!allMeasured(track, index, 2, 2))
@@ -102,7 +100,7 @@ std::optional<MotionEstimate> trackerDifferences(std::span<const TimedPosition> 
     return weightedSum(track, {index - 2, index - 1, index, index + 1, index + 2}, weights, scale);
 }
 
-std::optional<MotionEstimate> rawDifferences(std::span<const TimedPosition> track, std::size_t index,
+std::optional<MotionEstimate> rawDifferences(std::span<const TrackNode> track, std::size_t index,
                                              double scale)
 {
     if (!allMeasured(track, index, 2, 0))

@@ -13,11 +13,11 @@ namespace odo {
 /// (independent from frame to frame; the error of the formula on a curved path is not in it).
 /// track: one segment; index: the node wanted; scale: factor on the stated covariances.
 /// nullopt where a neighbour that the formula needs is missing.
-std::optional<MotionEstimate> savitzkyGolay(std::span<const TimedPosition> track, std::size_t index,
+std::optional<MotionEstimate> savitzkyGolay(std::span<const TrackNode> track, std::size_t index,
                                             double scale);
-std::optional<MotionEstimate> trackerDifferences(std::span<const TimedPosition> track, std::size_t index,
+std::optional<MotionEstimate> trackerDifferences(std::span<const TrackNode> track, std::size_t index,
                                                  double scale);
-std::optional<MotionEstimate> rawDifferences(std::span<const TimedPosition> track, std::size_t index,
+std::optional<MotionEstimate> rawDifferences(std::span<const TrackNode> track, std::size_t index,
                                              double scale);
 
 } // namespace odo

@@ -21,7 +21,7 @@ constexpr int mostPasses = 5;
 
 enum class Verdict { Unknown, Accepted, Refused };
 
-std::vector<Verdict> verdicts(std::span<const TimedPosition> track, MotionNoise noise)
+std::vector<Verdict> verdicts(std::span<const TrackNode> track, MotionNoise noise)
 {
     MotionFilter filter(noise);
     std::vector<Verdict> result(track.size(), Verdict::Unknown);
@@ -52,11 +52,11 @@ std::vector<Verdict> verdicts(std::span<const TimedPosition> track, MotionNoise 
 
 } // namespace
 
-std::vector<bool> refusedFromBothSides(std::span<const TimedPosition> track, MotionNoise noise)
+std::vector<bool> refusedFromBothSides(std::span<const TrackNode> track, MotionNoise noise)
 {
     noise.jerkDensity = std::max(noise.jerkDensity, leastGateJerkDensity);
-    std::vector<TimedPosition> mirrored(track.rbegin(), track.rend());
-    for (TimedPosition &node : mirrored)
+    std::vector<TrackNode> mirrored(track.rbegin(), track.rend());
+    for (TrackNode &node : mirrored)
         node.timeS = -node.timeS;
     const auto forward = verdicts(track, noise);
     const auto backward = verdicts(mirrored, noise);

@@ -15,7 +15,7 @@ namespace odo {
 /// collision only from one, for on its other side the new motion goes on. Refused samples do not move the
 /// filter; after 0.7 s of refusals it begins anew. While a filter is still learning the velocity the other
 /// direction decides alone.
-std::vector<bool> refusedFromBothSides(std::span<const TimedPosition> track, MotionNoise noise);
+std::vector<bool> refusedFromBothSides(std::span<const TrackNode> track, MotionNoise noise);
 
 /// Sets Jump, with SpeedLimit and AccelerationLimit as further reasons, on samples that no robot's motion
 /// explains. Returns the noise estimated from what remains.

@@ -31,9 +31,9 @@ std::vector<TrackSegment> cutIntoSegments(const std::vector<Sample> &samples, Na
     return segments;
 }
 
-std::vector<std::span<const TimedPosition>> nodesOf(const std::vector<TrackSegment> &segments)
+std::vector<std::span<const TrackNode>> nodesOf(const std::vector<TrackSegment> &segments)
 {
-    std::vector<std::span<const TimedPosition>> nodes;
+    std::vector<std::span<const TrackNode>> nodes;
     for (const TrackSegment &segment : segments)
         nodes.emplace_back(segment.nodes);
     return nodes;

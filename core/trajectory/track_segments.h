@@ -14,9 +14,9 @@ namespace odo {
 /// A stretch of samples without a long gap, from one that is used to another that is used.
 struct TrackSegment
 {
-    std::size_t first = 0;            ///< index of the first sample
-    std::vector<TimedPosition> nodes; ///< one for each sample
-    std::size_t measured = 0;         ///< nodes that carry a measurement
+    std::size_t first = 0;        ///< index of the first sample
+    std::vector<TrackNode> nodes; ///< one for each sample
+    std::size_t measured = 0;     ///< nodes that carry a measurement
 };
 
 /// Cuts the samples where nothing is used for longer than longestGap. A sample is used when it has a position
@@ -26,6 +26,6 @@ std::vector<TrackSegment> cutIntoSegments(const std::vector<Sample> &samples, Na
                                           const std::function<bool(const Sample &)> &isUsed = {});
 
 /// The segments' nodes, as estimateMotionNoise wants them.
-std::vector<std::span<const TimedPosition>> nodesOf(const std::vector<TrackSegment> &segments);
+std::vector<std::span<const TrackNode>> nodesOf(const std::vector<TrackSegment> &segments);
 
 } // namespace odo

@@ -8,12 +8,12 @@ using namespace odo;
 
 namespace {
 
-std::vector<TimedPosition> track(int count, double stepS, double sigmaM,
-                                 const std::function<Eigen::Vector2d(double)> &course, unsigned seed)
+std::vector<TrackNode> track(int count, double stepS, double sigmaM,
+                             const std::function<Eigen::Vector2d(double)> &course, unsigned seed)
 {
     std::mt19937 random(seed);
     std::normal_distribution<double> noise(0, sigmaM);
-    std::vector<TimedPosition> nodes;
+    std::vector<TrackNode> nodes;
     for (int i = 0; i < count; ++i) {
         const double t = i * stepS;
         nodes.push_back({t, true, course(t) + Eigen::Vector2d(noise(random), noise(random)),
@@ -26,7 +26,7 @@ std::vector<TimedPosition> track(int count, double stepS, double sigmaM,
 struct Simulated
 {
     std::vector<Eigen::Matrix<double, 6, 1>> states;
-    std::vector<TimedPosition> nodes;
+    std::vector<TrackNode> nodes;
 };
 
 Simulated simulate(int count, double dt, double density, double sigmaM, std::mt19937 &random)
@@ -63,7 +63,7 @@ private Q_SLOTS:
     void constantVelocityIsExact()
     {
         // Irregular times, no noise: position and velocity must come out to rounding.
-        std::vector<TimedPosition> nodes;
+        std::vector<TrackNode> nodes;
         for (const double t : {0.0, 0.03, 0.071, 0.1, 0.2, 0.21, 0.5, 0.53})
             nodes.push_back(
                 {t, true, Eigen::Vector2d(1 + 2 * t, 3 - 0.5 * t), Eigen::Matrix2d::Identity() * 1e-10});
@@ -104,11 +104,11 @@ private Q_SLOTS:
             30, 0.04, 0.003, [](double t) { return Eigen::Vector2d(t, t * t); }, 5);
         Eigen::Matrix2d shape;
         shape << 9e-6, 4e-6, 4e-6, 3e-6;
-        for (TimedPosition &node : nodes)
+        for (TrackNode &node : nodes)
             node.covariance = shape;
         const auto plain = smoothMotion(nodes, {20, 1});
         const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
-        for (TimedPosition &node : nodes) {
+        for (TrackNode &node : nodes) {
             node.position = turn * node.position;
             node.covariance = turn * node.covariance * turn.transpose();
         }
@@ -136,9 +136,9 @@ private Q_SLOTS:
         std::mt19937 random(11);
         const Simulated simulated = simulate(3000, 0.02, 8, 0.004, random);
         auto nodes = simulated.nodes;
-        for (TimedPosition &node : nodes)
+        for (TrackNode &node : nodes)
             node.covariance /= 4; // measurements twice as noisy as stated
-        const MotionNoise found = estimateMotionNoise({std::span<const TimedPosition>(nodes)}, false);
+        const MotionNoise found = estimateMotionNoise({std::span<const TrackNode>(nodes)}, false);
         QVERIFY2(std::abs(found.measurementScale - 4) < 0.3,
                  qPrintable(QString::number(found.measurementScale)));
         QVERIFY2(found.jerkDensity > 5 && found.jerkDensity < 12,
@@ -154,7 +154,7 @@ private Q_SLOTS:
         int total = 0;
         for (int run = 0; run < 15; ++run) {
             const Simulated simulated = simulate(200, 1.0 / 30, 20, 0.002, random);
-            const auto noise = estimateMotionNoise({std::span<const TimedPosition>(simulated.nodes)}, false);
+            const auto noise = estimateMotionNoise({std::span<const TrackNode>(simulated.nodes)}, false);
             const auto estimates = smoothMotion(simulated.nodes, noise);
             for (std::size_t i = 0; i < estimates.size(); ++i) {
                 for (int k = 0; k < 6; ++k)
@@ -173,7 +173,7 @@ private Q_SLOTS:
     {
         const auto nodes = track(
             300, 1.0 / 30, 0.002, [](double) { return Eigen::Vector2d(1, 1); }, 13);
-        const MotionNoise found = estimateMotionNoise({std::span<const TimedPosition>(nodes)}, false);
+        const MotionNoise found = estimateMotionNoise({std::span<const TrackNode>(nodes)}, false);
         QVERIFY(found.jerkDensity < 1e-3);
         const auto estimates = smoothMotion(nodes, found);
         QVERIFY(estimates[150].velocity().norm() < 0.002);

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double sigma = 0.002;
 
-std::vector<TimedPosition> nodes(int count, double stepS, const std::function<double(double)> &x)
+std::vector<TrackNode> nodes(int count, double stepS, const std::function<double(double)> &x)
 {
-    std::vector<TimedPosition> all;
+    std::vector<TrackNode> all;
     for (int i = 0; i < count; ++i)
         all.push_back({i * stepS, true, Eigen::Vector2d(x(i * stepS), -x(i * stepS)),
                        Eigen::Matrix2d::Identity() * sigma * sigma});
