@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "foreign_files.h"
+
+#include "core/video/libav.h"
+
+extern "C" {
+#include <libavutil/pixdesc.h>
+}
+
+namespace odo::test {
+
+namespace {
+
+/// A container being written; closed when it goes.
+struct Output
+{
+    explicit Output(const std::filesystem::path &to)
+    {
+        libav::quieten();
+        avformat_alloc_output_context2(&container, nullptr, nullptr, to.c_str());
+        if (container && avio_open(&container->pb, to.c_str(), AVIO_FLAG_WRITE) < 0)
+            container->pb = nullptr;
+    }
+    ~Output()
+    {
+        if (container && container->pb)
+            avio_closep(&container->pb);
+        avformat_free_context(container);
+    }
+    AVFormatContext *container = nullptr;
+};
+
+void fill(AVFrame &picture, int number)
+{
+    for (int plane = 0; plane < 4 && picture.data[plane]; ++plane) {
+        const bool chroma = plane > 0;
+        const bool pairs = chroma && picture.format == AV_PIX_FMT_NV12;
+        const int height = chroma ? picture.height / 2 : picture.height;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < (pairs ? picture.width : picture.linesize[plane]); ++x)
+                picture.data[plane][static_cast<std::ptrdiff_t>(y) * picture.linesize[plane] + x] =
+                    static_cast<std::uint8_t>(40 + 20 * plane + number + (pairs && x % 2 != 0 ? 100 : 0));
+    }
+}
+
+/// AVI's muxer wants start codes and does not ask for them itself, as others do.
+libav::FilterPtr annexBFilter(const AVCodecParameters &parameters, bool needed)
+{
+    AVBSFContext *filter = nullptr;
+    av_bsf_alloc(av_bsf_get_by_name(needed ? "h264_mp4toannexb" : "null"), &filter);
+    avcodec_parameters_copy(filter->par_in, &parameters);
+    av_bsf_init(filter);
+    return libav::FilterPtr(filter);
+}
+
+bool encodeTo(Output &out, AVCodecContext &encoder, AVFrame *picture)
+{
+    if (avcodec_send_frame(&encoder, picture) < 0)
+        return false;
+    const libav::PacketPtr packet(av_packet_alloc());
+    while (avcodec_receive_packet(&encoder, packet.get()) == 0) {
+        av_packet_rescale_ts(packet.get(), encoder.time_base, out.container->streams[0]->time_base);
+        if (av_write_frame(out.container, packet.get()) < 0)
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+bool remux(const std::filesystem::path &from, const std::filesystem::path &to)
+{
+    AVFormatContext *input = nullptr;
+    if (avformat_open_input(&input, from.c_str(), nullptr, nullptr) < 0)
+        return false;
+    avformat_find_stream_info(input, nullptr);
+    Output out(to);
+    bool good = out.container && out.container->pb;
+    if (good) {
+        AVStream *stream = avformat_new_stream(out.container, nullptr);
+        avcodec_parameters_copy(stream->codecpar, input->streams[0]->codecpar);
+        stream->codecpar->codec_tag = 0;
+        stream->avg_frame_rate = input->streams[0]->avg_frame_rate;
+        stream->time_base = av_inv_q(stream->avg_frame_rate);
+        good = avformat_write_header(out.container, nullptr) >= 0;
+        const libav::FilterPtr startCodes =
+            annexBFilter(*input->streams[0]->codecpar, to.extension() == ".avi");
+        const libav::PacketPtr packet(av_packet_alloc());
+        while (good && av_read_frame(input, packet.get()) >= 0) {
+            good = av_bsf_send_packet(startCodes.get(), packet.get()) >= 0 &&
+                   av_bsf_receive_packet(startCodes.get(), packet.get()) >= 0;
+            av_packet_rescale_ts(packet.get(), input->streams[0]->time_base, stream->time_base);
+            good = av_interleaved_write_frame(out.container, packet.get()) >= 0;
+        }
+        good = good && av_write_trailer(out.container) >= 0;
+    }
+    avformat_close_input(&input);
+    return good;
+}
+
+bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, const std::string &pixelFormat,
+              int frames)
+{
+    Output out(to);
+    const AVCodec *codec = avcodec_find_encoder_by_name(encoderName.c_str());
+    if (!out.container || !out.container->pb || !codec)
+        return false;
+    const libav::CodecPtr encoder(avcodec_alloc_context3(codec));
+    encoder->width = 64;
+    encoder->height = 48;
+    encoder->time_base = {1, 25};
+    encoder->framerate = {25, 1};
+    encoder->pix_fmt = av_get_pix_fmt(pixelFormat.c_str());
+    if (avcodec_open2(encoder.get(), codec, nullptr) < 0)
+        return false;
+    AVStream *stream = avformat_new_stream(out.container, nullptr);
+    avcodec_parameters_from_context(stream->codecpar, encoder.get());
+    stream->avg_frame_rate = encoder->framerate;
+    stream->time_base = encoder->time_base;
+    bool good = avformat_write_header(out.container, nullptr) >= 0;
+    for (int i = 0; good && i < frames; ++i) {
+        const libav::FramePtr picture(av_frame_alloc());
+        picture->format = encoder->pix_fmt;
+        picture->width = encoder->width;
+        picture->height = encoder->height;
+        picture->pts = i;
+        good = av_frame_get_buffer(picture.get(), 0) >= 0;
+        fill(*picture, i);
+        good = good && encodeTo(out, *encoder, picture.get());
+    }
+    return good && encodeTo(out, *encoder, nullptr) && av_write_trailer(out.container) >= 0;
+}
+
+} // namespace odo::test

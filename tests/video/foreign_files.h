@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace odo::test {
+
+/// Copies the packets of a video into another container, chosen by its name, as an editor or a camera would
+/// have written them. False when libav would not.
+bool remux(const std::filesystem::path &from, const std::filesystem::path &to);
+
+/// Writes `frames` pictures of 64x48 in a pixel format of libav's ("nv12", "gray", "yuv420p10le", ...) with
+/// one of its encoders. Of every picture i, each byte of plane p is 40 + 20 p + i; in semi-planar chroma, odd
+/// bytes are 100 more.
+bool writeRaw(const std::filesystem::path &to, const std::string &encoder, const std::string &pixelFormat,
+              int frames);
+
+} // namespace odo::test

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coded_frames.h"
+#include "core/video/h264_siting.h"
+#include "core/video/video_reader.h"
+#include "foreign_files.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+/// Files as other programs write them: containers without presentation times, semi-planar and grey pictures,
+/// more than 8 bits.
+class TestForeignFiles : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void containers_data();
+    void containers();
+    void pixelFormats_data();
+    void pixelFormats();
+    void refusedPixelFormats_data();
+    void refusedPixelFormats();
+    void sitingOfArbitraryBytes();
+
+private:
+    std::filesystem::path path(const std::string &name) const
+    {
+        return std::filesystem::path(m_folder.path().toStdString()) / name;
+    }
+    QTemporaryDir m_folder;
+};
+
+void TestForeignFiles::containers_data()
+{
+    QTest::addColumn<int>("bFrames");
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("warning");
+    for (const int bFrames : {0, 3})
+        for (const char *ending : {"mov", "avi", "ts", "flv", "mkv", "nut", "h264"})
+            QTest::addRow("%s, %d B frames", ending, bFrames)
+                << bFrames << QStringLiteral("copy.") + QString::fromLatin1(ending)
+                << (QByteArray(ending) == "h264" ? QStringLiteral("no time stamps") : QString());
+}
+
+void TestForeignFiles::containers()
+{
+    QFETCH(int, bFrames);
+    QFETCH(QString, name);
+    QFETCH(QString, warning);
+    constexpr int count = 300;
+    VideoWriterOptions options;
+    options.maxBFrames = bFrames;
+    options.bitRate = 500'000;
+    options.nominalFramesPerSecond = 25;
+    QCOMPARE(writeCoded(path("original.mp4"), evenTimes(count, 25), options), QString());
+    const auto file = path(name.toStdString());
+    QVERIFY(remux(path("original.mp4"), file));
+    const auto reader = VideoReader::open(file);
+    QVERIFY2(reader.has_value(), reader ? "" : reader.error().message().c_str());
+    const VideoInfo &info = (*reader)->info();
+    QVERIFY2(warning.isEmpty() ? info.warning.empty()
+                               : info.warning.find(warning.toStdString()) != std::string::npos,
+             info.warning.c_str());
+    QCOMPARE(info.frameTimes.size(), std::size_t(count));
+    for (int i = 0; i < count; ++i) {
+        if (warning.isEmpty())
+            QCOMPARE(info.frameTimes[static_cast<std::size_t>(i)], Nanoseconds(i * 40'000'000LL));
+        const auto frame = (*reader)->next();
+        QVERIFY(frame.has_value());
+        QCOMPARE(numberIn(**frame), i);
+    }
+    for (const int i : {299, 0, 251, 249, 250, 100, 7, 8, 290})
+        QCOMPARE(numberIn((*reader)->frameAt(i).value()), i);
+}
+
+void TestForeignFiles::pixelFormats_data()
+{
+    QTest::addColumn<QString>("encoder");
+    QTest::addColumn<QString>("pixelFormat");
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("shiftX");
+    QTest::addColumn<int>("shiftY");
+    QTest::addColumn<QList<int>>("values"); // of Y, U, V in frame 0
+    const QString ffv1 = QStringLiteral("ffv1"), raw = QStringLiteral("rawvideo"),
+                  mkv = QStringLiteral("p.mkv");
+    QTest::newRow("4:2:0") << ffv1 << QStringLiteral("yuv420p") << mkv << 1 << 1 << QList<int>{40, 60, 80};
+    QTest::newRow("grey") << ffv1 << QStringLiteral("gray") << mkv << 1 << 1 << QList<int>{40, 128, 128};
+    QTest::newRow("NV12") << raw << QStringLiteral("nv12") << QStringLiteral("p.nut") << 1 << 1
+                          << QList<int>{40, 60, 160};
+}
+
+void TestForeignFiles::pixelFormats()
+{
+    QFETCH(QString, encoder);
+    QFETCH(QString, pixelFormat);
+    QFETCH(QString, name);
+    QFETCH(int, shiftX);
+    QFETCH(int, shiftY);
+    QFETCH(QList<int>, values);
+    const auto file = path(name.toStdString());
+    QVERIFY(writeRaw(file, encoder.toStdString(), pixelFormat.toStdString(), 3));
+    const auto reader = VideoReader::open(file);
+    QVERIFY2(reader.has_value(), reader ? "" : reader.error().message().c_str());
+    QCOMPARE((*reader)->info().frameTimes.size(), std::size_t(3));
+    QCOMPARE((*reader)->info().format.chromaShiftX, shiftX);
+    QCOMPARE((*reader)->info().format.chromaShiftY, shiftY);
+    const Frame frame = (*reader)->frameAt(0).value();
+    for (const auto &[x, y] : {std::pair{0, 0}, std::pair{31, 23}}) {
+        QCOMPARE(int(frame.y.at(x, y)), values[0]);
+        QCOMPARE(int(frame.u.at(x, y)), values[1]);
+        QCOMPARE(int(frame.v.at(x, y)), values[2]);
+    }
+    QCOMPARE(int((*reader)->frameAt(2).value().y.at(63, 47)), 42);
+}
+
+void TestForeignFiles::refusedPixelFormats_data()
+{
+    QTest::addColumn<QString>("encoder");
+    QTest::addColumn<QString>("pixelFormat");
+    QTest::newRow("10 bits") << QStringLiteral("ffv1") << QStringLiteral("yuv420p10le");
+    QTest::newRow("RGB") << QStringLiteral("ffv1") << QStringLiteral("bgr0");
+    QTest::newRow("grey, 16 bits") << QStringLiteral("ffv1") << QStringLiteral("gray16le");
+}
+
+void TestForeignFiles::refusedPixelFormats()
+{
+    QFETCH(QString, encoder);
+    QFETCH(QString, pixelFormat);
+    QVERIFY(writeRaw(path("r.mkv"), encoder.toStdString(), pixelFormat.toStdString(), 2));
+    const auto reader = VideoReader::open(path("r.mkv"));
+    QVERIFY(!reader.has_value());
+    QCOMPARE(reader.error().code, ErrorCode::InvalidInput);
+    QVERIFY2(reader.error().message().find(pixelFormat.toStdString() +
+                                           " is not read; convert it to 8-bit YUV") != std::string::npos,
+             reader.error().message().c_str());
+}
+
+/// A damaged parameter set gives an answer or none, but never a read outside (seen by the address sanitizer).
+void TestForeignFiles::sitingOfArbitraryBytes()
+{
+    unsigned state = 1;
+    for (int run = 0; run < 2000; ++run) {
+        std::vector<std::uint8_t> bytes(static_cast<std::size_t>(run % 80));
+        for (std::uint8_t &byte : bytes) {
+            state = state * 1664525U + 1013904223U;
+            byte = static_cast<std::uint8_t>(state >> 24);
+        }
+        const std::uint8_t annexB[] = {0, 0, 1, 0x67}, avcC[] = {1, 100, 0, 30, 0xff, 0xe1, 0, 20};
+        if (run % 2 == 0 && bytes.size() > 4)
+            std::copy(std::begin(annexB), std::end(annexB), bytes.begin());
+        else if (bytes.size() > 8)
+            std::copy(std::begin(avcC), std::end(avcC), bytes.begin());
+        const auto location = h264ChromaLocation(bytes);
+        QVERIFY(!location || *location <= 5);
+    }
+}
+
+QTEST_GUILESS_MAIN(TestForeignFiles)
+#include "tst_foreign_files.moc"
