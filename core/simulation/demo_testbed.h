@@ -9,11 +9,11 @@
 namespace odo {
 
 /// A camera looking at a point of the floor from a place in the room, with a mild barrel distortion.
-FloorView simulatedView(const Eigen::Vector3d &cameraInWorld, const Eigen::Vector3d &lookAtInWorld, int widthPx,
-                        int heightPx, double focalPx);
+FloorView simulatedView(const Eigen::Vector3d &cameraInWorld, const Eigen::Vector3d &lookAtInWorld,
+                        int widthPx, int heightPx, double focalPx);
 
-/// The testbed that `odograph demo` and the tests use: two oblique cameras 2 m high, 1280×720, 30 frames/s, over a
-/// floor of about 3 m × 2.2 m with the markers O, U, V, D, no robots yet.
+/// The testbed that `odograph demo` and the tests use: two oblique cameras 2 m high, 1280×720, 30 frames/s,
+/// over a floor of about 3 m × 2.2 m with the markers O, U, V, D, no robots yet.
 SimulatedScene demoTestbed(std::uint32_t seed);
 
 /// One of the demo's trials.

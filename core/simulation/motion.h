@@ -13,7 +13,8 @@ struct MotionState
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
     Eigen::Vector2d acceleration = Eigen::Vector2d::Zero();
-    double headingRad = 0; ///< of the robot's length axis; along the velocity, the last one while standing
+    double headingRad =
+        0; ///< of the robot's length axis; along the velocity, while standing the one it starts or ended with
 };
 
 /// A known trajectory, exact at every time: twice continuously differentiable. Immutable.
@@ -21,21 +22,26 @@ class Motion
 {
 public:
     virtual ~Motion() = default;
-    /// Before 0 s the state at 0 s stands still where the motion begins at rest.
+    /// Any time; before 0 s it stands where it begins.
     virtual MotionState at(double timeS) const = 0;
 };
 
 /// Stands, then runs from start to end with a smooth (quintic) ramp, then stands.
 std::shared_ptr<const Motion> makeLineMotion(Eigen::Vector2d start, Eigen::Vector2d end, double startS,
                                              double durationS);
-/// Circles, starting from rest over rampS to the steady angular speed.
-std::shared_ptr<const Motion> makeCircleMotion(Eigen::Vector2d centre, double radiusM, double speedMps, double rampS);
+/// Circles anticlockwise from centre + (radius, 0), starting from rest over rampS to the steady angular
+/// speed.
+std::shared_ptr<const Motion> makeCircleMotion(Eigen::Vector2d centre, double radiusM, double speedMps,
+                                               double rampS);
 /// Lissajous figure eight (x = a·sin ωt, y = b·sin 2ωt), starting from rest over rampS.
-std::shared_ptr<const Motion> makeFigureEightMotion(Eigen::Vector2d centre, double halfWidthM, double halfHeightM,
-                                                    double periodS, double rampS);
-/// Legs between way points, each a smooth ramp of legS, with a stop of pauseS at each.
-std::shared_ptr<const Motion> makeStopAndGoMotion(std::vector<Eigen::Vector2d> points, double legS, double pauseS);
-/// Twice continuously differentiable (clamped cubic) spline through points at equal time steps, at rest at both ends.
+std::shared_ptr<const Motion> makeFigureEightMotion(Eigen::Vector2d centre, double halfWidthM,
+                                                    double halfHeightM, double periodS, double rampS);
+/// Legs between way points, each a smooth ramp of legS after a stop of pauseS; while it stops between two
+/// legs it turns on the spot towards the next.
+std::shared_ptr<const Motion> makeStopAndGoMotion(std::vector<Eigen::Vector2d> points, double legS,
+                                                  double pauseS);
+/// Twice continuously differentiable spline through points at equal time steps, at rest at both ends: knot
+/// velocities and accelerations of the clamped cubic spline, joined by quintics.
 std::shared_ptr<const Motion> makeSplineMotion(std::vector<Eigen::Vector2d> points, double stepS);
 
 } // namespace odo

@@ -40,8 +40,10 @@ struct SimulatedBoard
     bool charuco = false;
     int columns = 9, rows = 6; ///< inner corners
     double squareM = 0.025;
-    RigidTransform cameraFromBoard; ///< board: origin at the first inner corner, x along columns, y along rows
+    RigidTransform
+        cameraFromBoard; ///< board: origin at the first inner corner, x along columns, y along rows
 };
-Frame renderBoard(const CameraModel &camera, const SimulatedBoard &board, double noiseSigma, std::uint32_t seed);
+Frame renderBoard(const CameraModel &camera, const SimulatedBoard &board, double noiseSigma,
+                  std::uint32_t seed);
 
 } // namespace odo

@@ -24,7 +24,8 @@ struct SimulatedRobot
     std::shared_ptr<const Motion> motion;
 };
 
-/// A flat patch on the floor of any colour: tape, or a distractor of the robot's own colour. Corners in order.
+/// A flat patch on the floor of any colour: tape, or a distractor of the robot's own colour. Corners in
+/// order.
 struct FloorPatch
 {
     RgbColour colour;
@@ -53,14 +54,14 @@ struct Occluder
 /// What a simulated camera adds to the perfect picture.
 struct SensorModel
 {
-    double exposureS = 0.008;        ///< motion blur, averaged over sub-steps
-    double noiseSigma = 2.0;         ///< of 255, luma; chroma the same before subsampling
-    double flickerAmplitude = 0;     ///< of light, 0.05 = ±5 %
+    double exposureS = 0.008;    ///< motion blur, averaged over sub-steps
+    double noiseSigma = 2.0;     ///< of 255, luma; chroma the same before subsampling
+    double flickerAmplitude = 0; ///< of light, 0.05 = ±5 %
     double flickerHz = 100;
-    double gainDriftPerS = 0;        ///< relative, 0.01 = +1 % a second
+    double gainDriftPerS = 0; ///< relative, 0.01 = +1 % a second
     ChromaSiting siting = ChromaSiting::Left;
-    std::vector<std::int64_t> droppedFrames; ///< frames that are never delivered
-    std::vector<std::int64_t> doubledFrames; ///< frames that show the picture before them again
+    std::vector<std::int64_t> droppedFrames; ///< frames, as taken, that are never delivered
+    std::vector<std::int64_t> doubledFrames; ///< frames, as taken, that show the picture before them again
 };
 
 struct SimulatedCamera
@@ -68,23 +69,28 @@ struct SimulatedCamera
     std::string name;
     FloorView view;
     double framesPerSecond = 30;
-    double startOffsetS = 0;   ///< when the first frame is taken, in the scene's time
-    double clockDriftPpm = 0;  ///< the camera's clock runs faster by this much
+    double startOffsetS = 0;  ///< when the first frame is taken, in the scene's time
+    double clockDriftPpm = 0; ///< the camera's clock runs faster by this much
     SensorModel sensor;
 };
 
-/// The floor: a texture of tiles and grain that is the same for a seed, with tags as markers where a layout says.
+/// The floor: a texture of tiles and grain that is the same for a seed, with tags as markers where a layout
+/// says.
 struct SimulatedFloor
 {
-    RgbColour colour{176, 170, 158};
-    double textureAmplitude = 0.06; ///< relative
+    RgbColour colour{182, 177, 166};
+    RgbColour room{92, 100, 110};                           ///< what lies around the floor
+    Eigen::Vector2d lower{-0.35, -0.35}, upper{3.35, 2.55}; ///< opposite corners of the floor
+    double textureAmplitude = 0.06;                         ///< relative
     double tileM = 0.5;
     MarkerLayout markers;
     double markerSideM = 0.16; ///< side of the tag's black square; 0: no markers drawn
     std::vector<FloorPatch> patches;
+    double shadowStrength = 0.35; ///< of the soft shadow where a robot meets the floor; 0: none
 };
 
-/// A whole simulated testbed with known truth. Rendering is deterministic for a seed, whatever the order of frames.
+/// A whole simulated testbed with known truth. Rendering is deterministic for a seed, whatever the order of
+/// frames.
 struct SimulatedScene
 {
     SimulatedFloor floor;
@@ -98,9 +104,14 @@ struct SimulatedScene
 
 /// The camera's own number of delivered frames in the scene's duration.
 std::int64_t frameCount(const SimulatedScene &scene, int camera);
-/// Scene time of the middle of the exposure of delivered frame i.
+/// Number, among the frames the camera took (delivered or not), of the picture that delivered frame i shows;
+/// a doubled frame shows the one taken before it.
+std::int64_t framePicture(const SimulatedScene &scene, int camera, std::int64_t frame);
+/// Scene time of the middle of the exposure of the picture that delivered frame i shows.
 double frameSceneTime(const SimulatedScene &scene, int camera, std::int64_t frame);
 /// The time stamp that the camera gives it (its own, drifting clock), zero at its first frame.
 Nanoseconds frameStamp(const SimulatedScene &scene, int camera, std::int64_t frame);
+/// Scene time at which the camera's clock shows a stamp: where to ask the truth for a time of its recording.
+double sceneTimeOfStamp(const SimulatedScene &scene, int camera, Nanoseconds stamp);
 
 } // namespace odo

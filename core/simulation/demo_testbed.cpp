@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/demo_testbed.h"
+
+#include <cassert>
+
+namespace odo {
+namespace {
+
+constexpr RgbColour red{0xd7, 0x23, 0x28}, blue{0x1f, 0x6f, 0xd0}, green{0x1f, 0x9d, 0x4d};
+
+SimulatedScene sceneWith(std::uint32_t seed, const std::string &robot, RgbColour colour,
+                         std::shared_ptr<const Motion> motion, double durationS)
+{
+    SimulatedScene scene = demoTestbed(seed);
+    scene.durationS = durationS;
+    SimulatedRobot simulated;
+    simulated.name = robot;
+    simulated.colour = colour;
+    simulated.motion = std::move(motion);
+    scene.robots.push_back(std::move(simulated));
+    return scene;
+}
+
+DemoTrial straight()
+{
+    SimulatedScene scene =
+        sceneWith(11, "Red 2", red, makeLineMotion({0.35, 0.55}, {2.65, 1.6}, 1.0, 3.6), 6.0);
+    scene.cameras[1].startOffsetS = 0.011;
+    return {"straight", "Falcon", "Red 2", "Straight line", std::move(scene)};
+}
+
+DemoTrial circle()
+{
+    SimulatedScene scene = sceneWith(12, "Blue 1", blue, makeCircleMotion({1.5, 1.1}, 0.75, 1.1, 1.5), 8.0);
+    scene.cameras[1].startOffsetS = 0.019;
+    return {"circle", "Otter", "Blue 1", "Circle", std::move(scene)};
+}
+
+DemoTrial figureEight()
+{
+    SimulatedScene scene =
+        sceneWith(13, "Green 3", green, makeFigureEightMotion({1.5, 1.1}, 1.05, 0.6, 5.2, 1.2), 10.0);
+    scene.cameras[1].startOffsetS = 0.007;
+    return {"figure-eight", "Lynx", "Green 3", "Figure eight", std::move(scene)};
+}
+
+DemoTrial stopAndGo()
+{
+    SimulatedScene scene =
+        sceneWith(14, "Red 2", red,
+                  makeStopAndGoMotion({{0.45, 0.5}, {2.5, 0.55}, {2.4, 1.7}, {0.6, 1.65}}, 1.9, 0.7), 9.0);
+    // Someone pressed the second camera's button half a second late.
+    scene.cameras[1].startOffsetS = 0.512;
+    return {"stop-and-go", "Falcon", "Red 2", "Stop and go", std::move(scene)};
+}
+
+/// A reflection of the robot's colour beside where the robot is at a time, seen by one camera only.
+Reflection besideRobot(const SimulatedScene &scene, double timeS, double durationS,
+                       const Eigen::Vector2d &offset, double radiusM, int camera)
+{
+    const SimulatedRobot &robot = scene.robots.front();
+    return {robot.colour, robot.motion->at(timeS + durationS / 2).position + offset,
+            radiusM,      timeS,
+            durationS,    camera};
+}
+
+DemoTrial spikes()
+{
+    SimulatedScene scene =
+        sceneWith(15, "Blue 1", blue, makeFigureEightMotion({1.5, 1.1}, 0.95, 0.6, 6.0, 1.2), 10.0);
+    scene.cameras[1].startOffsetS = 0.014;
+    scene.reflections = {besideRobot(scene, 3.25, 0.09, {0.05, 0.24}, 0.11, 0),
+                         besideRobot(scene, 5.10, 0.12, {-0.24, -0.02}, 0.12, 1),
+                         besideRobot(scene, 7.88, 0.08, {0.22, -0.10}, 0.13, 0),
+                         {blue, {2.75, 0.25}, 0.09, 6.4, 0.25, 1}};
+    return {"figure-eight with reflections", "Otter", "Blue 1", "Figure eight", std::move(scene)};
+}
+
+} // namespace
+
+FloorView simulatedView(const Eigen::Vector3d &cameraInWorld, const Eigen::Vector3d &lookAtInWorld,
+                        int widthPx, int heightPx, double focalPx)
+{
+    const Eigen::Vector3d forward = (lookAtInWorld - cameraInWorld).normalized();
+    assert(std::abs(forward.z()) < 0.999);
+    const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
+    Eigen::Matrix3d axes;
+    axes << right, forward.cross(right), forward;
+
+    Intrinsics intrinsics;
+    intrinsics.widthPx = widthPx;
+    intrinsics.heightPx = heightPx;
+    intrinsics.fxPx = focalPx;
+    intrinsics.fyPx = focalPx * 1.001;
+    intrinsics.cxPx = widthPx * 0.5 - 0.5 + 0.006 * widthPx;
+    intrinsics.cyPx = heightPx * 0.5 - 0.5 - 0.008 * heightPx;
+    intrinsics.distortion = {-0.11, 0.035, 0.0004, -0.0003, 0.0};
+    const Result<CameraModel> camera = CameraModel::create(intrinsics);
+    assert(camera.has_value());
+    return {*camera, {Eigen::Quaterniond(axes), cameraInWorld}, Eigen::Matrix<double, 6, 6>::Zero()};
+}
+
+SimulatedScene demoTestbed(std::uint32_t seed)
+{
+    SimulatedScene scene;
+    scene.seed = seed;
+    scene.floor.markers = {"Gym floor", {{"O", {0, 0}}, {"U", {3.0, 0}}, {"V", {0, 2.2}}, {"D", {3.0, 2.2}}}};
+    const Eigen::Vector3d middle(1.5, 1.0, 0.0);
+    SimulatedCamera a{"A", simulatedView({-0.9, -1.5, 2.0}, middle, 1280, 720, 960)};
+    SimulatedCamera b{"B", simulatedView({3.9, -1.5, 2.0}, middle, 1280, 720, 940)};
+    scene.cameras = {std::move(a), std::move(b)};
+    return scene;
+}
+
+std::vector<DemoTrial> demoTrials()
+{
+    std::vector<DemoTrial> trials;
+    trials.push_back(straight());
+    trials.push_back(circle());
+    trials.push_back(figureEight());
+    trials.push_back(stopAndGo());
+    trials.push_back(spikes());
+    return trials;
+}
+
+} // namespace odo

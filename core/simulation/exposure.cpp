@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/exposure.h"
+
+#include "core/simulation/robot_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace odo {
+namespace {
+
+constexpr double subStepPx = 0.5;
+constexpr int mostSubSteps = 48;
+
+/// The share of [from, from + length] that lies in the exposure.
+double shareOfExposure(double timeS, double exposureS, double fromS, double lengthS)
+{
+    if (exposureS <= 0)
+        return timeS >= fromS && timeS < fromS + lengthS ? 1.0 : 0.0;
+    const double start = std::max(fromS, timeS - exposureS / 2),
+                 end = std::min(fromS + lengthS, timeS + exposureS / 2);
+    return std::clamp((end - start) / exposureS, 0.0, 1.0);
+}
+
+class Exposure
+{
+public:
+    Exposure(const SimulatedScene &scene, int camera, const PictureOutline &outline, double timeS)
+        : m_scene(scene), m_camera(camera), m_view(scene.cameras[static_cast<std::size_t>(camera)].view),
+          m_exposureS(scene.cameras[static_cast<std::size_t>(camera)].sensor.exposureS), m_outline(outline),
+          m_timeS(timeS)
+    {
+    }
+
+    std::vector<PaintedThing> things() const
+    {
+        std::vector<PaintedThing> result;
+        for (const Reflection &reflection : m_scene.reflections)
+            if (reflection.camera < 0 || reflection.camera == m_camera)
+                keep(reflectionThing(reflection), result);
+        for (const SimulatedRobot &robot : m_scene.robots)
+            if (m_scene.floor.shadowStrength > 0)
+                keep(shadowThing(robot), result);
+        for (const Standing &standing : farthestFirst())
+            keep(standing.robot ? robotThing(*standing.robot) : occluderThing(*standing.occluder), result);
+        return result;
+    }
+
+private:
+    /// One upright thing on the floor: a robot or an occluder.
+    struct Standing
+    {
+        const SimulatedRobot *robot = nullptr;
+        const Occluder *occluder = nullptr;
+        Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    };
+
+    void keep(PaintedThing thing, std::vector<PaintedThing> &result) const
+    {
+        if (thing.pieces.empty())
+            return;
+        thing.bounds = boundsOf(thing.pieces.front().outline);
+        for (const PaintedPiece &piece : thing.pieces)
+            thing.bounds = thing.bounds.united(boundsOf(piece.outline));
+        thing.bounds = thing.bounds.clipped(m_outline.pictureRect());
+        if (!thing.bounds.isEmpty())
+            result.push_back(std::move(thing));
+    }
+
+    void addPiece(PaintedThing &thing, std::span<const Eigen::Vector3d> corners, const Rgb &colour,
+                  double weight) const
+    {
+        std::vector<Eigen::Vector2d> outline = m_outline.of(corners);
+        if (outline.size() >= 3)
+            thing.pieces.push_back({std::move(outline), colour, weight});
+    }
+
+    PaintedThing reflectionThing(const Reflection &reflection) const
+    {
+        PaintedThing thing;
+        const double share = shareOfExposure(m_timeS, m_exposureS, reflection.startS, reflection.durationS);
+        if (share <= 0)
+            return thing;
+        constexpr int corners = 48;
+        std::vector<Eigen::Vector3d> disc;
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2 * std::numbers::pi * i / corners;
+            disc.emplace_back(reflection.position.x() + reflection.radiusM * std::cos(angle),
+                              reflection.position.y() + reflection.radiusM * std::sin(angle), 0.0);
+        }
+        addPiece(thing, disc, toRgb(reflection.colour), share);
+        return thing;
+    }
+
+    /// The moments at which a moving robot is painted: so many that it moves half a pixel from one to the
+    /// next, each in the middle of its part of the exposure, so that the mean is right to second order.
+    std::vector<double> subSteps(const SimulatedRobot &robot) const
+    {
+        const MotionState start = robot.motion->at(m_timeS - m_exposureS / 2);
+        const MotionState end = robot.motion->at(m_timeS + m_exposureS / 2);
+        const auto pixelOf = [this, &robot](const MotionState &state) {
+            return m_view.pixelFromWorld({state.position.x(), state.position.y(), robot.heightM / 2});
+        };
+        const auto from = pixelOf(start), to = pixelOf(end);
+        if (m_exposureS <= 0 || !from || !to)
+            return {m_timeS};
+        const double turnPx =
+            std::abs(std::remainder(end.headingRad - start.headingRad, 2 * std::numbers::pi)) * 50;
+        const double wayPx = (*to - *from).norm() + turnPx;
+        const int count = std::clamp(static_cast<int>(std::ceil(wayPx / subStepPx)), 1, mostSubSteps);
+        std::vector<double> times;
+        for (int i = 0; i < count; ++i)
+            times.push_back(m_timeS + m_exposureS * ((i + 0.5) / count - 0.5));
+        return times;
+    }
+
+    PaintedThing shadowThing(const SimulatedRobot &robot) const
+    {
+        // Nested outlines whose opacities add up: dark at the foot, fading out over a third of the height.
+        constexpr int rings = 6;
+        PaintedThing thing;
+        const MotionState state = robot.motion->at(m_timeS);
+        for (int i = 0; i < rings; ++i)
+            addPiece(thing, footprint(robot, state, robot.heightM * 0.4 * (i + 0.5) / rings), Rgb::Zero(),
+                     m_scene.floor.shadowStrength / rings);
+        return thing;
+    }
+
+    PaintedThing robotThing(const SimulatedRobot &robot) const
+    {
+        PaintedThing thing;
+        const std::vector<double> times = subSteps(robot);
+        for (const double time : times)
+            for (const BodyFace &face : visibleFaces(robot, robot.motion->at(time), m_view.cameraInWorld()))
+                addPiece(thing, face.corners, face.colour, 1.0 / static_cast<double>(times.size()));
+        return thing;
+    }
+
+    PaintedThing occluderThing(const Occluder &occluder) const
+    {
+        PaintedThing thing;
+        const double share = shareOfExposure(m_timeS, m_exposureS, occluder.startS, occluder.durationS);
+        if (share <= 0)
+            return thing;
+        const Eigen::Vector2d &a = occluder.from, &b = occluder.to;
+        const std::vector<Eigen::Vector3d> board = {{a.x(), a.y(), 0},
+                                                    {b.x(), b.y(), 0},
+                                                    {b.x(), b.y(), occluder.heightM},
+                                                    {a.x(), a.y(), occluder.heightM}};
+        addPiece(thing, board, toRgb(occluder.colour), share);
+        return thing;
+    }
+
+    double distance(const Standing &standing) const
+    {
+        return (standing.middle - m_view.cameraInWorld().head<2>()).norm();
+    }
+
+    /// Whether a must be painted after b. A robot and a board: by the side of the board that the robot is on.
+    bool isBefore(const Standing &a, const Standing &b) const
+    {
+        if ((a.occluder != nullptr) == (b.occluder != nullptr))
+            return distance(a) < distance(b);
+        if (b.occluder)
+            return !isBefore(b, a);
+        const Eigen::Vector2d along = a.occluder->to - a.occluder->from;
+        const Eigen::Vector2d normal(-along.y(), along.x());
+        const Eigen::Vector2d camera = m_view.cameraInWorld().head<2>();
+        return normal.dot(camera - a.middle) * normal.dot(b.middle - a.middle) < 0;
+    }
+
+    std::vector<Standing> farthestFirst() const
+    {
+        std::vector<Standing> left, sorted;
+        for (const SimulatedRobot &robot : m_scene.robots)
+            left.push_back({&robot, nullptr, robot.motion->at(m_timeS).position});
+        for (const Occluder &occluder : m_scene.occluders)
+            left.push_back({nullptr, &occluder, (occluder.from + occluder.to) / 2});
+        while (!left.empty()) {
+            // "Before" is no total order once boards are there: take one that hides nothing of what is left.
+            auto next = std::find_if(left.begin(), left.end(), [&](const Standing &candidate) {
+                return std::none_of(left.begin(), left.end(), [&](const Standing &other) {
+                    return &other != &candidate && isBefore(candidate, other);
+                });
+            });
+            if (next == left.end())
+                next =
+                    std::max_element(left.begin(), left.end(), [this](const Standing &a, const Standing &b) {
+                        return distance(a) < distance(b);
+                    });
+            sorted.push_back(*next);
+            left.erase(next);
+        }
+        return sorted;
+    }
+
+    const SimulatedScene &m_scene;
+    const int m_camera;
+    const FloorView &m_view;
+    const double m_exposureS;
+    const PictureOutline &m_outline;
+    const double m_timeS;
+};
+
+} // namespace
+
+std::vector<PaintedThing> thingsInExposure(const SimulatedScene &scene, int camera,
+                                           const PictureOutline &outline, double timeS)
+{
+    return Exposure(scene, camera, outline, timeS).things();
+}
+
+double gainInExposure(const SensorModel &sensor, double timeS)
+{
+    // The mean of a sine over the exposure is the sine at its middle times sin(x)/x.
+    const double x = std::numbers::pi * sensor.flickerHz * sensor.exposureS;
+    const double smoothing = std::abs(x) < 1e-9 ? 1.0 : std::sin(x) / x;
+    const double flicker =
+        sensor.flickerAmplitude * smoothing * std::sin(2 * std::numbers::pi * sensor.flickerHz * timeS);
+    return (1.0 + sensor.gainDriftPerS * timeS) * (1.0 + flicker);
+}
+
+} // namespace odo

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/motion.h"
+
+#include "core/simulation/smooth_ramp.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace odo {
+namespace {
+
+double headingOf(const Eigen::Vector2d &direction)
+{
+    return std::atan2(direction.y(), direction.x());
+}
+
+class LineMotion : public Motion
+{
+public:
+    LineMotion(Eigen::Vector2d start, Eigen::Vector2d end, double startS, double durationS)
+        : m_start(std::move(start)), m_way(end - m_start), m_startS(startS), m_durationS(durationS)
+    {
+        assert(durationS > 0);
+    }
+
+    MotionState at(double timeS) const override
+    {
+        const RampValue ramp = smoothRamp((timeS - m_startS) / m_durationS);
+        MotionState state;
+        state.position = m_start + ramp.value * m_way;
+        state.velocity = (ramp.first / m_durationS) * m_way;
+        state.acceleration = (ramp.second / (m_durationS * m_durationS)) * m_way;
+        state.headingRad = headingOf(m_way);
+        return state;
+    }
+
+private:
+    const Eigen::Vector2d m_start, m_way;
+    const double m_startS, m_durationS;
+};
+
+/// A point of a closed curve and its derivatives by the phase.
+struct CurvePoint
+{
+    Eigen::Vector2d point, first, second;
+};
+
+/// Runs along a curve whose phase starts from rest: its rate is a smooth ramp of rampS up to the steady rate.
+class CurveMotion : public Motion
+{
+public:
+    CurveMotion(double rateRadPerS, double rampS) : m_rate(rateRadPerS), m_rampS(rampS) { assert(rampS > 0); }
+
+    MotionState at(double timeS) const override
+    {
+        const double u = timeS / m_rampS;
+        const RampValue ramp = smoothRamp(u);
+        const double phase = m_rate * m_rampS * (smoothRampIntegral(u) + std::max(0.0, u - 1.0));
+        const double phaseRate = m_rate * ramp.value;
+        const CurvePoint curve = curveAt(phase);
+        MotionState state;
+        state.position = curve.point;
+        state.velocity = curve.first * phaseRate;
+        state.acceleration =
+            curve.second * (phaseRate * phaseRate) + curve.first * (m_rate * ramp.first / m_rampS);
+        state.headingRad = headingOf(curve.first);
+        return state;
+    }
+
+protected:
+    virtual CurvePoint curveAt(double phase) const = 0;
+
+private:
+    const double m_rate, m_rampS;
+};
+
+class CircleMotion : public CurveMotion
+{
+public:
+    CircleMotion(Eigen::Vector2d centre, double radiusM, double speedMps, double rampS)
+        : CurveMotion(speedMps / radiusM, rampS), m_centre(std::move(centre)), m_radiusM(radiusM)
+    {
+        assert(radiusM > 0);
+    }
+
+protected:
+    CurvePoint curveAt(double phase) const override
+    {
+        const Eigen::Vector2d arm = m_radiusM * Eigen::Vector2d(std::cos(phase), std::sin(phase));
+        return {m_centre + arm, {-arm.y(), arm.x()}, -arm};
+    }
+
+private:
+    const Eigen::Vector2d m_centre;
+    const double m_radiusM;
+};
+
+class FigureEightMotion : public CurveMotion
+{
+public:
+    FigureEightMotion(Eigen::Vector2d centre, double halfWidthM, double halfHeightM, double periodS,
+                      double rampS)
+        : CurveMotion(2.0 * std::numbers::pi / periodS, rampS), m_centre(std::move(centre)),
+          m_halfWidthM(halfWidthM), m_halfHeightM(halfHeightM)
+    {
+        assert(periodS > 0);
+    }
+
+protected:
+    CurvePoint curveAt(double phase) const override
+    {
+        const double a = m_halfWidthM, b = m_halfHeightM;
+        return {m_centre + Eigen::Vector2d(a * std::sin(phase), b * std::sin(2 * phase)),
+                {a * std::cos(phase), 2 * b * std::cos(2 * phase)},
+                {-a * std::sin(phase), -4 * b * std::sin(2 * phase)}};
+    }
+
+private:
+    const Eigen::Vector2d m_centre;
+    const double m_halfWidthM, m_halfHeightM;
+};
+
+/// Each leg is a line motion after a pause; in the pause the robot turns on the spot towards the next leg.
+class StopAndGoMotion : public Motion
+{
+public:
+    StopAndGoMotion(const std::vector<Eigen::Vector2d> &points, double legS, double pauseS)
+        : m_legS(legS), m_pauseS(pauseS)
+    {
+        assert(points.size() >= 2 && legS > 0 && pauseS >= 0);
+        for (std::size_t i = 1; i < points.size(); ++i)
+            m_legs.emplace_back(points[i - 1], points[i], legStart(i - 1), legS);
+    }
+
+    MotionState at(double timeS) const override
+    {
+        // The leg under way, or the one that is next while it pauses.
+        const double last = static_cast<double>(m_legs.size() - 1);
+        const double cycle = m_legS + m_pauseS;
+        const auto leg = static_cast<std::size_t>(std::clamp(std::floor(timeS / cycle), 0.0, last));
+        MotionState state = m_legs[leg].at(timeS);
+        if (leg > 0 && timeS < legStart(leg)) {
+            const double before = m_legs[leg - 1].at(timeS).headingRad;
+            const double turn = std::remainder(state.headingRad - before, 2 * std::numbers::pi);
+            const double u = 1.0 - (legStart(leg) - timeS) / m_pauseS;
+            state.headingRad = before + turn * smoothRamp(u).value;
+        }
+        return state;
+    }
+
+private:
+    double legStart(std::size_t leg) const
+    {
+        return m_pauseS + static_cast<double>(leg) * (m_legS + m_pauseS);
+    }
+
+    const double m_legS, m_pauseS;
+    std::vector<LineMotion> m_legs;
+};
+
+} // namespace
+
+std::shared_ptr<const Motion> makeLineMotion(Eigen::Vector2d start, Eigen::Vector2d end, double startS,
+                                             double durationS)
+{
+    return std::make_shared<LineMotion>(std::move(start), std::move(end), startS, durationS);
+}
+
+std::shared_ptr<const Motion> makeCircleMotion(Eigen::Vector2d centre, double radiusM, double speedMps,
+                                               double rampS)
+{
+    return std::make_shared<CircleMotion>(std::move(centre), radiusM, speedMps, rampS);
+}
+
+std::shared_ptr<const Motion> makeFigureEightMotion(Eigen::Vector2d centre, double halfWidthM,
+                                                    double halfHeightM, double periodS, double rampS)
+{
+    return std::make_shared<FigureEightMotion>(std::move(centre), halfWidthM, halfHeightM, periodS, rampS);
+}
+
+std::shared_ptr<const Motion> makeStopAndGoMotion(std::vector<Eigen::Vector2d> points, double legS,
+                                                  double pauseS)
+{
+    return std::make_shared<StopAndGoMotion>(points, legS, pauseS);
+}
+
+} // namespace odo
