@@ -13,7 +13,8 @@ FloorView simulatedView(const Eigen::Vector3d &cameraInWorld, const Eigen::Vecto
                         int widthPx, int heightPx, double focalPx);
 
 /// The testbed that `odograph demo` and the tests use: two oblique cameras 2 m high, 1280×720, 30 frames/s,
-/// over a floor of about 3 m × 2.2 m with the markers O, U, V, D, no robots yet.
+/// over a floor of about 3 m × 2.2 m with the markers O, U, V, D, no robots yet. The seed is that of
+/// the noise; the floor is always the same.
 SimulatedScene demoTestbed(std::uint32_t seed);
 
 /// One of the demo's trials.

@@ -72,9 +72,9 @@ private:
 class FloorPainter
 {
 public:
-    FloorPainter(const SimulatedFloor &floor, const FloorView &view, std::uint32_t seed)
-        : m_floor(floor), m_view(view), m_outline(view.camera(), view.cameraFromWorld()), m_seed(seed),
-          m_picture(m_outline.pictureRect())
+    FloorPainter(const SimulatedFloor &floor, const FloorView &view)
+        : m_floor(floor), m_view(view), m_outline(view.camera(), view.cameraFromWorld()),
+          m_seed(floor.textureSeed), m_picture(m_outline.pictureRect())
     {
     }
 
@@ -189,9 +189,9 @@ private:
 
 } // namespace
 
-RgbPicture paintFloor(const SimulatedFloor &floor, const FloorView &view, std::uint32_t seed)
+RgbPicture paintFloor(const SimulatedFloor &floor, const FloorView &view)
 {
-    return FloorPainter(floor, view, seed).paint();
+    return FloorPainter(floor, view).paint();
 }
 
 std::vector<Eigen::Vector3d> floorRectangle(const Eigen::Vector2d &lower, const Eigen::Vector2d &upper)

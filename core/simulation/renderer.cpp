@@ -58,7 +58,7 @@ struct SceneRenderer::Impl
     Impl(SimulatedScene theScene, int theCamera)
         : scene(std::move(theScene)), camera(theCamera), settings(checkedCamera(scene, camera)),
           outline(settings.view.camera(), settings.view.cameraFromWorld()),
-          still(paintFloor(scene.floor, settings.view, scene.seed)),
+          still(paintFloor(scene.floor, settings.view)),
           sensor(settings.sensor, outline.pictureRect().x1, outline.pictureRect().y1,
                  randomHash(scene.seed, static_cast<std::uint64_t>(camera)))
     {

@@ -78,6 +78,7 @@ struct SimulatedCamera
 /// says.
 struct SimulatedFloor
 {
+    std::uint32_t textureSeed = 1; ///< not the scene's: trials with other noise share their floor
     RgbColour colour{182, 177, 166};
     RgbColour room{92, 100, 110};                           ///< what lies around the floor
     Eigen::Vector2d lower{-0.35, -0.35}, upper{3.35, 2.55}; ///< opposite corners of the floor

@@ -2,7 +2,6 @@
 #include "core/simulation/tag_pattern.h"
 
 #include <apriltag/apriltag.h>
-#include <apriltag/common/image_u8.h>
 #include <apriltag/tag36h11.h>
 #include <cassert>
 #include <memory>
@@ -15,12 +14,15 @@ TagPattern aprilTagPattern(int id)
     const std::unique_ptr<apriltag_family_t, decltype(&tag36h11_destroy)> family(tag36h11_create(),
                                                                                  tag36h11_destroy);
     assert(id >= 0 && static_cast<std::uint32_t>(id) < family->ncodes);
-    const std::unique_ptr<image_u8_t, decltype(&image_u8_destroy)> image(apriltag_to_image(family.get(), id),
-                                                                         image_u8_destroy);
-    TagPattern pattern{image->width, {}};
-    for (int y = 0; y < image->height; ++y)
-        for (int x = 0; x < image->width; ++x)
-            pattern.black.push_back(image->buf[y * image->stride + x] < 128);
+    const int side = family->total_width, rim = (family->total_width - family->width_at_border) / 2;
+    TagPattern pattern{side, std::vector<bool>(static_cast<std::size_t>(side * side), false)};
+    const auto cell = [&](int column, int row) { return pattern.black.begin() + row * side + column; };
+    for (int row = rim; row < side - rim; ++row)
+        std::fill_n(cell(rim, row), side - 2 * rim, true);
+    const std::uint64_t code = family->codes[id];
+    for (std::uint32_t i = 0; i < family->nbits; ++i)
+        if (code >> (family->nbits - i - 1) & 1)
+            *cell(static_cast<int>(family->bit_x[i]) + rim, static_cast<int>(family->bit_y[i]) + rim) = false;
     return pattern;
 }
 
