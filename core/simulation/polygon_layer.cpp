@@ -46,26 +46,34 @@ void PolygonLayer::addEdge(Eigen::Vector2d from, Eigen::Vector2d to, const Rgb &
     const double slope = (to.x() - from.x()) / (to.y() - from.y());
     const double top = std::max(from.y(), 0.0),
                  bottom = std::min(to.y(), static_cast<double>(m_rect.height()));
-    const double width = m_rect.width();
     for (double y = top; y < bottom;) {
         const int row = static_cast<int>(y);
         const double next = std::min(row + 1.0, bottom);
-        const double xa = std::clamp(from.x() + (y - from.y()) * slope, 0.0, width);
-        const double xb = std::clamp(from.x() + (next - from.y()) * slope, 0.0, width);
-        addSpan(m_changes.data() + static_cast<std::ptrdiff_t>(row) * m_stride, std::min(xa, xb),
-                std::max(xa, xb), direction * (next - y), premultiplied);
+        addSpan(m_changes.data() + static_cast<std::ptrdiff_t>(row) * m_stride,
+                from.x() + (y - from.y()) * slope, from.x() + (next - from.y()) * slope,
+                direction * (next - y), premultiplied);
         y = next;
     }
 }
 
-void PolygonLayer::addSpan(Rgb *row, double x0, double x1, double cover, const Rgb &premultiplied) const
+void PolygonLayer::addSpan(Rgb *row, double xa, double xb, double cover, const Rgb &premultiplied) const
 {
-    // To the right of the edge all of `cover`; in the pixels it crosses the part that lies to its right. The
-    // covered part as a function of the pixel's right border is the integral of the edge's distribution along
-    // x.
+    const auto put = [&](int x, double change) { row[x] += premultiplied * static_cast<float>(change); };
+    // What is cut off on the left covers the whole row, what is cut off on the right nothing.
+    const double width = m_rect.width(), length = std::abs(xb - xa);
+    const double x0 = std::clamp(std::min(xa, xb), 0.0, width), x1 = std::clamp(std::max(xa, xb), 0.0, width);
+    if (x1 - x0 < length) {
+        const double cutOff = std::clamp(-std::min(xa, xb), 0.0, length);
+        put(0, cover * cutOff / length);
+        cover *= (x1 - x0) / length;
+    } else if (std::max(xa, xb) <= 0 || std::min(xa, xb) >= width) {
+        put(0, xa < width ? cover : 0.0);
+        return;
+    }
+    // To the right of the edge all of `cover`; in the pixels it crosses the part that lies to its right, for
+    // an edge that is spread evenly over [x0, x1].
     const int first = static_cast<int>(x0);
     const int last = std::min(static_cast<int>(x1), m_rect.width());
-    const auto put = [&](int x, double change) { row[x] += premultiplied * static_cast<float>(change); };
     if (first == last) {
         const double right = first + 1 - 0.5 * (x0 + x1);
         put(first, cover * right);
@@ -75,7 +83,6 @@ void PolygonLayer::addSpan(Rgb *row, double x0, double x1, double cover, const R
     const double density = 1.0 / (x1 - x0);
     double before = 0; // coverage of the pixel to the left
     for (int x = first; x <= last; ++x) {
-        // Area to the right of the edge within [x, x+1], for an edge that is spread evenly over [x0, x1].
         const double a = std::max(x0, static_cast<double>(x)), b = std::min(x1, x + 1.0);
         const double reached = (a - x0) * density;
         const double share = (b - a) * density;

@@ -27,7 +27,7 @@ public:
 
 private:
     void addEdge(Eigen::Vector2d from, Eigen::Vector2d to, const Rgb &premultiplied);
-    void addSpan(Rgb *row, double x0, double x1, double cover, const Rgb &premultiplied) const;
+    void addSpan(Rgb *row, double xa, double xb, double cover, const Rgb &premultiplied) const;
 
     PixelRect m_rect;
     int m_stride;

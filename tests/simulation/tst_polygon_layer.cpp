@@ -64,7 +64,7 @@ private Q_SLOTS:
                 triangle.emplace_back(place(random), place(random)); // often partly outside
             const RgbPicture picture = painted({0, 0, 20, 20}, {triangle});
             for (int y = 0; y < 20; ++y) {
-                for (int x = 1; x < 20; ++x) {
+                for (int x = 0; x < 20; ++x) {
                     constexpr int n = 24;
                     int hits = 0;
                     for (int j = 0; j < n; ++j)

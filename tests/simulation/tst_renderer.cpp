@@ -74,31 +74,44 @@ bool isInside(const BodyFace &face, const Eigen::Vector3d &normal, const Eigen::
     return std::abs(sides) == count;
 }
 
-/// The same centroid from first principles: 10 × 10 rays a pixel, back through the lens and onto the faces.
+/// What the V plane shows of a colour: whole numbers, which weigh the faces of a flat colour a little
+/// differently.
+double rednessOf(const Rgb &colour)
+{
+    const double r = static_cast<double>(colour[0]);
+    const double luma =
+        0.299 * r + 0.587 * static_cast<double>(colour[1]) + 0.114 * static_cast<double>(colour[2]);
+    return std::round(224.0 / 255.0 / 1.402 * (r - luma));
+}
+
+/// The same centroid from first principles: rays through each pixel, back through the lens and onto the
+/// faces.
 Eigen::Vector2d rayCastCentroid(const SimulatedScene &scene, int camera, double timeS)
 {
     const FloorView &view = scene.cameras[static_cast<std::size_t>(camera)].view;
     const SimulatedRobot &robot = scene.robots.front();
-    const MotionState state = robot.motion->at(timeS);
-    const std::vector<BodyFace> faces = visibleFaces(robot, state, view.cameraInWorld());
-    const Eigen::Vector2d near =
-        *view.pixelFromWorld({state.position.x(), state.position.y(), robot.heightM / 2});
-    const Eigen::Vector2i middle = near.array().round().cast<int>();
+    const std::vector<BodyFace> faces = visibleFaces(robot, robot.motion->at(timeS), view.cameraInWorld());
+    Eigen::Vector2d lower(1e9, 1e9), upper(-1e9, -1e9);
+    for (const BodyFace &face : faces) {
+        for (const Eigen::Vector3d &corner : face.corners) {
+            lower = lower.cwiseMin(*view.pixelFromWorld(corner)).array().floor().matrix();
+            upper = upper.cwiseMax(*view.pixelFromWorld(corner)).array().ceil().matrix();
+        }
+    }
     Eigen::Vector2d moment = Eigen::Vector2d::Zero();
     double weight = 0;
-    constexpr int n = 10, reach = 75;
-    for (int j = -reach * n; j <= reach * n; ++j) {
-        for (int i = -reach * n; i <= reach * n; ++i) {
-            const Eigen::Vector2d pixel(middle.x() + (i + 0.5) / n, middle.y() + (j + 0.5) / n);
-            const Eigen::Vector3d ray = view.worldFromCamera().rotation * *view.camera().unproject(pixel);
+    constexpr double step = 1.0 / 6;
+    for (double y = lower.y() - 2 + step / 2; y < upper.y() + 2; y += step) {
+        for (double x = lower.x() - 2 + step / 2; x < upper.x() + 2; x += step) {
+            const Eigen::Vector3d ray = view.worldFromCamera().rotation * *view.camera().unproject({x, y});
             for (const BodyFace &face : faces) {
                 const Eigen::Vector3d normal =
                     (face.corners[1] - face.corners[0]).cross(face.corners[2] - face.corners[1]);
                 const double along = normal.dot(face.corners[0] - view.cameraInWorld()) / normal.dot(ray);
                 if (!isInside(face, normal, view.cameraInWorld() + along * ray))
                     continue;
-                weight += static_cast<double>(face.colour[0]);
-                moment += static_cast<double>(face.colour[0]) * pixel;
+                weight += rednessOf(face.colour);
+                moment += rednessOf(face.colour) * Eigen::Vector2d(x, y);
                 break;
             }
         }
@@ -115,12 +128,12 @@ bool sameBytes(const Frame &a, const Frame &b)
     return same(a.y, b.y) && same(a.u, b.u) && same(a.v, b.v);
 }
 
-int countOf(const Frame &frame, bool isRed)
+int countOf(const Frame &frame, bool isRed, int threshold = 32)
 {
     int count = 0;
     for (int y = 0; y < frame.v.height; ++y)
         for (int x = 0; x < frame.v.width; ++x)
-            count += (isRed ? frame.v.at(x, y) : frame.u.at(x, y)) > 160;
+            count += (isRed ? frame.v.at(x, y) : frame.u.at(x, y)) > 128 + threshold;
     return count;
 }
 
@@ -169,8 +182,8 @@ private Q_SLOTS:
         // 2.1 m/s over 12 ms smear it over some 8 px; how much the perspective bends that is far below 0.03
         // px.
         QVERIFY((chromaCentroid(frame) - sharp).norm() < 0.03);
-        scene.cameras[0].sensor.exposureS = 0.004;
-        QVERIFY(countOf(frame, true) > countOf(SceneRenderer(scene, 0).render(30), true));
+        scene.cameras[0].sensor.exposureS = 0;
+        QVERIFY(countOf(frame, true, 1) > countOf(SceneRenderer(scene, 0).render(30), true, 1) + 10);
     }
 
     void aCylinderHasItsArea()
@@ -275,7 +288,7 @@ private Q_SLOTS:
         const double lit = 219.0 / 255 * 128;
         const double expected[] = {0.0, 0.05, 0.0, -0.05};
         for (int i = 0; i < 4; ++i)
-            QVERIFY(std::abs(renderer.render(i).y.at(640, 700) - (16 + lit * (1 + expected[i]))) < 0.6);
+            QVERIFY(std::abs(renderer.render(i).y.at(640, 400) - (16 + lit * (1 + expected[i]))) < 0.6);
     }
 
     void markersAreWhereTheLayoutSays()
@@ -285,6 +298,7 @@ private Q_SLOTS:
         const auto detector = apriltag_detector_create();
         apriltag_detector_add_family(detector, family);
         detector->quad_decimate = 1.f;
+        double sum = 0;
         for (int camera = 0; camera < 2; ++camera) {
             const Frame frame = SceneRenderer(scene, camera).render(0);
             image_u8_t image = {frame.y.width, frame.y.height, static_cast<std::int32_t>(frame.y.stride),
@@ -300,12 +314,15 @@ private Q_SLOTS:
                     scene.cameras[static_cast<std::size_t>(camera)].view.pixelFromWorld({at.x(), at.y(), 0});
                 // The library's pixel centres are at one half.
                 const Eigen::Vector2d seen(tag->c[0] - 0.5, tag->c[1] - 0.5);
-                QVERIFY2((seen - *truth).norm() < 0.1,
-                         qPrintable(
-                             QStringLiteral("tag %1 off by %2 px").arg(tag->id).arg((seen - *truth).norm())));
+                // The farthest tag is 34 × 18 px: the detector's own error there is 0.2 px, with or without
+                // noise.
+                const double error = (seen - *truth).norm();
+                QVERIFY2(error < 0.3, qPrintable(QStringLiteral("tag %1: %2 px").arg(tag->id).arg(error)));
+                sum += error;
             }
             apriltag_detections_destroy(found);
         }
+        QVERIFY(sum / 8 < 0.12);
         apriltag_detector_destroy(detector);
         tag36h11_destroy(family);
     }
