@@ -7,6 +7,7 @@
 #include "core/trajectory/metrics.h"
 #include "core/trajectory/profile_points.h"
 #include "core/trajectory/spike_flags.h"
+#include "core/trajectory/view_alignment.h"
 #include "core/trajectory/view_interpolation.h"
 
 #include <algorithm>
@@ -159,8 +160,10 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
 
     const Plane plane = choosePlane(views, times, shape);
     const FusionSettings settings{plane.sigmaM};
-    FusedTrack track = fuseViews(times, frames, lookFromAllViews(views, times, plane.heightM), settings);
+    const auto sightings = lookFromAllViews(views, times, plane.heightM);
+    FusedTrack track = fuseViews(times, frames, sightings, settings);
     chooseByMotion(track, settings, options.longestBridgedGap);
+    alignSingleViews(track, sightings);
     const MotionNoise noise = flagSpikes(track.samples, options);
 
     Profile profile;

@@ -164,6 +164,30 @@ private Q_SLOTS:
         QVERIFY(!wrong || wrong->meanViewDisagreementM > 0.05 || wrong->spikes.size() > 50);
     }
 
+    void losingAViewMakesNoJump()
+    {
+        // B is registered 12 mm beside A; it loses the robot for a second, and here and there for a frame or
+        // two.
+        std::mt19937 random(45);
+        const Course course = figureEight(1.1, 0.7, 7);
+        const auto a = film("A", cameraA(), course, {}, random);
+        auto b = film("B", cameraB(), course, {}, random);
+        RigidTransform pose = cameraB().worldFromCamera();
+        pose.translation += Eigen::Vector3d(0.010, -0.006, 0);
+        b.floorView = FloorView(cameraB().camera(), pose, Eigen::Matrix<double, 6, 6>::Zero());
+        for (std::size_t i = 100; i < 130; ++i)
+            b.observations[i].found = false;
+        for (const std::size_t i : {40u, 41u, 60u, 180u, 200u, 201u, 202u, 240u})
+            b.observations[i].found = false;
+        const auto profile = analyse({a, b}, told, {});
+        QVERIFY(profile.has_value());
+        QCOMPARE(profile->spikes.size(), std::size_t(0));
+        QCOMPARE(profile->samples[115].views, 1u);
+        const Errors errors = errorsOf(*profile, course);
+        QVERIFY2(errors.velocityMps < 0.015, qPrintable(QString::number(errors.velocityMps)));
+        QVERIFY(errors.positionM < 0.009);
+    }
+
     void theHeightIsFoundWhenNotTold()
     {
         std::mt19937 random(47);
