@@ -166,14 +166,14 @@ private Q_SLOTS:
 
     void losingAViewMakesNoJump()
     {
-        // B is registered 12 mm beside A; it loses the robot for a second, and here and there for a frame or
-        // two.
+        // B is registered 12 mm off, across its line of sight, where it counts most; it loses the robot for a
+        // second, and here and there for a frame or two.
         std::mt19937 random(45);
         const Course course = figureEight(1.1, 0.7, 7);
         const auto a = film("A", cameraA(), course, {}, random);
         auto b = film("B", cameraB(), course, {}, random);
         RigidTransform pose = cameraB().worldFromCamera();
-        pose.translation += Eigen::Vector3d(0.010, -0.006, 0);
+        pose.translation += Eigen::Vector3d(0.008, 0.009, 0);
         b.floorView = FloorView(cameraB().camera(), pose, Eigen::Matrix<double, 6, 6>::Zero());
         for (std::size_t i = 100; i < 130; ++i)
             b.observations[i].found = false;
@@ -184,8 +184,15 @@ private Q_SLOTS:
         QCOMPARE(profile->spikes.size(), std::size_t(0));
         QCOMPARE(profile->samples[115].views, 1u);
         const Errors errors = errorsOf(*profile, course);
-        QVERIFY2(errors.velocityMps < 0.015, qPrintable(QString::number(errors.velocityMps)));
-        QVERIFY(errors.positionM < 0.009);
+        double worst = 0;
+        for (std::size_t i = 90; i < 140; ++i)
+            worst = std::max(
+                worst, (profile->points[i].velocity - course(static_cast<double>(i) / 30).velocity).norm());
+        qInfo("worst velocity error around the loss %.1f mm/s, RMS %.1f mm/s", worst * 1e3,
+              errors.velocityMps * 1e3);
+        QVERIFY(worst < 0.030);
+        QVERIFY(errors.velocityMps < 0.015);
+        QVERIFY(errors.positionM < 0.013); // what the registration is off
     }
 
     void theHeightIsFoundWhenNotTold()
