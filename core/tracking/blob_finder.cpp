@@ -72,10 +72,14 @@ void BlobFinder::findRuns(const ChromaGrid &grid, const ChromaTable &table, cons
             if (weight < ChromaTable::threshold)
                 continue;
             if (m_runs.size() > rowBegin && x - m_runs.back().last <= reach) {
-                m_runs.back().last = x;
-                m_runs.back().weight += weight;
+                Run &run = m_runs.back();
+                run.last = x;
+                ++run.taken;
+                run.weight += weight;
+                run.sumU += u[x];
+                run.sumV += v[x];
             } else {
-                m_runs.push_back({y, x, x, 0, weight});
+                m_runs.push_back({y, x, x, 0, 1, weight, u[x], v[x]});
             }
         }
         const std::size_t rowEnd = m_runs.size();
@@ -108,7 +112,10 @@ void BlobFinder::gatherBlobs(int step)
         blob.sumXX += n * mid * mid + step * step * n * (n * n - 1) / 12.0;
         blob.sumXY += n * mid * run.y;
         blob.sumYY += n * run.y * static_cast<double>(run.y);
+        blob.visited += run.taken;
         blob.weight += run.weight;
+        blob.sumU += run.sumU;
+        blob.sumV += run.sumV;
         blob.box = {std::min(blob.box.left, run.first), blob.box.top, std::max(blob.box.right, run.last + 1),
                     run.y + 1};
     }

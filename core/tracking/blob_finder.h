@@ -12,7 +12,9 @@ struct Blob
 {
     double count = 0; ///< of visited samples; times step² it is the area
     double sumX = 0, sumY = 0, sumXX = 0, sumXY = 0, sumYY = 0;
-    double weight = 0; ///< sum of the table's weights, each 0 to 255
+    double visited = 0;        ///< count without the samples that noise took out of a run
+    double weight = 0;         ///< sum of the table's weights, each 0 to 255
+    double sumU = 0, sumV = 0; ///< of the code values
     ChromaRect box;
     int label = 0;
     int step = 1;
@@ -21,7 +23,8 @@ struct Blob
     Eigen::Vector2d centre() const { return {sumX / count, sumY / count}; }
     /// Second central moments, with those of each sample's own square.
     Eigen::Matrix2d covariance() const;
-    double meanWeight() const { return weight / (255.0 * count); }
+    double meanWeight() const { return weight / (255.0 * visited); }
+    Chroma meanChroma() const { return {sumU / visited - 128.0, sumV / visited - 128.0}; }
 };
 
 /// Marks which samples of a rectangle belong to a region. The memory is kept from use to use.
@@ -58,8 +61,8 @@ public:
 private:
     struct Run
     {
-        int y, first, last, label; ///< samples first to last, both inside
-        int weight;
+        int y, first, last, label;     ///< samples first to last, both inside
+        int taken, weight, sumU, sumV; ///< number of samples that passed, and their sums
     };
     int rootOf(int label);
     int joinWithRowAbove(const Run &run, std::size_t &above, std::size_t aboveEnd, int step);

@@ -81,7 +81,7 @@ float ChromaDensity::interpolated(const Chroma &chroma) const
            fu * ((1 - fv) * p[binsPerAxis] + fv * p[binsPerAxis + 1]);
 }
 
-ChromaDensity ChromaDensity::underOtherLight(double low, double high, double scale, double turnRad) const
+ChromaDensity ChromaDensity::underOtherLight(double low, double high) const
 {
     std::array<double, lightSteps> light;
     std::array<float, lightSteps> trust;
@@ -90,15 +90,24 @@ ChromaDensity ChromaDensity::underOtherLight(double low, double high, double sca
         light[i] = std::exp(std::log(low) + part * std::log(high / low));
         trust[i] = static_cast<float>(1.0 - 0.6 * std::abs(2 * part - 1));
     }
-    const double c = std::cos(-turnRad), s = std::sin(-turnRad);
     ChromaDensity result;
     for (std::size_t bin = 0; bin < binCount; ++bin) {
-        const Chroma seen = centreOf(bin) / scale;
-        const Chroma turned(c * seen.x() - s * seen.y(), s * seen.x() + c * seen.y());
+        const Chroma seen = centreOf(bin);
         float best = 0;
         for (int i = 0; i < lightSteps; ++i)
-            best = std::max(best, trust[i] * interpolated(turned / light[i]));
+            best = std::max(best, trust[i] * interpolated(seen / light[i]));
         result.m_bins[bin] = best;
+    }
+    return result;
+}
+
+ChromaDensity ChromaDensity::transformed(double scale, double turnRad) const
+{
+    const double c = std::cos(turnRad) / scale, s = std::sin(turnRad) / scale;
+    ChromaDensity result;
+    for (std::size_t bin = 0; bin < binCount; ++bin) {
+        const Chroma seen = centreOf(bin);
+        result.m_bins[bin] = interpolated({c * seen.x() + s * seen.y(), c * seen.y() - s * seen.x()});
     }
     return result;
 }

@@ -33,11 +33,13 @@ public:
     void normalise();
     /// Convolves with the binomial kernel (1 2 1)/4 along both axes, as often as told.
     void blur(int times);
-    /// The density as light that is dimmer or brighter would show it: at each chroma the highest value that
-    /// the density has along the same ray between 1/high and 1/low times as far out; extreme light counts for
-    /// less. Then turned by turnRad and scaled as a whole. The maximum instead of the sum keeps a dim side of
-    /// a robot as likely as a lit one.
-    ChromaDensity underOtherLight(double low, double high, double scale, double turnRad) const;
+    /// The density as dimmer or brighter light would show it: at each chroma the highest value that the
+    /// density has along the same ray between 1/high and 1/low times as far out; extreme light counts for
+    /// less. The maximum instead of the sum keeps a dim side of a robot as likely as a lit one.
+    ChromaDensity underOtherLight(double low, double high) const;
+    /// The density with every chroma made `scale` times as saturated and its hue turned. Values are kept, not
+    /// the sum.
+    ChromaDensity transformed(double scale, double turnRad) const;
     /// Bhattacharyya coefficient of two normalised densities: 1 for equal ones, 0 for disjoint ones.
     double overlap(const ChromaDensity &other) const;
 

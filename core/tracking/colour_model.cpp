@@ -28,7 +28,7 @@ Chroma ColourModel::expected() const
 
 ChromaDensity ColourModel::density() const
 {
-    ChromaDensity now = m_learned ? m_density.underOtherLight(0.9, 1.1, m_scale, m_turnRad) : m_density;
+    ChromaDensity now = m_learned ? m_density.transformed(m_scale, m_turnRad) : m_density;
     now.normalise();
     return now;
 }
@@ -58,6 +58,7 @@ void ColourModel::learn(const ChromaGrid &grid, const RegionMask &mask, const Ch
     }
     m_density.normalise();
     m_density.blur(2);
+    m_smeared = m_density.underOtherLight(dimmer, brighter);
     m_mean = mean;
     m_learned = true;
     m_scale = 1;
@@ -77,8 +78,7 @@ bool ColourModel::follow(const Chroma &seen)
 
 void ColourModel::buildTable(const ChromaDensity &background)
 {
-    m_table = {m_density.underOtherLight(dimmer, brighter, m_scale, m_turnRad), background,
-               static_cast<float>(learnedDoubt)};
+    m_table = {m_smeared.transformed(m_scale, m_turnRad), background, static_cast<float>(learnedDoubt)};
     m_tableScale = m_scale;
     m_tableTurnRad = m_turnRad;
 }

@@ -37,7 +37,8 @@ public:
 private:
     Chroma m_told = Chroma::Zero(), m_mean = Chroma::Zero();
     bool m_learned = false;
-    ChromaDensity m_density;
+    ChromaDensity m_density;           ///< as learned
+    ChromaDensity m_smeared;           ///< the same under other light
     double m_scale = 1, m_turnRad = 0; ///< of the present colour against the learned one
     double m_tableScale = 1, m_tableTurnRad = 0;
     ChromaTable m_table;

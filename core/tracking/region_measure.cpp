@@ -43,13 +43,6 @@ struct RegionMeasure::Sums
     }
 };
 
-int RegionMeasure::classAt(int x, int y) const
-{
-    if (!m_area.contains(x, y))
-        return outsideClass;
-    return m_classes[static_cast<std::size_t>(y - m_area.top) * m_area.width() + (x - m_area.left)];
-}
-
 void RegionMeasure::classify(const RegionMask &mask)
 {
     m_area = mask.area;
@@ -68,6 +61,38 @@ void RegionMeasure::classify(const RegionMask &mask)
             c[x] = static_cast<std::uint8_t>(any + all);
         }
     }
+}
+
+/// Mean chroma of the samples inside, and their noise from the differences of neighbours, which shading
+/// leaves alone.
+void RegionMeasure::readColour(const ChromaGrid &grid, const Blob &blob, const Chroma &expected,
+                               RegionShape &shape) const
+{
+    // Every other row will do for a large region.
+    const int step = blob.box.height() > 24 ? 2 : 1;
+    std::int64_t n = 0, sumU = 0, sumV = 0, pairs = 0, squares = 0;
+    for (int y = blob.box.top; y < blob.box.bottom; y += step) {
+        const std::uint8_t *c = rowOfClasses(y);
+        const std::uint8_t *u = grid.u.row(y), *v = grid.v.row(y);
+        int rowN = 0, rowU = 0, rowV = 0, rowPairs = 0, rowSquares = 0;
+        for (int x = blob.box.left; x < blob.box.right - 1; ++x) {
+            const int inside = c[x] >> 1, both = inside & (c[x + 1] >> 1);
+            const int du = u[x + 1] - u[x], dv = v[x + 1] - v[x];
+            rowN += inside;
+            rowU += inside * u[x];
+            rowV += inside * v[x];
+            rowPairs += both;
+            rowSquares += both * (du * du + dv * dv);
+        }
+        n += rowN, sumU += rowU, sumV += rowV, pairs += rowPairs, squares += rowSquares;
+    }
+    const auto count = static_cast<double>(n);
+    shape.colour =
+        n > 0 ? Chroma(static_cast<double>(sumU) / count - 128.0, static_cast<double>(sumV) / count - 128.0)
+              : expected;
+    const double variance =
+        pairs > 0 ? static_cast<double>(squares) / (4.0 * static_cast<double>(pairs)) : 4.0;
+    shape.noise = std::max(leastNoise, std::sqrt(variance));
 }
 
 void RegionMeasure::addInside(const ChromaGrid &grid, const Blob &blob, Sums &sums) const
@@ -95,54 +120,75 @@ void RegionMeasure::addInside(const ChromaGrid &grid, const Blob &blob, Sums &su
     }
 }
 
+/// Walks from sample (x, y) along a direction (in 1/256 samples a step) and gives the sum of the first two
+/// samples of the wanted class; false when there are none near. Whole numbers only: this is the innermost
+/// loop.
+bool RegionMeasure::findReference(const ChromaGrid &grid, int x, int y, int stepX, int stepY, int wanted,
+                                  EdgeReference &reference) const
+{
+    const auto inPicture = [&grid](int px, int py) {
+        return static_cast<unsigned>(px) < static_cast<unsigned>(grid.u.width) &&
+               static_cast<unsigned>(py) < static_cast<unsigned>(grid.u.height);
+    };
+    int fineX = (x << 8) + 128, fineY = (y << 8) + 128;
+    for (int r = 1; r <= farthestReference; ++r) {
+        fineX += stepX, fineY += stepY;
+        const int px = fineX >> 8, py = fineY >> 8;
+        if (!inPicture(px, py))
+            return false;
+        if (classAt(px, py) != wanted)
+            continue;
+        int qx = (fineX + stepX) >> 8, qy = (fineY + stepY) >> 8;
+        if (!inPicture(qx, qy) || classAt(qx, qy) != wanted)
+            qx = px, qy = py;
+        reference.u = 0.5f * static_cast<float>(grid.u.at(px, py) + grid.u.at(qx, qy));
+        reference.v = 0.5f * static_cast<float>(grid.v.at(px, py) + grid.v.at(qx, qy));
+        return true;
+    }
+    return false;
+}
+
+bool RegionMeasure::isBackground(float du, float dv, const EdgeReference &in, const EdgeReference &out)
+{
+    const float cu = in.u - out.u, cv = in.v - out.v;
+    return du * cu + dv * cv < static_cast<float>(0.5 * alphaLow) * (cu * cu + cv * cv);
+}
+
 void RegionMeasure::addEdge(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
-                            const Chroma &inside, double noise, Sums &sums) const
+                            const RegionShape &shape, Sums &sums) const
 {
     const Eigen::Vector2d centre = blob.centre();
-    const Eigen::Matrix2d inverse = blob.covariance().inverse();
-    const ChromaRect bounds = grid.bounds();
-    const ChromaRect area = m_area.clippedTo(bounds);
-    const double noiseOfAlpha = referenceNoise * noise * noise / (alphaRange * alphaRange);
-
-    // The mean of the first two samples along the normal that are wholly of the wanted class; false when
-    // there are none near.
-    const auto reference = [&](double x, double y, double nx, double ny, int wanted, Chroma &mean) {
-        for (int r = 1; r <= farthestReference; ++r) {
-            const int sx = static_cast<int>(std::lround(x + r * nx)),
-                      sy = static_cast<int>(std::lround(y + r * ny));
-            if (!bounds.contains(sx, sy))
-                return false;
-            if (classAt(sx, sy) != wanted)
-                continue;
-            const int tx = static_cast<int>(std::lround(x + (r + 1) * nx));
-            const int ty = static_cast<int>(std::lround(y + (r + 1) * ny));
-            const bool both = bounds.contains(tx, ty) && classAt(tx, ty) == wanted;
-            mean = both ? Chroma((grid.at(sx, sy) + grid.at(tx, ty)) / 2) : grid.at(sx, sy);
-            return true;
-        }
-        return false;
-    };
-
+    const Eigen::Matrix2f inverse = blob.covariance().inverse().cast<float>();
+    const EdgeReference wholeInside{static_cast<float>(shape.colour.x() + 128),
+                                    static_cast<float>(shape.colour.y() + 128)};
+    const double noiseOfAlpha = referenceNoise * shape.noise * shape.noise / (alphaRange * alphaRange);
+    const ChromaRect area = m_area.clippedTo(grid.bounds());
     for (int y = area.top; y < area.bottom; ++y) {
-        const std::uint8_t *c =
-            m_classes.data() + static_cast<std::ptrdiff_t>(y - m_area.top) * m_area.width();
+        const std::uint8_t *c = rowOfClasses(y);
+        const std::uint8_t *m = mask.row(y) - mask.area.left;
         for (int x = area.left; x < area.right; ++x) {
-            if (c[x - m_area.left] != edgeClass)
+            if (c[x] != edgeClass)
                 continue;
             const double dx = x - centre.x(), dy = y - centre.y();
-            double nx = inverse(0, 0) * dx + inverse(0, 1) * dy, ny = inverse(1, 0) * dx + inverse(1, 1) * dy;
-            const double length = std::hypot(nx, ny);
-            nx /= length, ny /= length;
-            Chroma in, out;
-            double alpha = mask.at(x, y) ? 1.0 : 0.0;
-            if (length > 0 && reference(x, y, nx, ny, outsideClass, out)) {
-                if (!reference(x, y, -nx, -ny, insideClass, in))
-                    in = inside;
-                const Chroma contrast = in - out;
-                const double squared = contrast.squaredNorm();
+            const auto fx = static_cast<float>(dx), fy = static_cast<float>(dy);
+            const float nx = inverse(0, 0) * fx + inverse(0, 1) * fy,
+                        ny = inverse(1, 0) * fx + inverse(1, 1) * fy;
+            const float unit = 256.0f / std::sqrt(std::max(nx * nx + ny * ny, 1e-20f));
+            const int stepX = static_cast<int>(nx * unit), stepY = static_cast<int>(ny * unit);
+            EdgeReference in, out;
+            double alpha = m[x];
+            if (findReference(grid, x, y, stepX, stepY, outsideClass, out)) {
+                // So like the background that not even a side of half the robot's chroma would show: most
+                // outer samples.
+                if (isBackground(grid.u.at(x, y) - out.u, grid.v.at(x, y) - out.v, wholeInside, out))
+                    continue;
+                if (!findReference(grid, x, y, -stepX, -stepY, insideClass, in))
+                    in = wholeInside;
+                const float du = in.u - out.u, dv = in.v - out.v;
+                const float squared = du * du + dv * dv;
                 if (squared >= leastContrast * leastContrast) {
-                    const double linear = (grid.at(x, y) - out).dot(contrast) / squared;
-                    alpha = std::clamp((linear - alphaLow) / alphaRange, 0.0, 1.0);
+                    const float along = (grid.u.at(x, y) - out.u) * du + (grid.v.at(x, y) - out.v) * dv;
+                    alpha = std::clamp((along / squared - alphaLow) / alphaRange, 0.0, 1.0);
                     if (alpha > 0 && alpha < 1)
                         sums.addNoise(noiseOfAlpha / squared, dx, dy);
                 }
@@ -158,32 +204,10 @@ RegionShape RegionMeasure::measure(const ChromaGrid &grid, const Blob &blob, con
     classify(mask);
     RegionShape shape;
 
-    double n = 0, pairs = 0, squares = 0;
-    Chroma sum = Chroma::Zero();
-    for (int y = blob.box.top; y < blob.box.bottom; ++y) {
-        int rowN = 0, rowU = 0, rowV = 0;
-        for (int x = blob.box.left; x < blob.box.right; ++x) {
-            if (classAt(x, y) != insideClass)
-                continue;
-            const int u = grid.u.at(x, y), v = grid.v.at(x, y);
-            ++rowN;
-            rowU += u;
-            rowV += v;
-            if (classAt(x + 1, y) == insideClass) {
-                const int du = grid.u.at(x + 1, y) - u, dv = grid.v.at(x + 1, y) - v;
-                squares += du * du + dv * dv;
-                ++pairs;
-            }
-        }
-        n += rowN;
-        sum += Chroma(rowU - 128.0 * rowN, rowV - 128.0 * rowN);
-    }
-    shape.colour = n > 0 ? Chroma(sum / n) : expected;
-    shape.noise = std::max(leastNoise, pairs > 0 ? std::sqrt(squares / (4 * pairs)) : 2.0);
-
+    readColour(grid, blob, expected, shape);
     Sums sums;
     addInside(grid, blob, sums);
-    addEdge(grid, blob, mask, shape.colour, shape.noise, sums);
+    addEdge(grid, blob, mask, shape, sums);
     if (sums.area < 1) {
         shape.area = blob.area();
         shape.centre = blob.centre();

@@ -38,14 +38,28 @@ public:
 
     /// 2 for a sample of the last measured region that has only such around it, 1 for one near its edge, else
     /// 0.
-    int classAt(int x, int y) const;
+    int classAt(int x, int y) const { return m_area.contains(x, y) ? rowOfClasses(y)[x] : 0; }
 
 private:
     struct Sums;
+    struct EdgeReference
+    {
+        float u = 0, v = 0; ///< code values
+    };
     void classify(const RegionMask &mask);
+    /// To be indexed by the sample's own x.
+    const std::uint8_t *rowOfClasses(int y) const
+    {
+        return m_classes.data() + static_cast<std::ptrdiff_t>(y - m_area.top) * m_area.width() - m_area.left;
+    }
+    void readColour(const ChromaGrid &grid, const Blob &blob, const Chroma &expected,
+                    RegionShape &shape) const;
     void addInside(const ChromaGrid &grid, const Blob &blob, Sums &sums) const;
-    void addEdge(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask, const Chroma &inside,
-                 double noise, Sums &sums) const;
+    bool findReference(const ChromaGrid &grid, int x, int y, int stepX, int stepY, int wanted,
+                       EdgeReference &reference) const;
+    static bool isBackground(float du, float dv, const EdgeReference &in, const EdgeReference &out);
+    void addEdge(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask, const RegionShape &shape,
+                 Sums &sums) const;
 
     ChromaRect m_area;
     std::vector<std::uint8_t> m_classes;

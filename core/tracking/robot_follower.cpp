@@ -87,7 +87,8 @@ double RobotFollower::rankInWindow(const TrackedFrame &frame, const Blob &blob) 
 double RobotFollower::rankUnseen(const TrackedFrame &frame, const Blob &blob) const
 {
     return compactness(blob.covariance(), blob.area()) *
-           sizeLikelihood(blob.area() * frame.lumaPerSample() / frame.pictureAreaPx()) * blob.meanWeight();
+           sizeLikelihood(blob.area() * frame.lumaPerSample() / frame.pictureAreaPx()) *
+           likeness(blob.meanChroma(), m_model.told());
 }
 
 double RobotFollower::rankLost(const TrackedFrame &frame, const Blob &blob) const
@@ -197,7 +198,7 @@ bool RobotFollower::learnFrom(const TrackedFrame &frame, const Candidate &candid
         model.buildTable(background);
         table = model.table();
     }
-    if (likeness(shape.colour, model.told()) * rankUnseen(frame, blob) < leastFirstScore)
+    if (rankUnseen(frame, blob) < leastFirstScore)
         return false;
     m_model = model;
     return true;

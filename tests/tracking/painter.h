@@ -4,6 +4,7 @@
 #include "core/video/frame.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <random>
 
@@ -30,6 +31,7 @@ public:
 
 private:
     Eigen::Vector3d &at(int x, int y) { return m_rgb[static_cast<std::size_t>(y) * m_format.width + x]; }
+    static std::array<double, 3> taps(int shift, double offset);
     Eigen::Vector3d filtered(int x, int y) const;
 
     FrameFormat m_format;
