@@ -20,12 +20,12 @@ using Eigen::Vector2d;
 constexpr const char *what = "the floor cannot be registered";
 constexpr double leastSigmaPx = 0.3; // a marker is hardly known better, whatever four residuals say
 constexpr double leastHeightM = 0.05, mostHeightM = 100;
-constexpr double nearestPixels = 1.0;  // markers closer than that are one and the same
-constexpr double nearestPlaces = 1e-3; // of the layout's extent
+constexpr double nearestPixels = 1.0;     // markers closer than that are one and the same
+constexpr double nearestPlaces = 1e-3;    // of the layout's extent
 constexpr double leastDoubtPx = 1;        // a misfit below it needs no other explanation than noise
 constexpr double suspiciousMisfit = 0.01; // of the markers' extent in the picture: refused if others fit
-constexpr double worstMisfit = 0.05; // of the same: no plane
-constexpr double worstSigma = 0.05;  // of the layout's extent on the floor
+constexpr double worstMisfit = 0.05;      // of the same: no plane
+constexpr double worstSigma = 0.05;       // of the layout's extent on the floor
 
 tl::unexpected<Error> refuse(std::string why, std::string advice)
 {

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/lens_fit.h"
+
+#include "core/calibration/lens_residual.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <array>
+#include <ceres/autodiff_cost_function.h>
+#include <ceres/iteration_callback.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+#include <cmath>
+#include <memory>
+
+namespace odo {
+
+namespace {
+
+using Pose = std::array<double, 6>;
+
+class StopWhenCancelled : public ceres::IterationCallback
+{
+public:
+    explicit StopWhenCancelled(const JobControl &control) : m_control(control) {}
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary &) override
+    {
+        return m_control.isCancelled() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+    }
+
+private:
+    const JobControl &m_control;
+};
+
+Pose parametersOf(const RigidTransform &transform)
+{
+    const Eigen::AngleAxisd turn(transform.rotation);
+    const Eigen::Vector3d rotation = turn.angle() * turn.axis();
+    return {rotation.x(),
+            rotation.y(),
+            rotation.z(),
+            transform.translation.x(),
+            transform.translation.y(),
+            transform.translation.z()};
+}
+
+RigidTransform transformOf(const Pose &pose)
+{
+    const Eigen::Vector3d rotation(pose[0], pose[1], pose[2]);
+    RigidTransform transform;
+    if (rotation.norm() > 0)
+        transform.rotation = Eigen::AngleAxisd(rotation.norm(), rotation.normalized());
+    transform.translation = {pose[3], pose[4], pose[5]};
+    return transform;
+}
+
+template <LensModel model>
+class Fit
+{
+public:
+    Fit(const std::vector<BoardView> &views, const LensStart &start)
+        : m_views(views), m_intrinsics(start.intrinsics)
+    {
+        m_lens = {start.intrinsics.fxPx, start.intrinsics.fyPx, start.intrinsics.cxPx, start.intrinsics.cyPx};
+        std::copy(start.intrinsics.distortion.begin(), start.intrinsics.distortion.end(), m_lens.begin() + 4);
+        for (const RigidTransform &pose : start.cameraFromBoard)
+            m_poses.push_back(parametersOf(pose));
+    }
+
+    bool solve(bool holdFocal, const JobControl &control)
+    {
+        ceres::Problem::Options ownership;
+        ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+        ceres::Problem problem(ownership);
+        auto *ordering = new ceres::ParameterBlockOrdering;
+        for (std::size_t view = 0; view < m_views.size(); ++view) {
+            for (std::size_t i = 0; i < m_views[view].pixels.size(); ++i) {
+                m_costs.push_back(std::make_unique<Cost>(
+                    new LensResidual<model>{m_views[view].pointsOnBoard[i], m_views[view].pixels[i]}));
+                problem.AddResidualBlock(m_costs.back().get(), nullptr, m_lens.data(), m_poses[view].data());
+            }
+            ordering->AddElementToGroup(m_poses[view].data(), 0);
+        }
+        ordering->AddElementToGroup(m_lens.data(), 1);
+        if (holdFocal)
+            problem.SetManifold(m_lens.data(), new ceres::SubsetManifold(size, {0, 1}));
+        StopWhenCancelled stop(control);
+        ceres::Solver::Options options;
+        options.linear_solver_type = ceres::DENSE_SCHUR;
+        options.linear_solver_ordering.reset(ordering);
+        options.max_num_iterations = 200;
+        options.function_tolerance = 1e-12;
+        options.parameter_tolerance = 1e-12;
+        options.gradient_tolerance = 1e-14;
+        options.logging_type = ceres::SILENT;
+        options.callbacks.push_back(&stop);
+        ceres::Solver::Summary summary;
+        ceres::Solve(options, &problem, &summary);
+        return summary.IsSolutionUsable() && !control.isCancelled();
+    }
+
+    LensFit result() const
+    {
+        LensFit fit;
+        fit.intrinsics = m_intrinsics;
+        fit.intrinsics.fxPx = m_lens[0];
+        fit.intrinsics.fyPx = m_lens[1];
+        fit.intrinsics.cxPx = m_lens[2];
+        fit.intrinsics.cyPx = m_lens[3];
+        fit.intrinsics.distortion.assign(m_lens.begin() + 4, m_lens.end());
+        Matrix reduced = Matrix::Zero();
+        std::size_t next = 0, count = 0;
+        for (std::size_t view = 0; view < m_views.size(); ++view) {
+            fit.cameraFromBoard.push_back(transformOf(m_poses[view]));
+            fit.pictureSquares.push_back(addNormal(view, next, reduced));
+            fit.squares += fit.pictureSquares.back();
+            count += m_views[view].pixels.size();
+        }
+        const double freedom =
+            2.0 * static_cast<double>(count) - size - 6.0 * static_cast<double>(m_views.size());
+        fit.sigmaPx = std::sqrt(fit.squares / std::max(1.0, freedom));
+        fit.intrinsics.covariance = fit.sigmaPx * fit.sigmaPx * inverse(reduced);
+        return fit;
+    }
+
+private:
+    static constexpr int size = lensSize(model);
+    using Cost = ceres::AutoDiffCostFunction<LensResidual<model>, 2, size, 6>;
+    using Matrix = Eigen::Matrix<double, size, size>;
+
+    /// Adds a view's share to the lens's normal matrix, its pose eliminated (Schur complement); returns its
+    /// squares.
+    double addNormal(std::size_t view, std::size_t &next, Matrix &reduced) const
+    {
+        Matrix lensLens = Matrix::Zero();
+        Eigen::Matrix<double, size, 6> lensPose = Eigen::Matrix<double, size, 6>::Zero();
+        Eigen::Matrix<double, 6, 6> posePose = Eigen::Matrix<double, 6, 6>::Zero();
+        double squares = 0;
+        for (std::size_t i = 0; i < m_views[view].pixels.size(); ++i, ++next) {
+            Eigen::Matrix<double, 2, size, Eigen::RowMajor> byLens;
+            Eigen::Matrix<double, 2, 6, Eigen::RowMajor> byPose;
+            Eigen::Vector2d residual;
+            const double *parameters[] = {m_lens.data(), m_poses[view].data()};
+            double *derivatives[] = {byLens.data(), byPose.data()};
+            m_costs[next]->Evaluate(parameters, residual.data(), derivatives);
+            squares += residual.squaredNorm();
+            lensLens += byLens.transpose() * byLens;
+            lensPose += byLens.transpose() * byPose;
+            posePose += byPose.transpose() * byPose;
+        }
+        reduced += lensLens - lensPose * posePose.inverse() * lensPose.transpose();
+        return squares;
+    }
+
+    /// Inverse of a normal matrix; what is not determined gets an enormous variance instead of a wrong small
+    /// one.
+    static Eigen::MatrixXd inverse(const Matrix &normal)
+    {
+        const Eigen::Matrix<double, size, 1> scale =
+            normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+        const Matrix scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+        const Eigen::SelfAdjointEigenSolver<Matrix> eigen(scaled);
+        const Eigen::Matrix<double, size, 1> inverted = eigen.eigenvalues().cwiseMax(1e-14).cwiseInverse();
+        return scale.asDiagonal() *
+               (eigen.eigenvectors() * inverted.asDiagonal() * eigen.eigenvectors().transpose()) *
+               scale.asDiagonal();
+    }
+
+    const std::vector<BoardView> &m_views;
+    Intrinsics m_intrinsics;
+    std::array<double, size> m_lens{};
+    std::vector<Pose> m_poses;
+    std::vector<std::unique_ptr<Cost>> m_costs;
+};
+
+template <LensModel model>
+std::optional<LensFit> fitWith(const std::vector<BoardView> &views, const LensStart &start, bool holdFocal,
+                               const JobControl &control)
+{
+    Fit<model> fit(views, start);
+    if (!fit.solve(holdFocal, control))
+        return std::nullopt;
+    LensFit result = fit.result();
+    if (!std::isfinite(result.squares) || !CameraModel::create(result.intrinsics))
+        return std::nullopt;
+    return result;
+}
+
+} // namespace
+
+std::optional<LensFit> fitLens(const std::vector<BoardView> &views, const LensStart &start, bool holdFocal,
+                               const JobControl &control)
+{
+    switch (start.intrinsics.model) {
+    case LensModel::Standard:
+        return fitWith<LensModel::Standard>(views, start, holdFocal, control);
+    case LensModel::Fisheye:
+        return fitWith<LensModel::Fisheye>(views, start, holdFocal, control);
+    case LensModel::Rational:
+        break;
+    }
+    // The rational model has so many ways to bend that it is started from the standard one's answer.
+    LensStart simple = start;
+    simple.intrinsics.model = LensModel::Standard;
+    simple.intrinsics.distortion.resize(std::min<std::size_t>(5, start.intrinsics.distortion.size()));
+    const auto first = fitWith<LensModel::Standard>(views, simple, holdFocal, control);
+    if (!first)
+        return std::nullopt;
+    LensStart better{first->intrinsics, first->cameraFromBoard};
+    better.intrinsics.model = LensModel::Rational;
+    better.intrinsics.covariance.resize(0, 0);
+    better.intrinsics.distortion.resize(8, 0.0);
+    return fitWith<LensModel::Rational>(views, better, holdFocal, control);
+}
+
+} // namespace odo

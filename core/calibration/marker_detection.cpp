@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/marker_detection.h"
+
+extern "C" {
+#include <apriltag/apriltag.h>
+#include <apriltag/tag36h11.h>
+}
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+namespace odo {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr float leastMargin = 25; // of libapriltag's decision: beneath it come the tags read out of noise
+constexpr int mostMendedBits = 1;
+
+std::string list(const std::vector<std::string> &names)
+{
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return text;
+}
+
+/// The detector wants rows of its own; it reads a copy.
+std::unique_ptr<image_u8_t, void (*)(image_u8_t *)> pictureOf(const PlaneView &luma)
+{
+    image_u8_t *picture =
+        image_u8_create(static_cast<unsigned>(luma.width), static_cast<unsigned>(luma.height));
+    for (int y = 0; y < luma.height; ++y)
+        std::copy_n(luma.row(y), luma.width, picture->buf + static_cast<std::ptrdiff_t>(y) * picture->stride);
+    return {picture, image_u8_destroy};
+}
+
+/// Where the diagonals cross, the picture of the tag's middle under perspective, unlike the mean of the
+/// corners. libapriltag counts from the corner of the first pixel, we from its centre.
+Vector2d centreOf(const apriltag_detection_t &tag)
+{
+    const auto corner = [&](int i) { return Eigen::Vector3d(tag.p[i][0], tag.p[i][1], 1); };
+    const Eigen::Vector3d one = corner(0).cross(corner(2)), other = corner(1).cross(corner(3));
+    return Vector2d(one.cross(other).hnormalized()) - Vector2d(0.5, 0.5);
+}
+
+std::vector<std::pair<int, Vector2d>> findTags(const Frame &frame)
+{
+    const auto picture = pictureOf(frame.y);
+    const std::unique_ptr<apriltag_family_t, void (*)(apriltag_family_t *)> family(tag36h11_create(),
+                                                                                   tag36h11_destroy);
+    const std::unique_ptr<apriltag_detector_t, void (*)(apriltag_detector_t *)> detector(
+        apriltag_detector_create(), apriltag_detector_destroy);
+    apriltag_detector_add_family_bits(detector.get(), family.get(), mostMendedBits);
+    detector->quad_decimate = 1; // a registration is made once; small tags matter more than milliseconds
+    detector->refine_edges = true;
+    zarray_t *found = apriltag_detector_detect(detector.get(), picture.get());
+    std::vector<std::pair<int, Vector2d>> tags;
+    for (int i = 0; i < zarray_size(found); ++i) {
+        apriltag_detection_t *tag = nullptr;
+        zarray_get(found, i, static_cast<void *>(&tag));
+        if (tag->decision_margin >= leastMargin)
+            tags.emplace_back(tag->id, centreOf(*tag));
+    }
+    apriltag_detections_destroy(found);
+    return tags;
+}
+
+} // namespace
+
+Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLayout &layout)
+{
+    const std::string what = "the floor markers cannot be found";
+    if (frame.y.data == nullptr || frame.y.width < 32 || frame.y.height < 32)
+        return fail(ErrorCode::Undetermined, what, "the picture is too small", "use a picture of the camera");
+    const auto tags = findTags(frame);
+    std::vector<MarkerPixel> markers;
+    std::vector<std::string> missing;
+    for (std::size_t i = 0; i < layout.markers.size(); ++i) {
+        const auto isIt = [&](const auto &tag) { return tag.first == static_cast<int>(i); };
+        const auto count = std::ranges::count_if(tags, isIt);
+        if (count > 1)
+            return fail(ErrorCode::Undetermined, what,
+                        "tag " + std::to_string(i) + " (marker " + layout.markers[i].label + ") is seen " +
+                            std::to_string(count) + " times",
+                        "leave one of them on the floor");
+        if (count == 0)
+            missing.push_back(layout.markers[i].label);
+        else
+            markers.push_back({layout.markers[i].label, std::ranges::find_if(tags, isIt)->second});
+    }
+    if (markers.size() < 4)
+        return fail(
+            ErrorCode::Undetermined, what,
+            std::to_string(markers.size()) + " of " + std::to_string(layout.markers.size()) +
+                " were found, four are needed" + (missing.empty() ? "" : "; missing: " + list(missing)),
+            "show the missing tags (AprilTag 36h11, numbered from 0 in the layout's order), or mark the "
+            "markers by hand");
+    return markers;
+}
+
+} // namespace odo
