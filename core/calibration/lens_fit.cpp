@@ -8,6 +8,7 @@
 #include <array>
 #include <ceres/autodiff_cost_function.h>
 #include <ceres/iteration_callback.h>
+#include <ceres/manifold.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 #include <cmath>

@@ -8,9 +8,7 @@ extern "C" {
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <set>
 
 namespace odo {
 
@@ -29,16 +27,6 @@ std::string list(const std::vector<std::string> &names)
     return text;
 }
 
-/// The detector wants rows of its own; it reads a copy.
-std::unique_ptr<image_u8_t, void (*)(image_u8_t *)> pictureOf(const PlaneView &luma)
-{
-    image_u8_t *picture =
-        image_u8_create(static_cast<unsigned>(luma.width), static_cast<unsigned>(luma.height));
-    for (int y = 0; y < luma.height; ++y)
-        std::copy_n(luma.row(y), luma.width, picture->buf + static_cast<std::ptrdiff_t>(y) * picture->stride);
-    return {picture, image_u8_destroy};
-}
-
 /// Where the diagonals cross, the picture of the tag's middle under perspective, unlike the mean of the
 /// corners. libapriltag counts from the corner of the first pixel, we from its centre.
 Vector2d centreOf(const apriltag_detection_t &tag)
@@ -50,15 +38,18 @@ Vector2d centreOf(const apriltag_detection_t &tag)
 
 std::vector<std::pair<int, Vector2d>> findTags(const Frame &frame)
 {
-    const auto picture = pictureOf(frame.y);
+    // Undecimated and unsmoothed, the detector only reads this.
+    image_u8_t picture{frame.y.width, frame.y.height, static_cast<int>(frame.y.stride),
+                       const_cast<std::uint8_t *>(frame.y.data)};
     const std::unique_ptr<apriltag_family_t, void (*)(apriltag_family_t *)> family(tag36h11_create(),
                                                                                    tag36h11_destroy);
     const std::unique_ptr<apriltag_detector_t, void (*)(apriltag_detector_t *)> detector(
         apriltag_detector_create(), apriltag_detector_destroy);
     apriltag_detector_add_family_bits(detector.get(), family.get(), mostMendedBits);
     detector->quad_decimate = 1; // a registration is made once; small tags matter more than milliseconds
+    detector->quad_sigma = 0;
     detector->refine_edges = true;
-    zarray_t *found = apriltag_detector_detect(detector.get(), picture.get());
+    zarray_t *found = apriltag_detector_detect(detector.get(), &picture);
     std::vector<std::pair<int, Vector2d>> tags;
     for (int i = 0; i < zarray_size(found); ++i) {
         apriltag_detection_t *tag = nullptr;

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/board_detection.h"
 #include "core/calibration/floor_registration.h"
+#include "core/calibration/intrinsic_calibration.h"
+#include "tests/calibration/pictures.h"
 #include "tests/support/real_material.h"
 
 #include <QTest>
+#include <algorithm>
 #include <fstream>
+#include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
 using namespace odo;
@@ -47,6 +52,47 @@ CameraModel rosCamera(const std::filesystem::path &file, int widthPx, int height
     return CameraModel::create(intrinsics).value();
 }
 
+std::vector<std::filesystem::path> picturesIn(const std::filesystem::path &folder, const std::string &start)
+{
+    std::vector<std::filesystem::path> files;
+    for (const auto &entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().filename().string().starts_with(start) && entry.path().extension() == ".jpg")
+            files.push_back(entry.path());
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+Result<BoardView> boardIn(const std::filesystem::path &file, const BoardSpec &spec)
+{
+    return findBoard(frameOf(cv::imread(file.string(), cv::IMREAD_GRAYSCALE)), spec,
+                     file.filename().string());
+}
+
+/// The boards of all pictures; fails the test where one is not found.
+std::vector<BoardView> boardsIn(const std::vector<std::filesystem::path> &files, const BoardSpec &spec)
+{
+    std::vector<BoardView> views;
+    for (const auto &file : files) {
+        const auto view = boardIn(file, spec);
+        if (view)
+            views.push_back(*view);
+        else
+            qWarning("%s", view.error().message().c_str());
+    }
+    return views;
+}
+
+BoardSpec board(BoardPattern pattern, int columns, int rows, double squareM)
+{
+    BoardSpec spec;
+    spec.pattern = pattern;
+    spec.columns = columns;
+    spec.rows = rows;
+    spec.squareM = squareM;
+    return spec;
+}
+
 } // namespace
 
 class TestRealCalibration : public QObject
@@ -82,6 +128,75 @@ private Q_SLOTS:
         QVERIFY2(guessed.has_value(), guessed ? "" : guessed.error().message().c_str());
         qInfo("%s without intrinsics: %s", qPrintable(camera), guessed->verdict.c_str());
         QVERIFY(std::abs(guessed->intrinsics.fxPx - lens.intrinsics().fxPx) < 0.1 * lens.intrinsics().fxPx);
+    }
+    void calibratesTheStereoSetsLeftCamera_data()
+    {
+        QTest::addColumn<int>("columns");
+        QTest::addColumn<int>("rows");
+        QTest::newRow("told") << 9 << 6;
+        QTest::newRow("found out") << 0 << 0;
+    }
+    void calibratesTheStereoSetsLeftCamera()
+    {
+        ODOGRAPH_NEED_REAL("chessboard-stereo");
+        QFETCH(int, columns);
+        QFETCH(int, rows);
+        const auto files = picturesIn(realMaterial() / "chessboard-stereo", "left");
+        const auto views = boardsIn(files, board(BoardPattern::Checkerboard, columns, rows, 0.025));
+        QCOMPARE(files.size(), std::size_t(13));
+        QCOMPARE(views.size(), files.size());
+        for (const BoardView &view : views)
+            QCOMPARE(view.pixels.size(), std::size_t(54));
+        const auto result = calibrateIntrinsics(views, 640, 480, LensModel::Standard, JobControl());
+        QVERIFY2(result.has_value(), result ? "" : result.error().message().c_str());
+        qInfo("fx %.3f fy %.3f, RMS %.4f px; %s", result->intrinsics.fxPx, result->intrinsics.fyPx,
+              result->rmsPx, result->verdict.c_str());
+        QVERIFY(std::abs(result->intrinsics.fxPx - 535.916) < 1);
+        QVERIFY(result->rmsPx <= 0.41);
+    }
+    void calibratesTheTwoCamerasFromSevenPictures_data()
+    {
+        QTest::addColumn<QString>("folder");
+        QTest::addColumn<double>("focalPx");
+        QTest::newRow("A") << QStringLiteral("cam03") << 1681.6;
+        QTest::newRow("B") << QStringLiteral("cam04") << 1675.2;
+    }
+    void calibratesTheTwoCamerasFromSevenPictures()
+    {
+        ODOGRAPH_NEED_REAL("chessboards-pose2sim");
+        QFETCH(QString, folder);
+        QFETCH(double, focalPx);
+        const auto files = picturesIn(realMaterial() / "chessboards-pose2sim" / folder.toStdString(), "cam");
+        const auto views = boardsIn(files, board(BoardPattern::Checkerboard, 4, 7, 0.06));
+        QCOMPARE(files.size(), std::size_t(7));
+        QCOMPARE(views.size(), files.size());
+        const auto result = calibrateIntrinsics(views, 1088, 1920, LensModel::Standard, JobControl());
+        QVERIFY2(result.has_value(), result ? "" : result.error().message().c_str());
+        qInfo("fx %.3f fy %.3f, RMS %.4f px; %s", result->intrinsics.fxPx, result->intrinsics.fyPx,
+              result->rmsPx, result->verdict.c_str());
+        QVERIFY(std::abs(result->intrinsics.fxPx - focalPx) < 0.03 * focalPx);
+        QVERIFY(std::abs(result->intrinsics.fyPx - focalPx) < 0.03 * focalPx);
+    }
+    void readsTheCharucoStills_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<int>("corners");
+        QTest::newRow("whole") << QStringLiteral("choriginal.jpg") << 24;
+        QTest::newRow("occluded") << QStringLiteral("chocclusion_original.jpg") << 16;
+    }
+    void readsTheCharucoStills()
+    {
+        ODOGRAPH_NEED_REAL("charuco-stills");
+        QFETCH(QString, file);
+        QFETCH(int, corners);
+        for (int columns : {4, 0}) {
+            const auto view = boardIn(realMaterial() / "charuco-stills" / file.toStdString(),
+                                      board(BoardPattern::Charuco, columns, columns ? 6 : 0, 0.04));
+            QVERIFY2(view.has_value(), view ? "" : view.error().message().c_str());
+            QCOMPARE(view->columns, 4);
+            QCOMPARE(view->rows, 6);
+            QCOMPARE(view->pixels.size(), std::size_t(corners));
+        }
     }
 };
 

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/intrinsic_calibration.h"
+#include "core/geometry/rigid_transform.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+#include <random>
+
+using namespace odo;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr int widthPx = 1280, heightPx = 720;
+
+Intrinsics lens(LensModel model, std::vector<double> distortion)
+{
+    return {widthPx, heightPx, 902.5, 905.5, 651.25, 348.5, model, std::move(distortion), {}};
+}
+
+/// A board of 9×6 corners of 30 mm as a camera sees it; the pose turns it by tilts (radians) about the
+/// board's axes.
+BoardView see(const CameraModel &camera, const Vector3d &centre, double tiltX, double tiltY, double turn,
+              std::mt19937 &random, double noisePx)
+{
+    std::normal_distribution<double> noise(0, 1);
+    const Eigen::Quaterniond rotation = Eigen::AngleAxisd(tiltX, Vector3d::UnitX()) *
+                                        Eigen::AngleAxisd(tiltY, Vector3d::UnitY()) *
+                                        Eigen::AngleAxisd(turn, Vector3d::UnitZ());
+    BoardView view{"picture", 9, 6, {}, {}};
+    for (int y = 0; y < 6; ++y) {
+        for (int x = 0; x < 9; ++x) {
+            const Vector2d point(0.03 * x, 0.03 * y);
+            const auto pixel =
+                camera.project(rotation * Vector3d(point.x() - 0.12, point.y() - 0.075, 0) + centre);
+            if (!pixel)
+                continue;
+            view.pixels.push_back(*pixel + noisePx * Vector2d(noise(random), noise(random)));
+            view.pointsOnBoard.push_back(point);
+        }
+    }
+    return view;
+}
+
+std::vector<BoardView> tiltedViews(const CameraModel &camera, int count, double noisePx, unsigned seed = 1)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> across(-1, 1);
+    std::vector<BoardView> views;
+    for (int i = 0; i < count; ++i) {
+        const double depth = 0.55 + 0.25 * across(random);
+        views.push_back(see(camera, {0.4 * depth * across(random), 0.22 * depth * across(random), depth},
+                            0.7 * across(random), 0.7 * across(random), 3 * across(random), random, noisePx));
+        views.back().source = "picture" + std::to_string(i);
+    }
+    return views;
+}
+
+bool contains(const std::string &text, const char *words)
+{
+    const bool found = text.find(words) != std::string::npos;
+    if (!found)
+        qWarning("told instead: %s", text.c_str());
+    return found;
+}
+
+} // namespace
+
+class TestIntrinsicCalibration : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void exactCornersGiveTheLensBack_data()
+    {
+        QTest::addColumn<int>("model");
+        QTest::addColumn<QVector<double>>("distortion");
+        QTest::newRow("standard") << int(LensModel::Standard)
+                                  << QVector<double>{-0.28, 0.11, 0.001, -0.0007, -0.02};
+        QTest::newRow("rational") << int(LensModel::Rational)
+                                  << QVector<double>{0.3, 0.05, 0.0005, -0.0004, 0.01, 0.55, 0.1, 0.02};
+        QTest::newRow("fisheye") << int(LensModel::Fisheye) << QVector<double>{-0.02, 0.01, -0.004, 0.001};
+    }
+    void exactCornersGiveTheLensBack()
+    {
+        QFETCH(int, model);
+        QFETCH(QVector<double>, distortion);
+        const Intrinsics truth = lens(LensModel(model), {distortion.begin(), distortion.end()});
+        const CameraModel camera = CameraModel::create(truth).value();
+        const auto result = calibrateIntrinsics(tiltedViews(camera, 14, 0), widthPx, heightPx,
+                                                LensModel(model), JobControl());
+        QVERIFY2(result.has_value(), result ? "" : result.error().message().c_str());
+        QVERIFY2(result->rmsPx < 1e-3, qPrintable(QString::number(result->rmsPx)));
+        QVERIFY(std::abs(result->intrinsics.fxPx - truth.fxPx) < 0.05);
+        QVERIFY(std::abs(result->intrinsics.fyPx - truth.fyPx) < 0.05);
+        const CameraModel found = CameraModel::create(result->intrinsics).value();
+        for (double x = -0.4; x <= 0.4;
+             x += 0.1) // the coefficients may trade among themselves; the map may not
+            QVERIFY((*found.project({x, 0.5 * x, 1}) - *camera.project({x, 0.5 * x, 1})).norm() < 0.02);
+    }
+    void noiseIsStatedAsItIs()
+    {
+        const Intrinsics truth = lens(LensModel::Standard, {-0.2, 0.06, 0.0005, -0.0003, 0});
+        const CameraModel camera = CameraModel::create(truth).value();
+        double squares = 0;
+        const int draws = 20;
+        for (unsigned draw = 0; draw < draws; ++draw) {
+            const auto result = calibrateIntrinsics(tiltedViews(camera, 12, 0.2, 100 + draw), widthPx,
+                                                    heightPx, LensModel::Standard, JobControl());
+            QVERIFY2(result.has_value(), result ? "" : result.error().message().c_str());
+            QVERIFY(std::abs(result->rmsPx - 0.2 * std::sqrt(2.0)) < 0.03);
+            QVERIFY2(result->crossValidationPx > 0.25 && result->crossValidationPx < 0.7,
+                     qPrintable(QString::number(result->crossValidationPx)));
+            squares += std::pow(result->intrinsics.fxPx - truth.fxPx, 2) /
+                       result->intrinsics.covariance(0, 0) / draws;
+        }
+        // Normalised by the stated variance the mean square is 1; 20 draws scatter it by 0.32.
+        QVERIFY2(squares > 0.3 && squares < 2.2, qPrintable(QString::number(squares)));
+    }
+    void theVerdictSpeaksOfFiguresAndNamesTheOddPicture()
+    {
+        const CameraModel camera = CameraModel::create(lens(LensModel::Standard, {-0.2, 0.06, 0, 0})).value();
+        std::vector<BoardView> views = tiltedViews(camera, 12, 0.1);
+        for (std::size_t i = 0; i < views[7].pixels.size(); i += 2)
+            views[7].pixels[i].x() += 1.5;
+        const auto result = calibrateIntrinsics(views, widthPx, heightPx, LensModel::Standard, JobControl());
+        QVERIFY(result.has_value());
+        QVERIFY(contains(result->verdict, "12 pictures fit to 0."));
+        QVERIFY(contains(result->verdict, "Look at picture7"));
+        QVERIFY(contains(result->verdict, "each half of them foretells the other to"));
+        QCOMPARE(result->pictureRmsPx.size(), std::size_t(12));
+    }
+    void picturesThatCannotBeUsedAreTold()
+    {
+        const CameraModel camera = CameraModel::create(lens(LensModel::Standard, {})).value();
+        std::vector<BoardView> views = tiltedViews(camera, 10, 0.1);
+        views[3].pixels.resize(4);
+        views[5].pixels[2].x() = std::nan("");
+        for (Vector2d &point : views[8].pointsOnBoard)
+            point.y() = 0;
+        const auto result = calibrateIntrinsics(views, widthPx, heightPx, LensModel::Standard, JobControl());
+        QVERIFY(result.has_value());
+        QCOMPARE(result->rejected.size(), std::size_t(3));
+        QCOMPARE(result->pictureRmsPx.size(), std::size_t(7));
+    }
+    void refusesFewerThanThreePictures()
+    {
+        const CameraModel camera = CameraModel::create(lens(LensModel::Standard, {})).value();
+        for (int count : {0, 1, 2}) {
+            const auto result = calibrateIntrinsics(tiltedViews(camera, count, 0.1), widthPx, heightPx,
+                                                    LensModel::Standard, JobControl());
+            QVERIFY(!result.has_value());
+            QVERIFY(contains(result.error().message(), "three pictures of the board are needed, "));
+        }
+    }
+    void refusesFrontalPictures()
+    {
+        // The trap: a low RMS with a focal length that is wrong by any factor.
+        const CameraModel camera = CameraModel::create(lens(LensModel::Standard, {-0.1, 0.02, 0, 0})).value();
+        for (unsigned seed = 1; seed <= 6; ++seed) {
+            std::mt19937 random(seed);
+            std::uniform_real_distribution<double> across(-1, 1);
+            for (double tilt : {0.0, 0.01, 0.03}) {
+                std::vector<BoardView> views;
+                for (int i = 0; i < 12; ++i)
+                    views.push_back(
+                        see(camera, {0.15 * across(random), 0.1 * across(random), 0.6 + 0.1 * across(random)},
+                            tilt * across(random), tilt * across(random), across(random), random, 0.2));
+                const auto result =
+                    calibrateIntrinsics(views, widthPx, heightPx, LensModel::Standard, JobControl());
+                QVERIFY2(!result.has_value(), result ? result->verdict.c_str() : "");
+                QCOMPARE(result.error().code, ErrorCode::Undetermined);
+                QVERIFY(contains(result.error().message(), "tilted by 30 to 45 degrees"));
+            }
+        }
+    }
+    void refusesTheSamePoseAgainAndAgain()
+    {
+        const CameraModel camera = CameraModel::create(lens(LensModel::Standard, {})).value();
+        std::mt19937 random(5);
+        std::vector<BoardView> views;
+        for (int i = 0; i < 12; ++i)
+            views.push_back(see(camera, {0.02, 0.01, 0.6}, 0.5, -0.3, 0.1, random, 0.2));
+        const auto result = calibrateIntrinsics(views, widthPx, heightPx, LensModel::Standard, JobControl());
+        QVERIFY(!result.has_value());
+        QVERIFY(contains(result.error().message(), "nearly the same attitude"));
+    }
+    void stopsWhenCancelled()
+    {
+        const CameraModel camera = CameraModel::create(lens(LensModel::Standard, {})).value();
+        JobControl control;
+        control.progress = [&](double, const std::string &) { control.cancel.cancel(); };
+        const auto result = calibrateIntrinsics(tiltedViews(camera, 12, 0.1), widthPx, heightPx,
+                                                LensModel::Standard, control);
+        QVERIFY(!result.has_value());
+        QCOMPARE(result.error().code, ErrorCode::Cancelled);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestIntrinsicCalibration)
+#include "tst_intrinsic_calibration.moc"
