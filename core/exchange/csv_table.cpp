@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/csv_table.h"
+
+#include "core/base/units.h"
+#include "core/exchange/text_file.h"
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+constexpr std::size_t maxBytes = 1024 * 1024;
+
+/// Cuts a text into rows of cells.
+class CsvParser
+{
+public:
+    CsvParser(const std::filesystem::path &file, const std::string &text) : m_file(file), m_text(text) {}
+
+    Result<std::vector<CsvRow>> parse()
+    {
+        std::vector<CsvRow> rows;
+        while (m_position < m_text.size()) {
+            CsvRow row{m_line, {}};
+            for (bool more = true; more;) {
+                auto cell = parseCell();
+                if (!cell)
+                    return tl::unexpected(cell.error());
+                row.cells.push_back(std::move(*cell));
+                more = m_position < m_text.size() && m_text[m_position] == ',';
+                if (more)
+                    ++m_position;
+            }
+            endLine();
+            if (row.cells.size() > 1 || !row.cells.front().empty())
+                rows.push_back(std::move(row));
+        }
+        return rows;
+    }
+
+private:
+    bool atLineEnd() const
+    {
+        if (m_position >= m_text.size() || m_text[m_position] == '\n')
+            return true;
+        return m_text[m_position] == '\r' &&
+               (m_position + 1 >= m_text.size() || m_text[m_position + 1] == '\n');
+    }
+
+    void endLine()
+    {
+        while (m_position < m_text.size() && m_text[m_position] == '\r')
+            ++m_position;
+        if (m_position < m_text.size())
+            ++m_position;
+        ++m_line;
+    }
+
+    Result<std::string> parseCell()
+    {
+        if (m_position < m_text.size() && m_text[m_position] == '"')
+            return parseQuoted();
+        const std::size_t start = m_position;
+        while (!atLineEnd() && m_text[m_position] != ',')
+            ++m_position;
+        std::string cell = m_text.substr(start, m_position - start);
+        cell.erase(0, cell.find_first_not_of(" \t"));
+        cell.erase(cell.find_last_not_of(" \t") + 1);
+        return cell;
+    }
+
+    Result<std::string> parseQuoted()
+    {
+        const int startLine = m_line;
+        std::string cell;
+        for (++m_position; m_position < m_text.size(); ++m_position) {
+            const char c = m_text[m_position];
+            if (c == '"') {
+                const bool doubled = m_position + 1 < m_text.size() && m_text[m_position + 1] == '"';
+                ++m_position;
+                if (!doubled)
+                    break;
+            }
+            if (c == '\n')
+                ++m_line;
+            cell += c;
+        }
+        if (m_text[m_position - 1] != '"' || (!atLineEnd() && m_text[m_position] != ','))
+            return fail(ErrorCode::InvalidInput, atLine(m_file, startLine), "a quoted cell does not end",
+                        "close the quotes");
+        return cell;
+    }
+
+    const std::filesystem::path &m_file;
+    const std::string &m_text;
+    std::size_t m_position = 0;
+    int m_line = 1;
+};
+
+std::string joined(const std::vector<std::string> &columns)
+{
+    std::string line;
+    for (const std::string &column : columns)
+        line += (line.empty() ? "" : ",") + column;
+    return line;
+}
+
+} // namespace
+
+Result<std::vector<CsvRow>> readCsvTable(const std::filesystem::path &file,
+                                         const std::vector<std::string> &columns)
+{
+    const auto text = readTextFile(file, maxBytes);
+    if (!text)
+        return tl::unexpected(text.error());
+    auto rows = CsvParser(file, *text).parse();
+    if (!rows)
+        return rows;
+    const std::string advice = "begin the file with the line " + joined(columns);
+    if (rows->empty())
+        return fail(ErrorCode::InvalidInput, atLine(file, 1), "the file is empty", advice);
+    if (rows->front().cells != columns) {
+        const bool semicolons = rows->front().cells.size() == 1 && text->find(';') < text->find('\n');
+        return fail(ErrorCode::InvalidInput, atLine(file, rows->front().line),
+                    semicolons ? "its columns are separated by semicolons"
+                               : "it lacks the expected header line",
+                    semicolons ? "save it with commas, and with a point in its numbers" : advice);
+    }
+    rows->erase(rows->begin());
+    for (const CsvRow &row : *rows) {
+        if (row.cells.size() != columns.size())
+            return fail(ErrorCode::InvalidInput, atLine(file, row.line),
+                        "it has " + std::to_string(row.cells.size()) + " cells instead of " +
+                            std::to_string(columns.size()),
+                        "write one value for each of " + joined(columns));
+    }
+    return rows;
+}
+
+Result<double> csvNumber(const std::filesystem::path &file, const CsvRow &row, std::size_t column,
+                         const std::string &name)
+{
+    const auto number = parseNumber(row.cells[column]);
+    if (!number)
+        return fail(ErrorCode::InvalidInput, atLine(file, row.line),
+                    name + " '" + row.cells[column].substr(0, 40) + "' is not a finite number",
+                    "write it with digits and a point, like 12.5");
+    return *number;
+}
+
+std::string csvCell(const std::string &text, char delimiter)
+{
+    const bool plain = text.find_first_of(std::string("\"\r\n") + delimiter) == std::string::npos;
+    if (plain)
+        return text;
+    std::string quoted = "\"";
+    for (const char c : text) {
+        quoted += c;
+        if (c == '"')
+            quoted += '"';
+    }
+    return quoted + '"';
+}
+
+} // namespace odo

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/geometry/camera_model.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace odo {
+
+enum class IntrinsicsFormat {
+    Ros,    ///< camera_info as camera_calibration writes it
+    OpenCv, ///< as OpenCV's calibration samples write it
+};
+
+/// What a calibration file tells.
+struct ImportedIntrinsics
+{
+    Intrinsics intrinsics;
+    std::string cameraName;               ///< empty where the file has none
+    std::optional<double> reprojectionPx; ///< avg_reprojection_error, where the file has it
+};
+
+/// Reads ROS camera_info YAML or OpenCV YAML, told apart by content, with a parser of our own
+/// (cv::FileStorage can be crashed by a file). At most 1 MiB. Errors, with file and line: not such a file, a
+/// missing entry, wrong dimensions, values that are not finite, a lens model that is not known, a skewed
+/// matrix. Any thread.
+Result<ImportedIntrinsics> readCalibrationFile(const std::filesystem::path &file);
+/// The same for a text; `file` is only its name for messages.
+Result<ImportedIntrinsics> parseCalibration(const std::filesystem::path &file, const std::string &text);
+/// The intrinsics of a file alone.
+Result<Intrinsics> readIntrinsics(const std::filesystem::path &file);
+
+/// The file's text in full precision: reading it gives the same numbers bit for bit.
+std::string intrinsicsText(const std::string &cameraName, const Intrinsics &intrinsics,
+                           IntrinsicsFormat format);
+
+Result<void> writeIntrinsics(const std::filesystem::path &file, const std::string &cameraName,
+                             const Intrinsics &intrinsics, IntrinsicsFormat format);
+/// The format follows the extension: OpenCV for ".yml", ROS otherwise.
+Result<void> writeIntrinsics(const std::filesystem::path &file, const std::string &cameraName,
+                             const Intrinsics &intrinsics);
+
+} // namespace odo

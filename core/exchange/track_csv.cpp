@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/track_csv.h"
+
+#include "core/exchange/csv_table.h"
+#include "core/exchange/text_file.h"
+
+#include <array>
+
+namespace odo {
+
+namespace {
+
+constexpr std::array<std::pair<CsvStyle, std::string_view>, 3> styleNames{
+    {{CsvStyle::Analysis, "analysis"},
+     {CsvStyle::International, "international"},
+     {CsvStyle::Continental, "continental"}}};
+
+constexpr std::array<std::string_view, 17> columns = {"t_s",
+                                                      "x_mm",
+                                                      "y_mm",
+                                                      "vx_mm_s",
+                                                      "vy_mm_s",
+                                                      "speed_mm_s",
+                                                      "ax_mm_s2",
+                                                      "ay_mm_s2",
+                                                      "accel_mm_s2",
+                                                      "sigma_x_mm",
+                                                      "sigma_y_mm",
+                                                      "sigma_speed_mm_s",
+                                                      "sigma_accel_mm_s2",
+                                                      "raw_x_mm",
+                                                      "raw_y_mm",
+                                                      "views",
+                                                      "flags"};
+
+/// Builds one line, cell by cell.
+class CsvLine
+{
+public:
+    explicit CsvLine(CsvStyle style)
+        : m_delimiter(style == CsvStyle::Continental ? ';' : ','), m_comma(style == CsvStyle::Continental)
+    {
+    }
+
+    void number(double value)
+    {
+        std::string text = std::isfinite(value) ? numberText(value) : std::string();
+        if (m_comma)
+            std::replace(text.begin(), text.end(), '.', ',');
+        add(text);
+    }
+    void millimetres(double metres) { number(toMillimetres(metres)); }
+    void empty() { add({}); }
+    void text(const std::string &text)
+    {
+        const bool formula =
+            !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
+        add(csvCell(formula ? "'" + text : text, m_delimiter));
+    }
+    std::string take() { return m_line + '\n'; }
+
+private:
+    void add(const std::string &cell)
+    {
+        if (!m_first)
+            m_line += m_delimiter;
+        m_line += cell;
+        m_first = false;
+    }
+
+    std::string m_line;
+    char m_delimiter;
+    bool m_comma;
+    bool m_first = true;
+};
+
+std::string viewNames(std::uint32_t views, const std::vector<std::string> &names)
+{
+    std::string joined;
+    for (std::size_t i = 0; i < names.size() && i < 32; ++i) {
+        if ((views & (1u << i)) != 0)
+            joined += (joined.empty() ? "" : "+") + names[i];
+    }
+    return joined;
+}
+
+void addPoint(CsvLine &line, const ProfilePoint &point)
+{
+    for (double metres : {point.position.x(), point.position.y(), point.velocity.x(), point.velocity.y(),
+                          point.speedMps, point.acceleration.x(), point.acceleration.y(), point.accelMps2,
+                          point.sigmaXM, point.sigmaYM, point.sigmaSpeedMps, point.sigmaAccelMps2}) {
+        if (point.valid)
+            line.millimetres(metres);
+        else
+            line.empty();
+    }
+}
+
+} // namespace
+
+Result<CsvStyle> parseCsvStyle(std::string_view name)
+{
+    for (const auto &[style, itsName] : styleNames) {
+        if (itsName == name)
+            return style;
+    }
+    return fail(ErrorCode::NotFound, "style '" + std::string(name.substr(0, 40)) + "' of CSV",
+                "there is no such style", "choose analysis, international or continental");
+}
+
+std::string trackCsv(const AnalysisRecord &analysis, CsvStyle style)
+{
+    std::string text = style == CsvStyle::Analysis ? "" : "\xef\xbb\xbf";
+    CsvLine header(style);
+    for (const std::string_view column : columns)
+        header.text(std::string(column));
+    text += header.take();
+    const Profile &profile = analysis.profile;
+    for (std::size_t i = 0; i < profile.samples.size(); ++i) {
+        const Sample &sample = profile.samples[i];
+        CsvLine line(style);
+        // A quotient is rounded once, so that the shortest text is exactly the nanoseconds.
+        line.number(static_cast<double>(sample.time.count()) / 1e9);
+        addPoint(line, profile.points[i]);
+        for (int axis : {0, 1}) {
+            if (sample.position)
+                line.millimetres((*sample.position)[axis]);
+            else
+                line.empty();
+        }
+        line.text(viewNames(sample.views, analysis.views));
+        line.text(flagNames(sample.flags));
+        text += line.take();
+    }
+    return text;
+}
+
+} // namespace odo

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/track_text.h"
+
+#include "core/exchange/text_file.h"
+
+#include <charconv>
+
+namespace odo {
+
+namespace {
+
+double secondsOf(const Sample &sample)
+{
+    return static_cast<double>(sample.time.count()) / 1e9;
+}
+
+bool isUsable(const ProfilePoint &point)
+{
+    return point.valid && point.position.allFinite();
+}
+
+bool isMoving(const ProfilePoint &point)
+{
+    return isUsable(point) && point.velocity.allFinite() && point.speedMps > 3 * point.sigmaSpeedMps &&
+           point.speedMps > 0;
+}
+
+double headingOf(const ProfilePoint &point)
+{
+    return std::atan2(point.velocity.y(), point.velocity.x());
+}
+
+/// Shortest text with an exponent as Java writes it: "1.25E-1".
+std::string javaNumber(double value)
+{
+    char text[64];
+    const auto [end, problem] = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific);
+    const std::string number(text, problem == std::errc() ? end : text);
+    const std::size_t e = number.find('e');
+    if (e == std::string::npos)
+        return number;
+    std::string mantissa = number.substr(0, e);
+    if (mantissa.find('.') == std::string::npos)
+        mantissa += ".0";
+    const bool negative = number[e + 1] == '-';
+    const std::size_t digits = std::min(number.find_first_not_of('0', e + 2), number.size() - 1);
+    return mantissa + (negative ? "E-" : "E") + number.substr(digits);
+}
+
+} // namespace
+
+std::string trackTum(const AnalysisRecord &analysis)
+{
+    const Profile &profile = analysis.profile;
+    const auto firstMoving = std::find_if(profile.points.begin(), profile.points.end(), isMoving);
+    double heading = firstMoving == profile.points.end() ? 0.0 : headingOf(*firstMoving);
+    std::string text;
+    for (std::size_t i = 0; i < profile.points.size(); ++i) {
+        const ProfilePoint &point = profile.points[i];
+        if (!isUsable(point))
+            continue;
+        if (isMoving(point))
+            heading = headingOf(point);
+        text += numberText(secondsOf(profile.samples[i])) + ' ' + numberText(point.position.x()) + ' ' +
+                numberText(point.position.y()) + " 0 0 0 " + numberText(std::sin(heading / 2)) + ' ' +
+                numberText(std::cos(heading / 2)) + '\n';
+    }
+    return text;
+}
+
+std::string trackTracker(const AnalysisRecord &analysis)
+{
+    // Tracker separates by blanks too: a name is one word.
+    std::string name = analysis.robotName;
+    std::replace_if(
+        name.begin(), name.end(),
+        [](char c) { return std::string_view(" ,;\t").find(c) != std::string_view::npos; }, '_');
+    std::string text = name + "\nt\tx\ty\n";
+    const Profile &profile = analysis.profile;
+    for (std::size_t i = 0; i < profile.points.size(); ++i) {
+        const ProfilePoint &point = profile.points[i];
+        if (isUsable(point))
+            text += javaNumber(secondsOf(profile.samples[i])) + '\t' + javaNumber(point.position.x()) + '\t' +
+                    javaNumber(point.position.y()) + '\n';
+    }
+    return text;
+}
+
+} // namespace odo

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/trial_json.h"
+
+#include <QDateTime>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace odo {
+
+namespace {
+
+constexpr int schemaVersion = 1;
+
+QString qtText(const std::string &text)
+{
+    return QString::fromStdString(text);
+}
+
+QString isoText(Instant instant)
+{
+    return QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count(), Qt::UTC)
+        .toString(Qt::ISODateWithMs);
+}
+
+QJsonValue numberOrNull(double value)
+{
+    return std::isfinite(value) ? QJsonValue(value) : QJsonValue();
+}
+
+QJsonArray flagsOf(SampleFlags flags)
+{
+    QJsonArray names;
+    const QString joined = qtText(flagNames(flags));
+    for (const QString &name : joined.split(u'|', Qt::SkipEmptyParts))
+        names.append(name);
+    return names;
+}
+
+QJsonObject trialObject(const TrialRecord &trial)
+{
+    const QJsonObject sync{{QStringLiteral("method"), qtText(trial.syncMethod)},
+                           {QStringLiteral("offset_s"), numberOrNull(trial.syncOffsetS)},
+                           {QStringLiteral("offset_sigma_s"), numberOrNull(trial.syncOffsetSigmaS)},
+                           {QStringLiteral("score"), numberOrNull(trial.syncScore)}};
+    return {{QStringLiteral("name"), qtText(trial.name)},
+            {QStringLiteral("team"), qtText(trial.teamName)},
+            {QStringLiteral("class"), qtText(trial.className)},
+            {QStringLiteral("task"), qtText(trial.task)},
+            {QStringLiteral("date"), isoText(trial.date)},
+            {QStringLiteral("notes"), qtText(trial.notes)},
+            {QStringLiteral("duration_s"), numberOrNull(trial.durationS)},
+            {QStringLiteral("sync"), sync}};
+}
+
+QJsonObject viewObject(const RecordingRecord &recording)
+{
+    return {{QStringLiteral("name"), qtText(recording.cameraName)},
+            {QStringLiteral("path"), qtText(recording.path)},
+            {QStringLiteral("sha256"), qtText(recording.sha256)},
+            {QStringLiteral("bytes"), static_cast<qint64>(recording.bytes)},
+            {QStringLiteral("width_px"), recording.widthPx},
+            {QStringLiteral("height_px"), recording.heightPx},
+            {QStringLiteral("frames_per_second"), numberOrNull(recording.framesPerSecond)},
+            {QStringLiteral("start_offset_s"), numberOrNull(recording.startOffsetS)},
+            {QStringLiteral("frames"), static_cast<qint64>(recording.frameTimes.size())}};
+}
+
+QJsonObject provenanceObject(const AnalysisRecord &analysis)
+{
+    QJsonArray views, registrations;
+    for (const std::string &view : analysis.views)
+        views.append(qtText(view));
+    for (const RecordId id : analysis.registrations)
+        registrations.append(id == 0 ? QJsonValue() : QJsonValue(static_cast<qint64>(id)));
+    return {
+        {QStringLiteral("made"), isoText(analysis.made)},
+        {QStringLiteral("software_version"), qtText(analysis.softwareVersion)},
+        {QStringLiteral("smoother"), qtText(std::string(smootherName(analysis.options.smoother)))},
+        {QStringLiteral("max_speed_m_s"), numberOrNull(analysis.options.maxSpeedMps)},
+        {QStringLiteral("max_accel_m_s2"), numberOrNull(analysis.options.maxAccelMps2)},
+        {QStringLiteral("longest_bridged_gap_s"), toSeconds(analysis.options.longestBridgedGap)},
+        {QStringLiteral("views"), views},
+        {QStringLiteral("registrations"), registrations},
+        {QStringLiteral("height_m"), numberOrNull(analysis.profile.heightM)},
+        {QStringLiteral("height_estimated"), analysis.profile.heightEstimated},
+        {QStringLiteral("mean_view_disagreement_m"), numberOrNull(analysis.profile.meanViewDisagreementM)}};
+}
+
+QJsonArray metricsOf(const Profile &profile)
+{
+    QJsonArray metrics;
+    for (const Metric &metric : profile.metrics)
+        metrics.append(QJsonObject{
+            {QStringLiteral("name"), qtText(metric.name)},
+            {QStringLiteral("unit"), qtText(metric.unit)},
+            {QStringLiteral("value"), numberOrNull(metric.value)},
+            {QStringLiteral("sigma"), metric.sigma ? numberOrNull(*metric.sigma) : QJsonValue()}});
+    return metrics;
+}
+
+QJsonArray spikesOf(const Profile &profile)
+{
+    QJsonArray spikes;
+    for (const Spike &spike : profile.spikes)
+        spikes.append(QJsonObject{{QStringLiteral("t_s"), static_cast<double>(spike.time.count()) / 1e9},
+                                  {QStringLiteral("sample"), static_cast<qint64>(spike.sampleIndex)},
+                                  {QStringLiteral("flags"), flagsOf(spike.flags)},
+                                  {QStringLiteral("reason"), qtText(spike.reason)}});
+    return spikes;
+}
+
+/// The curves, one array a column; SI units.
+QJsonObject columnsOf(const Profile &profile)
+{
+    QJsonArray times, flags;
+    for (const Sample &sample : profile.samples) {
+        times.append(static_cast<double>(sample.time.count()) / 1e9);
+        flags.append(flagsOf(sample.flags));
+    }
+    QJsonObject columns{{QStringLiteral("t_s"), times}, {QStringLiteral("flags"), flags}};
+    const auto addCurve = [&](const QString &name, auto value) {
+        QJsonArray numbers;
+        for (const ProfilePoint &point : profile.points)
+            numbers.append(point.valid ? numberOrNull(value(point)) : QJsonValue());
+        columns.insert(name, numbers);
+    };
+    addCurve(QStringLiteral("x_m"), [](const ProfilePoint &p) { return p.position.x(); });
+    addCurve(QStringLiteral("y_m"), [](const ProfilePoint &p) { return p.position.y(); });
+    addCurve(QStringLiteral("vx_m_s"), [](const ProfilePoint &p) { return p.velocity.x(); });
+    addCurve(QStringLiteral("vy_m_s"), [](const ProfilePoint &p) { return p.velocity.y(); });
+    addCurve(QStringLiteral("ax_m_s2"), [](const ProfilePoint &p) { return p.acceleration.x(); });
+    addCurve(QStringLiteral("ay_m_s2"), [](const ProfilePoint &p) { return p.acceleration.y(); });
+    addCurve(QStringLiteral("speed_m_s"), [](const ProfilePoint &p) { return p.speedMps; });
+    addCurve(QStringLiteral("accel_m_s2"), [](const ProfilePoint &p) { return p.accelMps2; });
+    addCurve(QStringLiteral("sigma_x_m"), [](const ProfilePoint &p) { return p.sigmaXM; });
+    addCurve(QStringLiteral("sigma_y_m"), [](const ProfilePoint &p) { return p.sigmaYM; });
+    addCurve(QStringLiteral("sigma_speed_m_s"), [](const ProfilePoint &p) { return p.sigmaSpeedMps; });
+    addCurve(QStringLiteral("sigma_accel_m_s2"), [](const ProfilePoint &p) { return p.sigmaAccelMps2; });
+    for (int axis : {0, 1}) {
+        QJsonArray numbers;
+        for (const Sample &sample : profile.samples)
+            numbers.append(sample.position ? numberOrNull((*sample.position)[axis]) : QJsonValue());
+        columns.insert(axis == 0 ? QStringLiteral("raw_x_m") : QStringLiteral("raw_y_m"), numbers);
+    }
+    return columns;
+}
+
+} // namespace
+
+std::string trialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
+                      const std::vector<AnalysisRecord> &analyses)
+{
+    QJsonArray views, robots;
+    for (const RecordingRecord &recording : recordings)
+        views.append(viewObject(recording));
+    for (const AnalysisRecord &analysis : analyses)
+        robots.append(QJsonObject{{QStringLiteral("name"), qtText(analysis.robotName)},
+                                  {QStringLiteral("analysis"), provenanceObject(analysis)},
+                                  {QStringLiteral("metrics"), metricsOf(analysis.profile)},
+                                  {QStringLiteral("spikes"), spikesOf(analysis.profile)},
+                                  {QStringLiteral("columns"), columnsOf(analysis.profile)}});
+    const QJsonObject document{{QStringLiteral("schema"), QStringLiteral("odograph.trial")},
+                               {QStringLiteral("version"), schemaVersion},
+                               {QStringLiteral("trial"), trialObject(trial)},
+                               {QStringLiteral("views"), views},
+                               {QStringLiteral("robots"), robots}};
+    return QJsonDocument(document).toJson(QJsonDocument::Indented).toStdString();
+}
+
+} // namespace odo

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// A whole trial as one JSON document named "odograph.trial" with a version: trial,
+/// synchronisation, views, and for each robot its provenance, metrics, spikes, and the columns of the CSV
+/// export. What is missing is null.
+std::string trialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
+                      const std::vector<AnalysisRecord> &analyses);
+
+} // namespace odo

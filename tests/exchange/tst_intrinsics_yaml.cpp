@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/intrinsics_yaml.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <random>
+
+using namespace odo;
+
+namespace {
+
+const QByteArray rosFile = R"(# a comment
+image_width: 640
+image_height: 480
+camera_name: "head # left"
+camera_matrix:
+  rows: 3
+  cols: 3
+  data: [500.5, 0, 320.25,   # fx
+         0.0, 501.0, 240., 0, 0, 1]
+distortion_model: plumb_bob
+distortion_coefficients: {rows: 1, cols: 5, data: [-0.1, 2e-2, 0, 0, 0]}
+)";
+
+QString realFile(const char *name)
+{
+    const QString folder =
+        qEnvironmentVariable("ODOGRAPH_REAL_DATA",
+                             qEnvironmentVariable("ODOGRAPH_SOURCE_DIR") + QStringLiteral("/../shared/data"));
+    return folder + u'/' + QString::fromLatin1(name);
+}
+
+} // namespace
+
+class TestIntrinsicsYaml : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void readsRos()
+    {
+        const auto read = readCalibrationFile(write(rosFile));
+        QVERIFY2(read.has_value(), read ? "" : read.error().message().c_str());
+        QCOMPARE(read->cameraName, std::string("head # left"));
+        QCOMPARE(read->intrinsics.widthPx, 640);
+        QCOMPARE(read->intrinsics.fxPx, 500.5);
+        QCOMPARE(read->intrinsics.cyPx, 240.0);
+        QVERIFY((read->intrinsics.distortion == std::vector<double>{-0.1, 0.02, 0, 0, 0}));
+        QVERIFY(!read->reprojectionPx.has_value());
+    }
+    void readsBlockSequences()
+    {
+        QByteArray text = rosFile;
+        text.replace("data: [500.5, 0, 320.25,   # fx\n         0.0, 501.0, 240., 0, 0, 1]",
+                     "data:\n  - 500.5\n  - 0\n  - 320.25\n  - 0\n  - 501\n  - 240\n  - 0\n  - 0\n  - 1");
+        const auto read = readIntrinsics(write(text));
+        QVERIFY2(read.has_value(), read ? "" : read.error().message().c_str());
+        QCOMPARE(read->cxPx, 320.25);
+    }
+
+    void roundTripsBitForBit_data()
+    {
+        QTest::addColumn<int>("model");
+        QTest::addColumn<int>("count");
+        QTest::newRow("standard") << int(LensModel::Standard) << 5;
+        QTest::newRow("four coefficients") << int(LensModel::Standard) << 4;
+        QTest::newRow("rational") << int(LensModel::Rational) << 8;
+        QTest::newRow("fisheye") << int(LensModel::Fisheye) << 4;
+    }
+    void roundTripsBitForBit()
+    {
+        QFETCH(int, model);
+        QFETCH(int, count);
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> focal(300, 2000), small(-1e-3, 1e-3);
+        for (int i = 0; i < 50; ++i) {
+            Intrinsics k{1088,
+                         1920,
+                         focal(random),
+                         focal(random),
+                         focal(random),
+                         focal(random),
+                         static_cast<LensModel>(model),
+                         {},
+                         {}};
+            for (int c = 0; c < count; ++c)
+                k.distortion.push_back(small(random) * (c == 2 ? 1e-8 : 1));
+            for (const char *name : {"a.yaml", "a.yml"}) {
+                const std::filesystem::path file = m_folder.filePath(QString::fromLatin1(name)).toStdString();
+                QVERIFY(writeIntrinsics(file, "Kamera 'ß': #1", k).has_value());
+                const auto read = readIntrinsics(file);
+                QVERIFY2(read.has_value(), read ? "" : read.error().message().c_str());
+                QVERIFY(read->widthPx == k.widthPx && read->heightPx == k.heightPx && read->model == k.model);
+                QVERIFY(read->fxPx == k.fxPx && read->fyPx == k.fyPx && read->cxPx == k.cxPx &&
+                        read->cyPx == k.cyPx);
+                QVERIFY(read->distortion == k.distortion);
+            }
+        }
+    }
+    void writesTheExpectedText()
+    {
+        const Intrinsics k{640, 480, 500.5, 501, 320, 240.25, LensModel::Standard, {-0.1, 0, 0, 0}, {}};
+        QCOMPARE(intrinsicsText("A", k, IntrinsicsFormat::OpenCv),
+                 std::string("%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\ncamera_name: 'A'\n"
+                             "camera_matrix: !!opencv-matrix\n  rows: 3\n  cols: 3\n  dt: d\n"
+                             "  data: [500.5, 0.0, 320.0, 0.0, 501.0, 240.25, 0.0, 0.0, 1.0]\n"
+                             "distortion_coefficients: !!opencv-matrix\n  rows: 1\n  cols: 4\n  dt: d\n"
+                             "  data: [-0.1, 0.0, 0.0, 0.0]\n"));
+        const std::string ros = intrinsicsText("A", k, IntrinsicsFormat::Ros);
+        QVERIFY(ros.find("distortion_model: plumb_bob\n") != std::string::npos);
+        QVERIFY(
+            ros.find("projection_matrix:\n  rows: 3\n  cols: 4\n  data: [500.5, 0.0, 320.0, 0.0, 0.0, 501.0, "
+                     "240.25, 0.0, 0.0, 0.0, 1.0, 0.0]\n") != std::string::npos);
+    }
+
+    void refusesHostileFiles_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("message");
+        const auto row = [](const char *name, const QByteArray &text, const char *message) {
+            QTest::newRow(name) << text << QString::fromUtf8(message);
+        };
+        const auto changed = [](const char *from, const char *to) {
+            return QByteArray(rosFile).replace(from, to);
+        };
+        row("empty", "", ":1: the file is empty");
+        row("a list", "- 1\n- 2\n", ":1: the entry 'image_width' is missing");
+        row("no pictures", "a: b\n", ":1: the entry 'image_width' is missing");
+        row("deep flow", QByteArray("a: ") + QByteArray(100000, '['), ":1: it is nested more than 16 deep");
+        row("deep maps", QByteArray("a: ") + QByteArray("{a: ").repeated(50000),
+            ":1: it is nested more than 16");
+        row("deep dashes", QByteArray("- ").repeated(100000), "nested more than 16 deep");
+        row("many values", QByteArray("a: [") + QByteArray("1,").repeated(200000) + "]",
+            ":1: it holds more than 100000");
+        row("too many rows", changed("rows: 3", "rows: 2000000000"),
+            ":6: 'rows' is not a whole number from 0 to 100");
+        row("negative rows", changed("rows: 3", "rows: -3"), ":6: 'rows' is not a whole number");
+        row("wrong count", changed("0, 0, 1]", "0, 1]"),
+            ":8: 'camera_matrix' has 8 numbers instead of 3 × 3");
+        row("NaN", changed("500.5", ".nan"), ":8: 'camera_matrix' is not a finite number");
+        row("infinite", changed("501.0", "1e999"), ":9: 'camera_matrix' is not a finite number");
+        row("text for a number", changed("image_width: 640", "image_width: wide"),
+            ":2: 'image_width' is not a finite");
+        row("half a pixel", changed("640", "640.5"), ":2: 'image_width' is not a whole number");
+        row("list for a number", changed("640", "[640]"), ":2: 'image_width' is not a finite number");
+        row("skew", changed("500.5, 0", "500.5, 3"), ":6: 'camera_matrix' is not of the form");
+        row("negative focal length", changed("500.5", "-500.5"), "not");
+        row("unknown lens", changed("plumb_bob", "bubble"), ":10: the lens model 'bubble' is not known");
+        row("three coefficients", changed("cols: 5, data: [-0.1, 2e-2, 0, 0, 0]", "cols: 3, data: [1, 2, 3]"),
+            "coefficients");
+        row("doubled key", changed("image_height: 480", "image_width: 480"),
+            ":3: the key 'image_width' is there twice");
+        row("alias", changed("640", "*a"), ":2: anchors, aliases");
+        row("open bracket", changed("0, 0, 1]", "0, 0, 1"), "");
+        row("open quote", changed("\"head # left\"", "\"head"), ":4: a quoted text does not end");
+        row("tab", changed("  rows: 3", "\trows: 3"), ":6: the line is indented with a tab");
+        row("two documents", rosFile + "---\na: b\n", "more than one document");
+        row("bad indentation", changed("  cols: 3", "    cols: 3"), ":7: the indentation does not fit");
+        row("nul", QByteArray("a\0b", 3), "it is not a UTF-8 text file");
+    }
+    void refusesHostileFiles()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, message);
+        const auto read = readIntrinsics(write(text));
+        QVERIFY(!read.has_value());
+        QCOMPARE(read.error().code, ErrorCode::InvalidInput);
+        QVERIFY2(read.error().message().find(message.toStdString()) != std::string::npos,
+                 read.error().message().c_str());
+    }
+    void survivesMutations()
+    {
+        std::mt19937 random(11);
+        const QByteArray alphabet("[]{}:,-#'\"! \n\t0.e%&*\xff");
+        for (int i = 0; i < 3000; ++i) {
+            QByteArray text = rosFile;
+            for (int n = 0; n < 1 + i % 5; ++n)
+                text[qsizetype(random() % std::size_t(text.size()))] =
+                    alphabet[qsizetype(random() % std::size_t(alphabet.size()))];
+            const auto read =
+                readIntrinsics(write(text.left(qsizetype(random() % std::size_t(text.size())) + 1)));
+            QVERIFY(read.has_value() || !read.error().message().empty());
+        }
+    }
+
+    void readsRealFiles_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<double>("fx");
+        QTest::addColumn<double>("error");
+        QTest::newRow("ROS") << QStringLiteral("cap-two-views/A.yaml") << 1681.598388671875 << -1.0;
+        QTest::newRow("OpenCV, stereo sample") << QStringLiteral("chessboard-stereo/left_intrinsics.yml")
+                                               << 535.91573396163199 << 0.39259098975581364;
+        QTest::newRow("OpenCV, ChArUco") << QStringLiteral("charuco-stills/tutorial_camera_charuco.yml")
+                                         << 452.51072219637672 << 0.18234905535936044;
+    }
+    void readsRealFiles()
+    {
+        QFETCH(QString, name);
+        QFETCH(double, fx);
+        QFETCH(double, error);
+        const QString file = realFile(name.toLatin1().constData());
+        if (!QFile::exists(file))
+            QSKIP("ODOGRAPH-SKIPPED: the real material is not here (ODOGRAPH_REAL_DATA)");
+        const auto read = readCalibrationFile(file.toStdString());
+        QVERIFY2(read.has_value(), read ? "" : read.error().message().c_str());
+        QCOMPARE(read->intrinsics.fxPx, fx);
+        QCOMPARE(read->intrinsics.distortion.size(), std::size_t(5));
+        QCOMPARE(read->reprojectionPx.value_or(-1), error);
+    }
+
+private:
+    std::filesystem::path write(const QByteArray &text)
+    {
+        QFile file(m_folder.filePath(QStringLiteral("camera.yaml")));
+        if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+            qFatal("cannot write the test's file");
+        return file.fileName().toStdString();
+    }
+    QTemporaryDir m_folder;
+};
+
+QTEST_GUILESS_MAIN(TestIntrinsicsYaml)
+#include "tst_intrinsics_yaml.moc"
