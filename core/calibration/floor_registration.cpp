@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "core/calibration/marker_order.h"
 #include "core/calibration/plane_pose.h"
+#include "core/calibration/wording.h"
 #include "core/geometry/point_layout.h"
 
 #include <Eigen/Eigenvalues>
@@ -30,14 +31,6 @@ constexpr double worstSigma = 0.05;       // of the layout's extent on the floor
 tl::unexpected<Error> refuse(std::string why, std::string advice)
 {
     return fail(ErrorCode::Undetermined, what, std::move(why), std::move(advice));
-}
-
-std::string list(const std::vector<std::string> &names)
-{
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-    return text.empty() ? "none" : text;
 }
 
 std::string millimetres(double metres)
@@ -108,7 +101,7 @@ Result<std::vector<PointPair>> commonMarkers(const MarkerLayout &layout,
     }
     if (pairs.size() < 4)
         return refuse("four markers are needed that the layout and the picture have in common; there are " +
-                          std::to_string(pairs.size()) + " (" + list(names) + ")",
+                          std::to_string(pairs.size()) + " (" + listed(names) + ")",
                       "mark more of the layout's markers, under the layout's names");
     return pairs;
 }

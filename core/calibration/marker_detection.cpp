@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/marker_detection.h"
 
+#include "core/calibration/wording.h"
+
 extern "C" {
 #include <apriltag/apriltag.h>
 #include <apriltag/tag36h11.h>
@@ -18,14 +20,6 @@ using Eigen::Vector2d;
 
 constexpr float leastMargin = 25; // of libapriltag's decision: beneath it come the tags read out of noise
 constexpr int mostMendedBits = 1;
-
-std::string list(const std::vector<std::string> &names)
-{
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-    return text;
-}
 
 /// Where the diagonals cross, the picture of the tag's middle under perspective, unlike the mean of the
 /// corners. libapriltag counts from the corner of the first pixel, we from its centre.
@@ -88,7 +82,7 @@ Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLay
         return fail(
             ErrorCode::Undetermined, what,
             std::to_string(markers.size()) + " of " + std::to_string(layout.markers.size()) +
-                " were found, four are needed" + (missing.empty() ? "" : "; missing: " + list(missing)),
+                " were found, four are needed" + (missing.empty() ? "" : "; missing: " + listed(missing)),
             "show the missing tags (AprilTag 36h11, numbered from 0 in the layout's order), or mark the "
             "markers by hand");
     return markers;
