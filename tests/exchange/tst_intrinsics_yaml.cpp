@@ -85,16 +85,26 @@ private Q_SLOTS:
                          {}};
             for (int c = 0; c < count; ++c)
                 k.distortion.push_back(small(random) * (c == 2 ? 1e-8 : 1));
-            for (const char *name : {"a.yaml", "a.yml"}) {
-                const std::filesystem::path file = m_folder.filePath(QString::fromLatin1(name)).toStdString();
-                QVERIFY(writeIntrinsics(file, "Kamera 'ß': #1", k).has_value());
-                const auto read = readIntrinsics(file);
+            for (const auto format : {IntrinsicsFormat::Ros, IntrinsicsFormat::OpenCv}) {
+                const auto read = parseCalibration("a.yaml", intrinsicsText("Kamera 'ß': #1", k, format));
                 QVERIFY2(read.has_value(), read ? "" : read.error().message().c_str());
-                QVERIFY(read->widthPx == k.widthPx && read->heightPx == k.heightPx && read->model == k.model);
-                QVERIFY(read->fxPx == k.fxPx && read->fyPx == k.fyPx && read->cxPx == k.cxPx &&
-                        read->cyPx == k.cyPx);
-                QVERIFY(read->distortion == k.distortion);
+                const Intrinsics &back = read->intrinsics;
+                QVERIFY(back.widthPx == k.widthPx && back.heightPx == k.heightPx && back.model == k.model);
+                QVERIFY(back.fxPx == k.fxPx && back.fyPx == k.fyPx && back.cxPx == k.cxPx &&
+                        back.cyPx == k.cyPx);
+                QVERIFY(back.distortion == k.distortion);
             }
+        }
+    }
+    void theExtensionChoosesTheFormat()
+    {
+        const Intrinsics k{640, 480, 500, 501, 320, 240, LensModel::Standard, {}, {}};
+        for (const auto &[name, begin] :
+             {std::pair{"a.yaml", "image_width"}, std::pair{"a.yml", "%YAML:1.0"}}) {
+            QFile file(m_folder.filePath(QString::fromLatin1(name)));
+            QVERIFY(writeIntrinsics(file.fileName().toStdString(), "A", k).has_value());
+            QVERIFY(file.open(QIODevice::ReadOnly) && file.readAll().startsWith(begin));
+            QCOMPARE(readIntrinsics(file.fileName().toStdString())->fyPx, 501.0);
         }
     }
     void writesTheExpectedText()
@@ -177,8 +187,8 @@ private Q_SLOTS:
             for (int n = 0; n < 1 + i % 5; ++n)
                 text[qsizetype(random() % std::size_t(text.size()))] =
                     alphabet[qsizetype(random() % std::size_t(alphabet.size()))];
-            const auto read =
-                readIntrinsics(write(text.left(qsizetype(random() % std::size_t(text.size())) + 1)));
+            const qsizetype length = qsizetype(random() % std::size_t(text.size())) + 1;
+            const auto read = parseCalibration("camera.yaml", text.left(length).toStdString());
             QVERIFY(read.has_value() || !read.error().message().empty());
         }
     }
