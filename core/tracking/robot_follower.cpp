@@ -18,6 +18,7 @@ constexpr int missesUntilLost = 1;
 constexpr double relearnAfterS = 1.5; ///< lost for so long, the told colour is believed again
 constexpr int missesPerRelearning = 8;
 constexpr double leastRankInWindow = 0.02, leastRankInPicture = 0.15, leastFirstScore = 0.25;
+constexpr double sizeSigma = 0.2; ///< of the logarithm of the area, from one frame to the next
 constexpr std::size_t mostCandidates = 6;
 
 } // namespace
@@ -217,6 +218,7 @@ bool RobotFollower::acceptFound(const TrackedFrame &frame, const Candidate &cand
     if (!(known ? lookAgain(frame, candidate, blob) : learnFrom(frame, candidate, background, blob)))
         return false;
     m_areaPx = blob.area() * frame.lumaPerSample();
+    m_areaRate = 0;
     m_predictor.start(frame.grid().toLuma(blob.centre()), frame.timeS());
     observe(frame, blob, observation);
     return true;
@@ -244,9 +246,26 @@ double RobotFollower::scoreOf(const TrackedFrame &frame, const Blob &blob, const
     const double colour = std::min(1.0, blob.meanWeight() / 0.9) * likeness(shape.colour, m_model.expected());
     const double form = compactness(shape.covariance, shape.area);
     const double sizeRatio = shape.area * frame.lumaPerSample() / m_areaPx;
-    const double size = m_atBorder ? 1.0 : bellOf(std::log(sizeRatio) / 0.4);
+    const double size = m_atBorder ? 1.0 : bellOf(std::log(sizeRatio) / sizeSigma);
     const double away = (frame.grid().toLuma(shape.centre) - m_predictor.at(frame.timeS())).norm();
     return std::clamp(colour * form * size * bellOf(away / (m_radiusPx + 4.0)), 0.0, 1.0);
+}
+
+/// A robot that turns or comes nearer changes smoothly, at a rate that is followed; what changes at once has
+/// merged with something or is partly hidden, and is believed only when it stays so. At the border only
+/// growth tells of the whole.
+void RobotFollower::followArea(double seenPx)
+{
+    if (m_atBorder) {
+        m_areaPx = std::max(m_areaPx, seenPx);
+        m_areaRate = 0;
+        return;
+    }
+    const double surprise = std::log(seenPx / m_areaPx);
+    const double trust = bellOf(surprise / 0.13);
+    // Without trust the rate dies away, so that the expectation never runs off by itself.
+    m_areaRate = (0.5 + 0.5 * trust) * std::clamp(m_areaRate + 0.3 * trust * surprise, -0.15, 0.15);
+    m_areaPx *= std::exp((0.03 + 0.47 * trust) * surprise + m_areaRate);
 }
 
 void RobotFollower::update(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape,
@@ -257,10 +276,8 @@ void RobotFollower::update(const TrackedFrame &frame, const Blob &blob, const Re
     m_missed = 0;
     m_predictor.update(observation.ellipse.centrePx, frame.timeS());
     const bool trusted = observation.score > 0.4;
-    if (wasFollowing && (m_atBorder ? observation.areaPx > m_areaPx : trusted))
-        m_areaPx += 0.2 * (observation.areaPx - m_areaPx);
-    else if (wasFollowing)
-        m_areaPx += 0.03 * (observation.areaPx - m_areaPx);
+    if (wasFollowing)
+        followArea(observation.areaPx);
     m_radiusPx = std::sqrt(m_areaPx / std::numbers::pi);
     m_halfSizePx =
         2.0 * frame.grid().scale.cwiseProduct(shape.covariance.diagonal().cwiseMax(0.1).cwiseSqrt());

@@ -96,6 +96,7 @@ private:
                    Blob &blob);
     void observe(const TrackedFrame &frame, const Blob &blob, Observation &observation);
     double scoreOf(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape) const;
+    void followArea(double seenPx);
     void update(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape,
                 const Observation &observation);
 
@@ -108,7 +109,8 @@ private:
     RegionMeasure m_measure;
     std::vector<Candidate> m_candidates;
     ChromaRect m_occupied;
-    double m_areaPx = 0;                                    ///< expected
+    double m_areaPx = 0;                                    ///< expected in the next frame
+    double m_areaRate = 0;                                  ///< of its logarithm, a frame
     double m_radiusPx = 0;                                  ///< of the circle of that area
     Eigen::Vector2d m_halfSizePx = Eigen::Vector2d::Zero(); ///< of the last ellipse along x and y
     bool m_atBorder = false;
