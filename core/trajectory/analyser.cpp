@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/analyser.h"
 
+#include "core/trajectory/coloured_part.h"
 #include "core/trajectory/floor_positions.h"
+#include "core/trajectory/free_height.h"
 #include "core/trajectory/fused_track.h"
 #include "core/trajectory/height_estimation.h"
 #include "core/trajectory/metrics.h"
@@ -97,20 +99,42 @@ std::vector<std::vector<Sighting>> lookFromAllViews(const std::vector<ViewTrack>
     return all;
 }
 
-struct Plane
+/// What all views saw, laid at the robot's height.
+struct PlacedRobot
 {
-    double heightM = 0, sigmaM = 0; ///< of the plane
+    std::vector<std::vector<Sighting>> views;
+    double planeSigmaM = 0;  ///< of the plane used
+    double heightM = 0;      ///< of the robot's top
     bool estimated = false;
 };
 
-Plane choosePlane(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
-                  const RobotShape &shape)
+/// One height for the whole run: told, or estimated from the views, or (from one view alone) unknown.
+PlacedRobot placeAtOneHeight(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
+                             const RobotShape &shape)
 {
-    if (shape.heightM)
-        return {silhouettePlaneM(*shape.heightM), toldPlaneSigmaM, false};
-    if (const auto estimate = estimatePlane(lookFromAllViews(views, times, 0)))
-        return {estimate->planeM, estimate->sigmaM, true};
-    return {0, unknownPlaneSigmaM, false};
+    if (shape.heightM) {
+        const double planeM = isMarkAtTop(views, *shape.heightM) ? *shape.heightM : silhouettePlaneM(*shape.heightM);
+        return {lookFromAllViews(views, times, planeM), toldPlaneSigmaM, *shape.heightM, false};
+    }
+    if (const auto estimate = estimatePlane(lookFromAllViews(views, times, 0))) {
+        const bool mark = isMarkAtTop(views, estimate->planeM);
+        const double heightM = mark ? estimate->planeM : 2 * estimate->planeM;
+        return {lookFromAllViews(views, times, estimate->planeM), estimate->sigmaM, heightM, true};
+    }
+    return {lookFromAllViews(views, times, 0), unknownPlaneSigmaM, 0, false};
+}
+
+Result<PlacedRobot> place(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
+                          const RobotShape &shape)
+{
+    if (!shape.heightVaries)
+        return placeAtOneHeight(views, times, shape);
+    auto placed = freeHeight(lookFromAllViews(views, times, 0));
+    if (!placed)
+        return fail(ErrorCode::Undetermined, cannotAnalyse,
+                    "its height is to be triangulated, but two registered views hardly ever saw it together",
+                    "add a second view, or give the robot one height");
+    return PlacedRobot{std::move(placed->views), toldPlaneSigmaM, placed->medianHeightM, true};
 }
 
 double meanDisagreement(const std::vector<Sample> &samples)
@@ -158,12 +182,13 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
         frames.push_back(observation.frame);
     }
 
-    const Plane plane = choosePlane(views, times, shape);
-    const FusionSettings settings{plane.sigmaM};
-    const auto sightings = lookFromAllViews(views, times, plane.heightM);
-    FusedTrack track = fuseViews(times, frames, sightings, settings);
+    const auto placed = place(views, times, shape);
+    if (!placed)
+        return tl::unexpected(placed.error());
+    const FusionSettings settings{placed->planeSigmaM};
+    FusedTrack track = fuseViews(times, frames, placed->views, settings);
     chooseByMotion(track, settings, options.longestBridgedGap);
-    alignSingleViews(track, sightings);
+    alignSingleViews(track, placed->views);
     const MotionNoise noise = flagSpikes(track.samples, options);
 
     Profile profile;
@@ -180,8 +205,8 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
                     "choose a longer video, or check the robot's colour and the light");
     profile.spikes = describeSpikes(track, profile.points);
     profile.metrics = measureRun(track.samples, profile.points);
-    profile.heightM = 2 * plane.heightM;
-    profile.heightEstimated = plane.estimated;
+    profile.heightM = placed->heightM;
+    profile.heightEstimated = placed->estimated;
     profile.meanViewDisagreementM = meanDisagreement(track.samples);
     profile.samples = std::move(track.samples);
     return profile;

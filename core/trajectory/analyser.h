@@ -37,6 +37,7 @@ struct RobotShape
     /// Height of the robot's top; empty: estimated from the views' disagreement (one view alone: taken as 0).
     std::optional<double> heightM;
     std::optional<double> lengthM, widthM;
+    bool heightVaries = false; ///< on a ramp: triangulated in every frame; heightM is not looked at
 };
 
 struct AnalysisOptions

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t leastPairs = 10;
 constexpr double largestSigmaM = 0.025;
-constexpr double highestPlaneM = 0.5; // robots of a class-room floor are below 1 m
+constexpr double highestPlaneM = 2.5; // a mark on a person's head is the highest that is of use
 constexpr double huberLimit = 1.5;
 
 /// Two views at one time: their difference at z = 0 and how it changes with the height.

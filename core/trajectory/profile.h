@@ -103,7 +103,7 @@ struct Profile
     std::vector<ProfilePoint> points;
     std::vector<Spike> spikes;
     std::vector<Metric> metrics;
-    double heightM = 0; ///< of the robot's top; the plane used lies at half of it (silhouettePlaneM)
+    double heightM = 0; ///< of the robot's top; its median where it varies
     bool heightEstimated = false;
     double meanViewDisagreementM = 0;
 };

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/floor_positions.h"
+
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+/// Sightings at the height that the views agree on at each time by itself.
+struct FreeHeightSightings
+{
+    std::vector<std::vector<Sighting>> views; ///< as given, each shifted to the height of its time
+    double medianHeightM = 0;
+};
+
+/// For a robot whose height changes (on a ramp): at each time with two views or more, the height at which their rays
+/// come nearest (weighted least squares, as estimatePlane, but for one time), the point being what both see; where one
+/// view is alone, or the height jumps by more than 0.15 m against the median of the half second around, that median.
+/// views: each view's sightings at the same times, laid on z = 0. nullopt: fewer than ten times with two views.
+std::optional<FreeHeightSightings> freeHeight(std::vector<std::vector<Sighting>> views);
+
+} // namespace odo

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/video/picture_writer.h"
+
+#include "core/video/picture.h"
+
+#include <opencv2/imgcodecs.hpp>
+
+namespace odo {
+
+Result<void> writePicture(const Frame &frame, const std::filesystem::path &file)
+{
+    const ScreenPicture picture = toScreen(frame, frame.format.width, frame.format.height);
+    cv::Mat colours(picture.height, picture.width, CV_8UC3);
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const std::uint32_t pixel = picture.pixels[static_cast<std::size_t>(y) * picture.width + x];
+            colours.at<cv::Vec3b>(y, x) = {static_cast<std::uint8_t>(pixel), static_cast<std::uint8_t>(pixel >> 8),
+                                           static_cast<std::uint8_t>(pixel >> 16)};
+        }
+    }
+    const auto failed = [&](const std::string &why) {
+        return fail(ErrorCode::Io, "picture '" + file.string() + "'", why,
+                    "check the folder, the free space, and that the name ends in .png or .jpg");
+    };
+    try {
+        if (!cv::imwrite(file.string(), colours))
+            return failed("it could not be written");
+    } catch (const cv::Exception &) {
+        return failed("its format is not known");
+    }
+    return {};
+}
+
+} // namespace odo

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/calibrate_job.h"
+
+#include "core/calibration/intrinsic_calibration.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/cameras.h"
+#include "core/workflow/picture_source.h"
+
+namespace odo {
+
+namespace {
+
+// A hand-held board moves little between neighbouring frames: they would only repeat one pose.
+constexpr int videoStep = 15;
+constexpr std::size_t enoughVideoViews = 60;
+
+} // namespace
+
+CalibrateJob::CalibrateJob(CalibrateSettings settings) : m_settings(std::move(settings)) {}
+
+Result<void> CalibrateJob::prepare(Project &)
+{
+    for (const auto &file : m_settings.files) {
+        std::error_code problem;
+        if (!std::filesystem::is_regular_file(file, problem))
+            return fail(ErrorCode::NotFound, "'" + file.string() + "'", "there is no such file",
+                        "check the name and the folder");
+    }
+    return {};
+}
+
+Result<void> CalibrateJob::run(const JobControl &control)
+{
+    for (std::size_t i = 0; i < m_settings.files.size(); ++i) {
+        control.report(0.8 * double(i) / double(m_settings.files.size()),
+                       "looking for the board in " + m_settings.files[i].filename().string());
+        if (auto searched = searchFile(m_settings.files[i], control); !searched)
+            return searched;
+    }
+    if (m_views.empty()) {
+        const std::string why = m_rejected.empty() ? "no picture could be read" : m_rejected.front().reason;
+        return fail(ErrorCode::Undetermined, "calibration of camera '" + m_settings.camera + "'",
+                    "the board was found in none of " + std::to_string(m_rejected.size()) + " pictures (" + why + ")",
+                    "show the whole board, flat, sharp and evenly lit, and check --pattern and --board");
+    }
+    control.report(0.85, "computing the intrinsics");
+    auto calibration = calibrateIntrinsics(m_views, m_widthPx, m_heightPx, m_settings.model, control);
+    if (!calibration) {
+        Error error = calibration.error();
+        error.what = "calibration of camera '" + m_settings.camera + "'";
+        return tl::unexpected(error);
+    }
+    m_calibration = std::move(*calibration);
+    m_calibration.rejected.insert(m_calibration.rejected.begin(), m_rejected.begin(), m_rejected.end());
+    return {};
+}
+
+Result<void> CalibrateJob::searchFile(const std::filesystem::path &file, const JobControl &control)
+{
+    const auto visited = visitPictures(file, videoStep, [&](const Frame &frame, const std::string &name) {
+        searchPicture(frame, name);
+        return !control.isCancelled() && m_views.size() < enoughVideoViews + m_settings.files.size();
+    });
+    if (control.isCancelled())
+        return cancelled("calibration of camera '" + m_settings.camera + "'");
+    // One unreadable picture among many is refused like one without a board; it must not cost the others.
+    if (!visited)
+        m_rejected.push_back({file.filename().string(), visited.error().why});
+    return {};
+}
+
+void CalibrateJob::searchPicture(const Frame &frame, const std::string &name)
+{
+    if (m_widthPx == 0) {
+        m_widthPx = frame.format.width;
+        m_heightPx = frame.format.height;
+    }
+    if (frame.format.width != m_widthPx || frame.format.height != m_heightPx) {
+        m_rejected.push_back({name, "it is " + std::to_string(frame.format.width) + "×" +
+                                        std::to_string(frame.format.height) + ", the first picture " +
+                                        std::to_string(m_widthPx) + "×" + std::to_string(m_heightPx)});
+        return;
+    }
+    auto view = findBoard(frame, m_settings.board, name);
+    if (!view) {
+        m_rejected.push_back({name, view.error().why});
+        return;
+    }
+    // What the first board turned out to be holds for the rest: it is one board, and a known size is found faster.
+    m_settings.board.columns = view->columns;
+    m_settings.board.rows = view->rows;
+    m_views.push_back(std::move(*view));
+}
+
+Result<void> CalibrateJob::commit(Project &project)
+{
+    return project.inTransaction([&]() -> Result<void> {
+        const auto camera = findOrAddCamera(project, m_settings.camera);
+        if (!camera)
+            return tl::unexpected(camera.error());
+        IntrinsicsRecord record;
+        record.camera = camera->id;
+        record.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+        record.origin = "calibrated from " + std::to_string(m_views.size()) + " pictures";
+        record.calibration = m_calibration;
+        const auto stored = project.cameras().addIntrinsics(record);
+        if (!stored)
+            return tl::unexpected(stored.error());
+        return {};
+    });
+}
+
+} // namespace odo

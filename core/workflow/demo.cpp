@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/demo.h"
+
+#include "core/exchange/layout_csv.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/simulation/board_poses.h"
+#include "core/simulation/demo_testbed.h"
+#include "core/simulation/renderer.h"
+#include "core/video/picture_writer.h"
+#include "core/workflow/calibrate_job.h"
+#include "core/workflow/import_trial_job.h"
+#include "core/workflow/register_job.h"
+#include "core/workflow/track_job.h"
+#include "core/workflow/truth_files.h"
+
+#include <thread>
+
+namespace odo {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char *className = "Year 9 robotics";
+constexpr int boardPictures = 14;
+constexpr double boardNoise = 1.5; // of 255
+
+/// A folder for what is in the making, removed again unless its content was moved to its place.
+class Staging
+{
+public:
+    explicit Staging(fs::path folder) : m_folder(std::move(folder)) {}
+    ~Staging()
+    {
+        std::error_code ignored;
+        fs::remove_all(m_folder, ignored);
+    }
+    const fs::path &folder() const { return m_folder; }
+
+private:
+    fs::path m_folder;
+};
+
+/// One part of the whole job's progress.
+JobControl part(const JobControl &whole, double from, double to)
+{
+    JobControl control = whole;
+    if (whole.progress)
+        control.progress = [report = whole.progress, from, to](double fraction, const std::string &text) {
+            report(from + (to - from) * fraction, text);
+        };
+    return control;
+}
+
+class DemoMaker
+{
+public:
+    DemoMaker(const fs::path &folder, Project &project, const JobControl &control)
+        : m_folder(folder), m_project(project), m_control(control), m_trials(demoTrials())
+    {}
+
+    Result<void> make()
+    {
+        for (const auto step : {&DemoMaker::calibrateCameras, &DemoMaker::addLayout, &DemoMaker::renderVideos,
+                                &DemoMaker::registerCameras, &DemoMaker::addTrials, &DemoMaker::trackTrials}) {
+            if (auto done = (this->*step)(); !done)
+                return done;
+            if (m_control.isCancelled())
+                return cancelled("demo");
+        }
+        return {};
+    }
+
+private:
+    const SimulatedScene &testbed() const { return m_trials.front().scene; }
+
+    Result<void> calibrateCameras()
+    {
+        const fs::path pictures = m_folder / "calibration";
+        fs::create_directories(pictures);
+        for (const SimulatedCamera &camera : testbed().cameras) {
+            m_control.report(0.02, "calibrating camera " + camera.name);
+            CalibrateSettings settings;
+            settings.camera = camera.name;
+            SimulatedBoard board;
+            settings.board.squareM = board.squareM;
+            int number = 0;
+            for (const RigidTransform &pose : heldBoardPoses(camera.view.camera(), board, boardPictures, 7)) {
+                board.cameraFromBoard = pose;
+                const std::string suffix = (number < 9 ? "_0" : "_") + std::to_string(number + 1) + ".png";
+                const fs::path file = pictures / (camera.name + suffix);
+                if (auto written = writePicture(
+                        renderBoard(camera.view.camera(), board, boardNoise, std::uint32_t(100 + number)), file);
+                    !written)
+                    return written;
+                settings.files.push_back(file);
+                ++number;
+            }
+            CalibrateJob job(std::move(settings));
+            if (auto done = runToEnd(job, m_project, {m_control.cancel, {}}); !done)
+                return done;
+        }
+        return {};
+    }
+
+    Result<void> addLayout()
+    {
+        const MarkerLayout &layout = testbed().floor.markers;
+        m_layout = layout.name;
+        const auto added = m_project.layouts().add(layout);
+        if (!added)
+            return tl::unexpected(added.error());
+        return writeLayoutCsv(m_folder / "calibration" / "layout.csv", layout);
+    }
+
+    fs::path videoFile(std::size_t trial, const SimulatedCamera &camera) const
+    {
+        return m_project.mediaFolder() / (m_trials[trial].trial + "_" + camera.name + ".mkv");
+    }
+
+    Result<void> renderVideos()
+    {
+        fs::create_directories(m_project.mediaFolder());
+        for (std::size_t t = 0; t < m_trials.size(); ++t) {
+            const double share = 0.75 / double(m_trials.size()), from = 0.05 + share * double(t);
+            if (auto done = renderTrial(t, part(m_control, from, from + share)); !done)
+                return done;
+        }
+        return {};
+    }
+
+    Result<void> renderTrial(std::size_t t, const JobControl &control)
+    {
+        const SimulatedScene &scene = m_trials[t].scene;
+        std::vector<Result<void>> results(scene.cameras.size());
+        std::vector<std::thread> threads;
+        for (std::size_t c = 0; c < scene.cameras.size(); ++c) {
+            JobControl mine = control;
+            if (c > 0)
+                mine.progress = nullptr; // the views go on side by side: the first speaks for all
+            threads.emplace_back([&, c, mine] {
+                results[c] = renderVideo(scene, int(c), videoFile(t, scene.cameras[c]), {}, mine);
+            });
+        }
+        for (std::thread &thread : threads)
+            thread.join();
+        for (const auto &result : results) {
+            if (!result)
+                return result;
+        }
+        return {};
+    }
+
+    Result<void> registerCameras()
+    {
+        for (const SimulatedCamera &camera : testbed().cameras) {
+            RegisterSettings settings;
+            settings.camera = camera.name;
+            settings.layout = m_layout;
+            settings.pictureFile = videoFile(0, camera);
+            RegisterJob job(std::move(settings));
+            if (auto done = runToEnd(job, m_project, {m_control.cancel, {}}); !done)
+                return done;
+        }
+        return {};
+    }
+
+    Result<void> addRobotAndTeam(const DemoTrial &trial)
+    {
+        for (const SimulatedRobot &simulated : trial.scene.robots) {
+            if (m_project.robots().find(simulated.name))
+                continue;
+            RobotRecord robot;
+            robot.name = simulated.name;
+            robot.colour = simulated.colour;
+            robot.heightMode = RobotRecord::Height::Told;
+            robot.heightM = simulated.heightM;
+            robot.lengthM = simulated.lengthM;
+            robot.widthM = simulated.widthM;
+            if (auto added = m_project.robots().add(robot); !added)
+                return tl::unexpected(added.error());
+        }
+        if (!m_project.teams().find(trial.team)) {
+            if (auto added = m_project.teams().add({0, trial.team, className}); !added)
+                return tl::unexpected(added.error());
+        }
+        return {};
+    }
+
+    Result<void> addTrials()
+    {
+        for (std::size_t t = 0; t < m_trials.size(); ++t) {
+            const DemoTrial &trial = m_trials[t];
+            if (auto added = addRobotAndTeam(trial); !added)
+                return added;
+            ImportSettings settings;
+            settings.trial = trial.trial;
+            settings.team = trial.team;
+            settings.task = trial.task;
+            for (const SimulatedRobot &robot : trial.scene.robots)
+                settings.robots.push_back(robot.name);
+            for (const SimulatedCamera &camera : trial.scene.cameras)
+                settings.videos.emplace_back(camera.name, videoFile(t, camera));
+            settings.sync = ImportSettings::Sync::Told;
+            settings.offsetS = frameSceneTime(trial.scene, 1, 0) - frameSceneTime(trial.scene, 0, 0);
+            ImportTrialJob job(std::move(settings));
+            if (auto done = runToEnd(job, m_project, {m_control.cancel, {}}); !done)
+                return done;
+            if (auto kept = keepTruth(m_project, job.trial(), trial.scene, m_folder / "truth"); !kept)
+                return kept;
+        }
+        return {};
+    }
+
+    Result<void> trackTrials()
+    {
+        for (std::size_t t = 0; t < m_trials.size(); ++t) {
+            const double share = 0.18 / double(m_trials.size()), from = 0.82 + share * double(t);
+            TrackJob job(m_trials[t].trial, {});
+            if (auto done = runToEnd(job, m_project, part(m_control, from, from + share)); !done)
+                return done;
+        }
+        return {};
+    }
+
+    const fs::path m_folder;
+    Project &m_project;
+    const JobControl &m_control;
+    const std::vector<DemoTrial> m_trials;
+    std::string m_layout;
+};
+
+Result<void> buildIn(const fs::path &folder, const JobControl &control)
+{
+    auto project = Project::create(folder / "demo.odo", "Demo lesson: Year 9 robotics");
+    if (!project)
+        return tl::unexpected(project.error());
+    return DemoMaker(folder, **project, control).make();
+}
+
+} // namespace
+
+Result<fs::path> makeDemo(const fs::path &folder, const JobControl &control)
+{
+    const std::string what = "demo in '" + folder.string() + "'";
+    static constexpr std::array<const char *, 4> parts = {"demo.media", "calibration", "truth", "demo.odo"};
+    for (const char *name : parts) {
+        if (fs::exists(folder / name))
+            return fail(ErrorCode::AlreadyExists, what, std::string(name) + " is there already",
+                        "open it, or choose another folder");
+    }
+    try {
+        const bool folderIsNew = fs::create_directories(folder);
+        {
+            const Staging staging(folder / ".demo-in-the-making");
+            fs::remove_all(staging.folder()); // of an earlier attempt that was killed
+            fs::create_directory(staging.folder());
+            if (auto built = buildIn(staging.folder(), control); !built) {
+                if (folderIsNew)
+                    fs::remove_all(folder);
+                return tl::unexpected(built.error());
+            }
+            for (const char *name : parts)
+                fs::rename(staging.folder() / name, folder / name);
+        }
+        return folder / "demo.odo";
+    } catch (const fs::filesystem_error &problem) {
+        return fail(ErrorCode::Io, what, problem.code().message(), "choose a folder you can write to, with 300 MB free");
+    }
+}
+
+} // namespace odo

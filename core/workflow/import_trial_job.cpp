@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/import_trial_job.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/video/video_reader.h"
+#include "core/workflow/cameras.h"
+#include "core/workflow/clip_offset.h"
+#include "core/workflow/media_copy.h"
+
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+namespace odo {
+
+namespace {
+
+std::string secondsText(double seconds)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f s", seconds);
+    return text;
+}
+
+double durationOf(const RecordingRecord &recording)
+{
+    return recording.frameTimes.empty() ? 0 : toSeconds(recording.frameTimes.back());
+}
+
+} // namespace
+
+ImportTrialJob::ImportTrialJob(ImportSettings settings) : m_settings(std::move(settings)) {}
+
+ImportTrialJob::~ImportTrialJob()
+{
+    if (!m_committed)
+        removeCopies();
+}
+
+Result<void> ImportTrialJob::prepare(Project &project)
+{
+    const std::string what = "import of trial '" + m_settings.trial + "'";
+    if (m_settings.videos.empty())
+        return fail(ErrorCode::InvalidInput, what, "no video was given", "give one view or more, like --video A=a.mp4");
+    if (project.trials().find(m_settings.trial))
+        return fail(ErrorCode::AlreadyExists, what, "the project has a trial of that name", "choose another name");
+    std::set<std::string> names;
+    for (const auto &[camera, file] : m_settings.videos) {
+        if (!names.insert(camera).second)
+            return fail(ErrorCode::InvalidInput, what, "camera '" + camera + "' was given two videos",
+                        "give each view its own camera");
+        std::error_code problem;
+        if (!std::filesystem::is_regular_file(file, problem))
+            return fail(ErrorCode::NotFound, "'" + file.string() + "'", "there is no such file",
+                        "check the name and the folder");
+    }
+    m_trial.name = m_settings.trial;
+    m_trial.task = m_settings.task;
+    if (!m_settings.robots.empty() || m_settings.sync == ImportSettings::Sync::Automatic) {
+        auto robots = robotsToTrack(project, m_trial, m_settings.robots);
+        if (!robots && !m_settings.robots.empty())
+            return tl::unexpected(robots.error());
+        if (robots)
+            m_robots = std::move(*robots);
+    }
+    m_mediaFolder = project.mediaFolder();
+    m_projectFolder = project.file().parent_path();
+
+    const auto cameras = project.cameras().all();
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    for (const auto &[name, file] : m_settings.videos) {
+        RegisteredView view;
+        view.file = file;
+        view.recording.cameraName = name;
+        for (const CameraRecord &camera : *cameras) {
+            if (camera.name != name)
+                continue;
+            const auto registration = project.cameras().currentRegistration(camera.id);
+            if (!registration)
+                return tl::unexpected(registration.error());
+            if (*registration) {
+                auto floorView = floorViewOf(project, **registration);
+                if (!floorView)
+                    return tl::unexpected(floorView.error());
+                view.floorView = std::move(*floorView);
+            }
+        }
+        m_views.push_back(std::move(view));
+    }
+    return {};
+}
+
+Result<void> ImportTrialJob::run(const JobControl &control)
+{
+    for (std::size_t view = 0; view < m_settings.videos.size(); ++view) {
+        if (auto read = readVideo(view); !read)
+            return read;
+    }
+    if (auto synchronised = synchronise(control); !synchronised)
+        return synchronised;
+    if (auto compared = compareViews(); !compared)
+        return compared;
+    for (std::size_t view = 0; view < m_settings.videos.size(); ++view) {
+        if (auto copied = copyVideo(view, control); !copied)
+            return copied;
+    }
+    return {};
+}
+
+Result<void> ImportTrialJob::readVideo(std::size_t view)
+{
+    const auto &[camera, file] = m_settings.videos[view];
+    const auto reader = VideoReader::open(file);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    const VideoInfo &info = (*reader)->info();
+    if (!info.warning.empty())
+        m_warnings.push_back("video '" + file.filename().string() + "': " + info.warning);
+    RecordingRecord recording;
+    recording.cameraName = camera;
+    recording.position = static_cast<int>(view);
+    recording.widthPx = info.format.width;
+    recording.heightPx = info.format.height;
+    recording.framesPerSecond = info.framesPerSecond;
+    recording.frameTimes = info.frameTimes;
+    if (m_settings.rate && info.framesPerSecond > 0) {
+        // The file plays at another rate than the camera took the pictures at (slow motion).
+        const double scale = info.framesPerSecond / *m_settings.rate;
+        for (Nanoseconds &time : recording.frameTimes)
+            time = fromSeconds(toSeconds(time) * scale);
+        recording.framesPerSecond = *m_settings.rate;
+    }
+    m_views[view].recording = recording;
+    m_recordings.push_back(std::move(recording));
+    return {};
+}
+
+Result<void> ImportTrialJob::synchronise(const JobControl &control)
+{
+    m_trial.syncMethod = "none";
+    if (m_recordings.size() < 2)
+        return {};
+    if (m_settings.sync == ImportSettings::Sync::Told) {
+        m_trial.syncMethod = "told";
+        m_trial.syncOffsetS = m_settings.offsetS;
+        m_recordings[1].startOffsetS = m_settings.offsetS;
+        m_trial.syncScore = 1;
+        return {};
+    }
+    if (m_settings.sync == ImportSettings::Sync::None)
+        return {};
+    for (std::size_t view = 1; view < m_views.size(); ++view) {
+        const auto offset = clipOffsetFromMotion(m_views[0], m_views[view], m_robots, control);
+        if (!offset && offset.error().code != ErrorCode::Undetermined)
+            return tl::unexpected(offset.error());
+        if (!offset) {
+            m_warnings.push_back("synchronisation of view '" + m_recordings[view].cameraName + "': " +
+                                 offset.error().why + "; taken as started together, or give --sync SECONDS");
+            continue;
+        }
+        m_recordings[view].startOffsetS = offset->offsetS;
+        if (view == 1) {
+            m_trial.syncMethod = "auto";
+            m_trial.syncOffsetS = offset->offsetS;
+            m_trial.syncOffsetSigmaS = offset->sigmaS;
+            m_trial.syncScore = offset->score;
+        }
+    }
+    return {};
+}
+
+Result<void> ImportTrialJob::compareViews()
+{
+    const double firstEndS = durationOf(m_recordings[0]);
+    m_trial.durationS = firstEndS;
+    for (std::size_t view = 1; view < m_recordings.size(); ++view) {
+        const RecordingRecord &other = m_recordings[view];
+        const double startS = other.startOffsetS, endS = startS + durationOf(other);
+        const double commonS = std::min(endS, firstEndS) - std::max(startS, 0.0);
+        if (commonS <= 0)
+            return fail(ErrorCode::InvalidInput, "import of trial '" + m_settings.trial + "'",
+                        "views '" + m_recordings[0].cameraName + "' and '" + other.cameraName +
+                            "' have no time in common with an offset of " + secondsText(startS),
+                        "check the files and the --sync offset");
+        if (commonS < 0.9 * std::max(firstEndS, durationOf(other)))
+            m_warnings.push_back("views '" + m_recordings[0].cameraName + "' and '" + other.cameraName + "': " +
+                                 secondsText(firstEndS) + " and " + secondsText(durationOf(other)) + " long, " +
+                                 secondsText(commonS) +
+                                 " in common; outside it only one view measures, so check that both belong to one run");
+        const double a = m_recordings[0].framesPerSecond, b = other.framesPerSecond;
+        if (a > 0 && b > 0 && std::abs(a - b) > 0.02 * a)
+            m_warnings.push_back("views '" + m_recordings[0].cameraName + "' and '" + other.cameraName + "': " +
+                                 std::to_string(std::lround(a)) + " and " + std::to_string(std::lround(b)) +
+                                 " frames/s; the views are joined by time, check --rate if one is slow motion");
+    }
+    return {};
+}
+
+Result<void> ImportTrialJob::copyVideo(std::size_t view, const JobControl &control)
+{
+    const auto &[camera, file] = m_settings.videos[view];
+    const auto copy = copyIntoMedia(file, m_mediaFolder, m_settings.trial + "_" + camera, control);
+    if (!copy)
+        return tl::unexpected(copy.error());
+    if (copy->made)
+        m_copies.push_back(copy->file);
+    m_recordings[view].path = std::filesystem::relative(copy->file, m_projectFolder).generic_string();
+    m_recordings[view].sha256 = copy->sha256;
+    m_recordings[view].bytes = copy->bytes;
+    return {};
+}
+
+Result<void> ImportTrialJob::commit(Project &project)
+{
+    const auto committed = project.inTransaction([&]() -> Result<void> {
+        for (RecordingRecord &recording : m_recordings) {
+            const auto camera = findOrAddCamera(project, recording.cameraName);
+            if (!camera)
+                return tl::unexpected(camera.error());
+            recording.camera = camera->id;
+        }
+        if (!m_settings.team.empty()) {
+            auto team = project.teams().find(m_settings.team);
+            if (!team)
+                team = project.teams().add({0, m_settings.team, ""});
+            if (!team)
+                return tl::unexpected(team.error());
+            m_trial.team = team->id;
+        }
+        if (!m_settings.robots.empty()) {
+            for (const RobotRecord &robot : m_robots)
+                m_trial.robots.push_back(robot.id);
+        }
+        m_trial.date = m_settings.date.value_or(
+            std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now()));
+        auto trial = project.trials().add(m_trial, m_recordings);
+        if (!trial)
+            return tl::unexpected(trial.error());
+        m_trial = std::move(*trial);
+        return {};
+    });
+    m_committed = committed.has_value();
+    return committed;
+}
+
+void ImportTrialJob::removeCopies()
+{
+    std::error_code ignored; // nothing more can be done for a file that cannot be removed
+    for (const auto &copy : m_copies)
+        std::filesystem::remove(copy, ignored);
+    if (!m_copies.empty())
+        std::filesystem::remove(m_mediaFolder, ignored); // only when empty
+}
+
+} // namespace odo

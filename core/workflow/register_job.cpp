@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/register_job.h"
+
+#include "core/calibration/marker_detection.h"
+#include "core/exchange/pixels_csv.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/cameras.h"
+#include "core/workflow/picture_source.h"
+
+namespace odo {
+
+namespace {
+
+// Markers do not move; a few pictures are looked at in case somebody stands before one in the first.
+constexpr int videoStep = 10;
+constexpr int mostPictures = 12;
+
+/// The newest recording of a camera: its file and the size of its pictures.
+Result<std::optional<RecordingRecord>> newestRecording(Project &project, RecordId camera)
+{
+    const auto trials = project.trials().all();
+    if (!trials)
+        return tl::unexpected(trials.error());
+    for (const TrialRecord &trial : *trials) {
+        const auto recordings = project.trials().recordings(trial.id);
+        if (!recordings)
+            return tl::unexpected(recordings.error());
+        for (const RecordingRecord &recording : *recordings) {
+            if (recording.camera == camera)
+                return recording;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+RegisterJob::RegisterJob(RegisterSettings settings) : m_settings(std::move(settings)) {}
+
+Result<void> RegisterJob::prepare(Project &project)
+{
+    const auto layout = project.layouts().find(m_settings.layout);
+    if (!layout)
+        return tl::unexpected(layout.error());
+    m_layout = layout->layout;
+    m_record.layout = layout->id;
+
+    const auto cameras = project.cameras().all();
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    for (const CameraRecord &camera : *cameras) {
+        if (camera.name != m_settings.camera)
+            continue;
+        const auto intrinsics = project.cameras().currentIntrinsics(camera.id);
+        if (!intrinsics)
+            return tl::unexpected(intrinsics.error());
+        if (*intrinsics) {
+            m_intrinsicsKnown = true;
+            m_intrinsics = (*intrinsics)->calibration.intrinsics;
+            m_record.intrinsics = (*intrinsics)->id;
+        }
+        const auto recording = newestRecording(project, camera.id);
+        if (!recording)
+            return tl::unexpected(recording.error());
+        if (*recording && m_settings.pictureFile.empty() && m_settings.pixelsFile.empty() && m_settings.pixels.empty())
+            m_settings.pictureFile = project.resolve(**recording);
+        if (*recording && !m_intrinsicsKnown) {
+            m_intrinsics.widthPx = (*recording)->widthPx;
+            m_intrinsics.heightPx = (*recording)->heightPx;
+        }
+    }
+    return {};
+}
+
+Result<void> RegisterJob::run(const JobControl &control)
+{
+    if (!m_settings.pixelsFile.empty()) {
+        auto pixels = readPixelsCsv(m_settings.pixelsFile);
+        if (!pixels)
+            return tl::unexpected(pixels.error());
+        m_settings.pixels = std::move(*pixels);
+    }
+    if (m_settings.pixels.empty() || !m_settings.pictureFile.empty()) {
+        if (auto found = findInPictures(control); !found)
+            return found;
+    }
+    auto camera = cameraModel();
+    if (!camera)
+        return tl::unexpected(camera.error());
+    auto registration = registerFloor(m_layout, m_settings.pixels, *camera, m_intrinsicsKnown);
+    if (!registration) {
+        Error error = registration.error();
+        error.what = "registration of camera '" + m_settings.camera + "'";
+        return tl::unexpected(error);
+    }
+    m_record.pixels = m_settings.pixels;
+    m_record.assumedIntrinsics = registration->intrinsics;
+    m_record.registration = std::move(*registration);
+    return {};
+}
+
+Result<void> RegisterJob::findInPictures(const JobControl &control)
+{
+    const std::string what = "markers for camera '" + m_settings.camera + "'";
+    if (m_settings.pictureFile.empty())
+        return fail(ErrorCode::NotFound, what, "neither their pixels nor a picture to look in was given",
+                    "give --pixels pixels.csv, --image picture.png or --video clip.mp4");
+    const bool wanted = m_settings.pixels.empty();
+    tl::unexpected<Error> lastProblem = fail(ErrorCode::Undetermined, what, "the video has no picture", "give another file");
+    int looked = 0;
+    const auto visited = visitPictures(m_settings.pictureFile, videoStep, [&](const Frame &frame, const std::string &name) {
+        control.report(double(looked) / mostPictures, "looking for the markers in " + name);
+        if (!m_intrinsicsKnown) {
+            m_intrinsics.widthPx = frame.format.width;
+            m_intrinsics.heightPx = frame.format.height;
+        }
+        if (!wanted)
+            return false;
+        auto pixels = findMarkers(frame, m_layout);
+        if (!pixels)
+            lastProblem = tl::unexpected(pixels.error());
+        else if (pixels->size() > m_settings.pixels.size())
+            m_settings.pixels = std::move(*pixels);
+        return m_settings.pixels.size() < m_layout.markers.size() && ++looked < mostPictures && !control.isCancelled();
+    });
+    if (control.isCancelled())
+        return cancelled(what);
+    if (!visited)
+        return visited;
+    if (m_settings.pixels.empty())
+        return lastProblem;
+    return {};
+}
+
+Result<CameraModel> RegisterJob::cameraModel() const
+{
+    if (m_intrinsicsKnown)
+        return CameraModel::create(m_intrinsics);
+    if (m_intrinsics.widthPx > 0)
+        return CameraModel::assumed(m_intrinsics.widthPx, m_intrinsics.heightPx);
+    return fail(ErrorCode::NotFound, "registration of camera '" + m_settings.camera + "'",
+                "the size of its pictures is not known: it has no intrinsics and no recording",
+                "calibrate it, import its intrinsics, or give --image or --video as well");
+}
+
+Result<void> RegisterJob::commit(Project &project)
+{
+    return project.inTransaction([&]() -> Result<void> {
+        const auto camera = findOrAddCamera(project, m_settings.camera);
+        if (!camera)
+            return tl::unexpected(camera.error());
+        m_record.camera = camera->id;
+        m_record.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+        const auto stored = project.cameras().addRegistration(m_record);
+        if (!stored)
+            return tl::unexpected(stored.error());
+        m_record = *stored;
+        return {};
+    });
+}
+
+} // namespace odo

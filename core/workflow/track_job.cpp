@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/track_job.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/registered_view.h"
+#include "core/workflow/view_tracking.h"
+
+#include <chrono>
+
+namespace odo {
+
+struct TrackJob::Impl
+{
+    std::string trialName;
+    TrackSettings settings;
+
+    TrialRecord trial;
+    std::vector<RobotRecord> robots;
+    std::vector<RegisteredView> views;
+
+    std::vector<ObservationSeries> observations;
+    TrackOutcome outcome;
+
+    Result<void> analyseAll(const std::vector<TrackedView> &tracked);
+};
+
+TrackJob::TrackJob(std::string trial, TrackSettings settings) : m_impl(std::make_unique<Impl>())
+{
+    m_impl->trialName = std::move(trial);
+    m_impl->settings = std::move(settings);
+}
+
+TrackJob::~TrackJob() = default;
+
+Result<void> TrackJob::prepare(Project &project)
+{
+    Impl &d = *m_impl;
+    auto trial = project.trials().find(d.trialName);
+    if (!trial)
+        return tl::unexpected(trial.error());
+    d.trial = *trial;
+    auto robots = robotsToTrack(project, d.trial, d.settings.robots);
+    if (!robots)
+        return tl::unexpected(robots.error());
+    d.robots = std::move(*robots);
+    auto views = registeredViews(project, d.trial);
+    if (!views)
+        return tl::unexpected(views.error());
+    d.views = std::move(*views);
+    return {};
+}
+
+Result<void> TrackJob::run(const JobControl &control)
+{
+    Impl &d = *m_impl;
+    const auto started = std::chrono::steady_clock::now();
+    auto tracked = trackViews(d.views, d.robots, control);
+    if (!tracked)
+        return tl::unexpected(tracked.error());
+
+    control.report(0.97, "analysing");
+    if (auto analysed = d.analyseAll(*tracked); !analysed)
+        return analysed;
+
+    std::int64_t pictures = 0;
+    for (TrackedView &view : *tracked) {
+        d.outcome.decodeS += toSeconds(view.decodeCpuTime);
+        pictures += view.frames;
+        for (ObservationSeries &series : view.series)
+            d.observations.push_back(std::move(series));
+    }
+    d.outcome.trial = d.trialName;
+    d.outcome.wallS = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    d.outcome.framesPerSecond = d.outcome.wallS > 0 ? double(pictures) / d.outcome.wallS : 0;
+    return {};
+}
+
+Result<void> TrackJob::Impl::analyseAll(const std::vector<TrackedView> &tracked)
+{
+    for (std::size_t r = 0; r < robots.size(); ++r) {
+        const RobotRecord &robot = robots[r];
+        AnalysisRecord analysis = newAnalysis(trial, robot, views, settings.smoother);
+        auto profile = analyse(viewTracks(views, tracked, r), shapeOf(robot), analysis.options);
+        if (!profile) {
+            Error error = profile.error();
+            error.what = "robot '" + robot.name + "' in trial '" + trialName + "'";
+            return tl::unexpected(error);
+        }
+        analysis.profile = std::move(*profile);
+
+        TrackedRobot result;
+        result.name = robot.name;
+        result.frames = static_cast<std::int64_t>(analysis.profile.samples.size());
+        for (const Sample &sample : analysis.profile.samples)
+            result.tracked += sample.position.has_value();
+        result.analysis = std::move(analysis);
+        outcome.robots.push_back(std::move(result));
+    }
+    return {};
+}
+
+Result<void> TrackJob::commit(Project &project)
+{
+    Impl &d = *m_impl;
+    return project.inTransaction([&]() -> Result<void> {
+        for (const ObservationSeries &series : d.observations) {
+            if (auto stored = project.trials().addObservations(series); !stored)
+                return stored;
+        }
+        for (TrackedRobot &robot : d.outcome.robots) {
+            auto stored = project.analyses().add(robot.analysis);
+            if (!stored)
+                return tl::unexpected(stored.error());
+            robot.analysis.id = stored->id;
+        }
+        std::vector<RecordId> all = d.trial.robots;
+        for (const RobotRecord &robot : d.robots) {
+            if (std::find(all.begin(), all.end(), robot.id) == all.end())
+                all.push_back(robot.id);
+        }
+        return project.trials().setRobots(d.trial.id, all);
+    });
+}
+
+const TrackOutcome &TrackJob::outcome() const { return m_impl->outcome; }
+
+} // namespace odo

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/view_tracking.h"
+
+#include "core/tracking/colour_tracker.h"
+#include "core/video/frame_stream.h"
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+namespace odo {
+
+namespace {
+
+constexpr const char *trackerVersion = "colour-ellipse 1";
+
+/// Counts the pictures of all views and reports now and then; any thread.
+class SharedProgress
+{
+public:
+    SharedProgress(const JobControl &control, std::int64_t total) : m_control(control), m_total(std::max<std::int64_t>(total, 1)) {}
+
+    void countPicture()
+    {
+        const std::int64_t done = ++m_done;
+        if (done % 20 != 0)
+            return;
+        const std::lock_guard lock(m_mutex); // the caller's function need not be thread-safe
+        m_control.report(0.95 * double(done) / double(m_total),
+                         "tracking, picture " + std::to_string(done) + " of " + std::to_string(m_total));
+    }
+
+private:
+    const JobControl &m_control;
+    const std::int64_t m_total;
+    std::atomic<std::int64_t> m_done{0};
+    std::mutex m_mutex;
+};
+
+Result<TrackedView> trackView(const RegisteredView &view, const std::vector<RobotRecord> &robots,
+                              const JobControl &control, SharedProgress &progress)
+{
+    std::vector<TrackTarget> targets;
+    for (const RobotRecord &robot : robots)
+        targets.push_back({robot.name, robot.colour});
+    const auto tracker = ColourTracker::create(std::move(targets));
+    if (!tracker)
+        return tl::unexpected(tracker.error());
+    auto stream = FrameStream::open(view.file);
+    if (!stream)
+        return tl::unexpected(stream.error());
+
+    TrackedView tracked;
+    for (const RobotRecord &robot : robots)
+        tracked.series.push_back({view.recording.id, robot.id, trackerVersion, {}});
+    for (;;) {
+        if (control.isCancelled())
+            return cancelled("tracking");
+        auto frame = (*stream)->pop();
+        if (!frame)
+            return tl::unexpected(frame.error());
+        if (!*frame)
+            break;
+        // The times kept in the project are the truth, whatever becomes of the file.
+        const auto index = static_cast<std::size_t>((*frame)->index);
+        if (index < view.recording.frameTimes.size())
+            (*frame)->time = view.recording.frameTimes[index];
+        const std::vector<Observation> observations = (*tracker)->track(**frame);
+        for (std::size_t r = 0; r < observations.size(); ++r)
+            tracked.series[r].observations.push_back(observations[r]);
+        ++tracked.frames;
+        progress.countPicture();
+    }
+    tracked.damagedFrames = (*stream)->damagedFrames();
+    tracked.decodeCpuTime = (*stream)->decodeCpuTime();
+    return tracked;
+}
+
+} // namespace
+
+Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
+                                            const std::vector<RobotRecord> &robots, const JobControl &control)
+{
+    std::int64_t total = 0;
+    for (const RegisteredView &view : views)
+        total += static_cast<std::int64_t>(view.recording.frameTimes.size());
+    SharedProgress progress(control, total);
+
+    std::vector<Result<TrackedView>> results(views.size(), TrackedView{});
+    std::vector<std::thread> threads;
+    for (std::size_t v = 0; v < views.size(); ++v)
+        threads.emplace_back([&, v] { results[v] = trackView(views[v], robots, control, progress); });
+    for (std::thread &thread : threads)
+        thread.join();
+
+    std::vector<TrackedView> tracked;
+    for (auto &result : results) {
+        if (!result)
+            return tl::unexpected(result.error());
+        tracked.push_back(std::move(*result));
+    }
+    return tracked;
+}
+
+std::vector<ViewTrack> viewTracks(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked,
+                                  std::size_t robot)
+{
+    std::vector<ViewTrack> tracks;
+    for (std::size_t v = 0; v < views.size(); ++v)
+        tracks.push_back({views[v].recording.cameraName, views[v].floorView,
+                          fromSeconds(views[v].recording.startOffsetS), tracked[v].series[robot].observations});
+    return tracks;
+}
+
+RobotShape shapeOf(const RobotRecord &robot)
+{
+    RobotShape shape;
+    if (robot.heightMode == RobotRecord::Height::Told)
+        shape.heightM = robot.heightM;
+    shape.heightVaries = robot.heightMode == RobotRecord::Height::Free;
+    shape.lengthM = robot.lengthM;
+    shape.widthM = robot.widthM;
+    return shape;
+}
+
+AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
+                           const std::vector<RegisteredView> &views, Smoother smoother)
+{
+    AnalysisRecord analysis;
+    analysis.trial = trial.id;
+    analysis.robot = robot.id;
+    analysis.robotName = robot.name;
+    analysis.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+    analysis.softwareVersion = ODOGRAPH_VERSION;
+    analysis.options.smoother = smoother;
+    for (const RegisteredView &view : views) {
+        analysis.registrations.push_back(view.registration ? view.registration->id : 0);
+        analysis.views.push_back(view.recording.cameraName);
+    }
+    return analysis;
+}
+
+} // namespace odo

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QJsonObject>
+#include <QString>
+#include <QStringList>
+
+namespace odo::test {
+
+/// What one call of the program gave.
+struct ProgramRun
+{
+    int exitStatus = -1;
+    QByteArray out, err;
+
+    /// Standard output read as the one JSON object that --json promises; empty when it is not that.
+    QJsonObject json() const;
+};
+
+/// Runs the built odograph (ODOGRAPH_PROGRAM) to its end, without a display, for at most ten minutes.
+ProgramRun runProgram(const QStringList &arguments);
+
+/// The folder of the real material: ODOGRAPH_REAL_DATA, or ../shared/data beside the source tree; empty when missing.
+QString realDataFolder();
+
+/// SHA-256 of a file's content; empty when it cannot be read.
+QByteArray fileHash(const QString &file);
+
+} // namespace odo::test

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/trajectory/synthetic_trial.h"
+
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+/// Marks high above the floor, and robots whose height changes.
+class TestHeights : public QObject
+{
+    Q_OBJECT
+
+    static std::vector<ViewTrack> filmed(double heightM, unsigned seed)
+    {
+        std::mt19937 random(seed);
+        FilmSettings settings;
+        settings.planeM = heightM;
+        const Course course = figureEight(0.8, 0.4, 8);
+        return {film("A", cameraA(), course, settings, random), film("B", cameraB(), course, settings, random)};
+    }
+
+    /// On a ramp: as filmed, but the point's height follows a function of time.
+    static std::vector<ViewTrack> filmedOnRamp(double (*heightM)(double), unsigned seed)
+    {
+        auto views = filmed(0.03, seed);
+        std::mt19937 random(seed);
+        std::normal_distribution<double> noise(0, 0.3);
+        const Course course = figureEight(0.8, 0.4, 8);
+        for (ViewTrack &view : views) {
+            for (Observation &observation : view.observations) {
+                const double t = toSeconds(observation.time);
+                const Eigen::Vector2d place = course(t).position;
+                observation.ellipse.centrePx = *view.floorView->pixelFromWorld({place.x(), place.y(), heightM(t)}) +
+                                               Eigen::Vector2d(noise(random), noise(random));
+            }
+        }
+        return views;
+    }
+
+private Q_SLOTS:
+    void aSmallMarkOnAMastIsLaidAtItsOwnHeight()
+    {
+        // The outline is 80 px long, a body of 1 m height would span several hundred: what is seen is only its top.
+        const auto profile = analyse(filmed(1.0, 1), {1.0, {}, {}, false}, {});
+        QVERIFY(profile.has_value());
+        QVERIFY(errorsOf(*profile, figureEight(0.8, 0.4, 8)).positionM < 0.002);
+    }
+
+    void aBodyIsLaidAtHalfItsHeight()
+    {
+        const auto profile = analyse(filmed(0.03, 2), {0.06, {}, {}, false}, {});
+        QVERIFY(profile.has_value());
+        QVERIFY(errorsOf(*profile, figureEight(0.8, 0.4, 8)).positionM < 0.002);
+        QCOMPARE(profile->heightM, 0.06);
+    }
+
+    void theHeightOfAMarkIsFoundWhenNotTold()
+    {
+        const auto profile = analyse(filmed(1.0, 3), {}, {});
+        QVERIFY(profile.has_value());
+        QVERIFY(profile->heightEstimated);
+        QVERIFY2(std::abs(profile->heightM - 1.0) < 0.005, qPrintable(QString::number(profile->heightM)));
+    }
+
+    void aRampNeedsTheHeightOfEveryFrame()
+    {
+        const auto ramp = [](double t) { return 0.25 + 0.2 * std::sin(0.8 * t); };
+        const auto views = filmedOnRamp(ramp, 4);
+        const Course course = figureEight(0.8, 0.4, 8);
+        const auto varying = analyse(views, {{}, {}, {}, true}, {});
+        const auto constant = analyse(views, {0.5, {}, {}, false}, {});
+        QVERIFY(varying.has_value());
+        // 0.3 px is about 1 mm here; what is left of the height's noise is of the same size. One height for all is wrong
+        // by up to 0.2 m, and the views then contradict one another.
+        QVERIFY2(errorsOf(*varying, course).positionM < 0.003, qPrintable(QString::number(errorsOf(*varying, course).positionM)));
+        QVERIFY(!constant.has_value() || errorsOf(*constant, course).positionM > 0.02);
+    }
+
+    void oneViewCannotTriangulate()
+    {
+        auto views = filmed(0.3, 5);
+        views.resize(1);
+        const auto profile = analyse(views, {{}, {}, {}, true}, {});
+        QVERIFY(!profile.has_value());
+        QCOMPARE(profile.error().code, ErrorCode::Undetermined);
+        QVERIFY(profile.error().message().find("add a second view") != std::string::npos);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestHeights)
+#include "tst_heights.moc"

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/media_copy.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+class TestMediaCopy : public QObject
+{
+    Q_OBJECT
+
+    static std::filesystem::path makeFile(const QTemporaryDir &folder, const QByteArray &content)
+    {
+        const QString name = folder.filePath(QStringLiteral("source.mkv"));
+        QFile file(name);
+        if (file.open(QIODevice::WriteOnly))
+            file.write(content);
+        return name.toStdString();
+    }
+
+private Q_SLOTS:
+    void copiesWithItsHash()
+    {
+        const QTemporaryDir folder;
+        const QByteArray content(9 << 20, 'x'); // more than two blocks
+        const auto source = makeFile(folder, content);
+        const std::filesystem::path media = folder.filePath(QStringLiteral("p.media")).toStdString();
+        const auto copy = copyIntoMedia(source, media, "run 1_A", {});
+        QVERIFY2(copy.has_value(), copy ? "" : copy.error().message().c_str());
+        QCOMPARE(copy->file, media / "run_1_A.mkv");
+        QCOMPARE(copy->bytes, std::int64_t(content.size()));
+        QCOMPARE(copy->sha256, QCryptographicHash::hash(content, QCryptographicHash::Sha256).toHex().toStdString());
+        QFile written(QString::fromStdString(copy->file.string()));
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        QCOMPARE(written.readAll(), content);
+    }
+
+    void neverOverwritesAndNeverLeavesTheFolder()
+    {
+        const QTemporaryDir folder;
+        const auto source = makeFile(folder, "abc");
+        const std::filesystem::path media = folder.filePath(QStringLiteral("p.media")).toStdString();
+        QCOMPARE(copyIntoMedia(source, media, "../../etc/A", {})->file.parent_path(), media);
+        const auto first = copyIntoMedia(source, media, "A", {}), second = copyIntoMedia(source, media, "A", {});
+        QVERIFY(first->file != second->file);
+    }
+
+    void aFileInTheMediaFolderStaysWhereItIs()
+    {
+        const QTemporaryDir folder;
+        const auto source = makeFile(folder, "abc");
+        const auto copy = copyIntoMedia(source, source.parent_path(), "A", {});
+        QVERIFY(copy.has_value());
+        QCOMPARE(copy->file, source);
+        QVERIFY(!copy->made);
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+    }
+
+    void cancelledLeavesNothing()
+    {
+        const QTemporaryDir folder;
+        const auto source = makeFile(folder, "abc");
+        const std::filesystem::path media = folder.filePath(QStringLiteral("p.media")).toStdString();
+        JobControl control;
+        control.cancel.cancel();
+        const auto copy = copyIntoMedia(source, media, "A", control);
+        QVERIFY(!copy.has_value());
+        QCOMPARE(copy.error().code, ErrorCode::Cancelled);
+        QVERIFY(QDir(QString::fromStdString(media.string())).isEmpty(QDir::Files));
+    }
+
+    void aFolderThatCannotBeMadeIsSaid()
+    {
+        const QTemporaryDir folder;
+        const auto source = makeFile(folder, "abc");
+        const auto copy = copyIntoMedia(source, source / "p.media", "A", {}); // below a file
+        QVERIFY(!copy.has_value());
+        QCOMPARE(copy.error().code, ErrorCode::Io);
+        QVERIFY(copy.error().message().find("source.mkv") != std::string::npos);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestMediaCopy)
+#include "tst_media_copy.moc"
