@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFileInfo>
+#include <QProcess>
+#include <QTest>
+
+/// OpenCV's highgui and videoio bring Qt 5 and some 245 shared libraries into a Qt 6 program.
+class TestLibraries : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void programLoadsNoQt5();
+};
+
+void TestLibraries::programLoadsNoQt5()
+{
+    const QString program = qEnvironmentVariable("ODOGRAPH_PROGRAM");
+    QVERIFY2(QFileInfo(program).isExecutable(), qPrintable(program));
+    QProcess ldd;
+    ldd.start(QStringLiteral("ldd"), {program});
+    QVERIFY(ldd.waitForFinished());
+    QCOMPARE(ldd.exitCode(), 0);
+    const QString libraries = QString::fromUtf8(ldd.readAllStandardOutput());
+    QVERIFY(libraries.contains(QStringLiteral("libQt6Core.so")));
+    QVERIFY(libraries.contains(QStringLiteral("libopencv_core.so")));
+    QVERIFY(!libraries.contains(QStringLiteral("not found")));
+    for (const QString &unwanted :
+         {QStringLiteral("libQt5"), QStringLiteral("opencv_highgui"), QStringLiteral("opencv_videoio")})
+        QVERIFY2(!libraries.contains(unwanted), qPrintable(unwanted));
+}
+
+QTEST_GUILESS_MAIN(TestLibraries)
+#include "tst_libraries.moc"
