@@ -23,6 +23,8 @@ namespace {
 constexpr double toldPlaneSigmaM = 0.002;
 // A robot of unknown height seen by one view is taken to lie on the floor; most are less than 120 mm high.
 constexpr double unknownPlaneSigmaM = 0.03;
+// Pixel noise alone moves the height of a frame by some millimetres.
+constexpr double leastScatterM = 0.02;
 constexpr std::size_t leastSamples = 3; // an acceleration needs three positions
 
 constexpr std::array<std::pair<Smoother, std::string_view>, 4> smootherNames{{{Smoother::Rts, "rts"},
@@ -108,18 +110,37 @@ struct PlacedRobot
     bool estimated = false;
 };
 
+/// Sightings on one plane. Where the views show that the point strays from it (a person's head, a wrong height told),
+/// each ray is trusted less along its own direction: two views then fix the place by their bearings.
+std::vector<std::vector<Sighting>> lookAtPlane(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
+                                               double planeM)
+{
+    auto sightings = lookFromAllViews(views, times, planeM);
+    const double scatterM = heightScatterM(lookFromAllViews(views, times, 0), planeM);
+    if (scatterM < leastScatterM)
+        return sightings;
+    for (auto &view : sightings) {
+        for (Sighting &sighting : view) {
+            const Eigen::Vector2d shift = scatterM * sighting.place.displacementPerMetreHeight;
+            if (sighting.seen)
+                sighting.place.calibrationCovariance += shift * shift.transpose();
+        }
+    }
+    return sightings;
+}
+
 /// One height for the whole run: told, or estimated from the views, or (from one view alone) unknown.
 PlacedRobot placeAtOneHeight(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
                              const RobotShape &shape)
 {
     if (shape.heightM) {
         const double planeM = isMarkAtTop(views, *shape.heightM) ? *shape.heightM : silhouettePlaneM(*shape.heightM);
-        return {lookFromAllViews(views, times, planeM), toldPlaneSigmaM, *shape.heightM, false};
+        return {lookAtPlane(views, times, planeM), toldPlaneSigmaM, *shape.heightM, false};
     }
     if (const auto estimate = estimatePlane(lookFromAllViews(views, times, 0))) {
         const bool mark = isMarkAtTop(views, estimate->planeM);
         const double heightM = mark ? estimate->planeM : 2 * estimate->planeM;
-        return {lookFromAllViews(views, times, estimate->planeM), estimate->sigmaM, heightM, true};
+        return {lookAtPlane(views, times, estimate->planeM), estimate->sigmaM, heightM, true};
     }
     return {lookFromAllViews(views, times, 0), unknownPlaneSigmaM, 0, false};
 }

@@ -21,4 +21,8 @@ struct FreeHeightSightings
 /// views: each view's sightings at the same times, laid on z = 0. nullopt: fewer than ten times with two views.
 std::optional<FreeHeightSightings> freeHeight(std::vector<std::vector<Sighting>> views);
 
+/// How far the height at which the views' rays come nearest strays from one height, as a σ (1.4826 · median of the
+/// absolute deviations); 0 with fewer than ten times. views: as for freeHeight.
+double heightScatterM(const std::vector<std::vector<Sighting>> &views, double heightM);
+
 } // namespace odo

@@ -65,7 +65,6 @@ Result<void> ImportTrialJob::prepare(Project &project)
             m_robots = std::move(*robots);
     }
     m_mediaFolder = project.mediaFolder();
-    m_projectFolder = project.file().parent_path();
 
     const auto cameras = project.cameras().all();
     if (!cameras)
@@ -206,7 +205,7 @@ Result<void> ImportTrialJob::copyVideo(std::size_t view, const JobControl &contr
         return tl::unexpected(copy.error());
     if (copy->made)
         m_copies.push_back(copy->file);
-    m_recordings[view].path = std::filesystem::relative(copy->file, m_projectFolder).generic_string();
+    m_recordings[view].path = std::filesystem::absolute(copy->file).string(); // stored relative to the project
     m_recordings[view].sha256 = copy->sha256;
     m_recordings[view].bytes = copy->bytes;
     return {};

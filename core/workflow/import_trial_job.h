@@ -52,7 +52,7 @@ private:
     void removeCopies();
 
     ImportSettings m_settings;
-    std::filesystem::path m_mediaFolder, m_projectFolder;
+    std::filesystem::path m_mediaFolder;
     std::vector<RobotRecord> m_robots;
     std::vector<RegisteredView> m_views; ///< only to synchronise
     TrialRecord m_trial;
