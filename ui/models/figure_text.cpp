@@ -72,6 +72,8 @@ FigureText figureText(double value, std::optional<double> sigma, const QString &
         return {rounded(value, decimals, locale), rounded(*sigma, decimals, locale), unit};
     }
     const double magnitude = std::abs(value);
+    if (unit.isEmpty() && value == std::round(value)) // a count
+        return {rounded(value, 0, locale), {}, unit};
     const int decimals =
         magnitude < std::pow(10.0, -mostDecimals) ? 0 : std::max(0, 2 - leadingPlace(magnitude));
     return {rounded(value, decimals, locale), {}, unit};
@@ -89,14 +91,16 @@ QString metricName(const std::string &name)
     {
         const char *name, *words;
     };
-    static constexpr std::array<Word, 12> words = {{
+    static constexpr std::array<Word, 14> words = {{
         {"duration", QT_TRANSLATE_NOOP("odo::FigureText", "Time")},
         {"path_length", QT_TRANSLATE_NOOP("odo::FigureText", "Path")},
         {"max_speed", QT_TRANSLATE_NOOP("odo::FigureText", "Top speed")},
         {"mean_speed", QT_TRANSLATE_NOOP("odo::FigureText", "Mean speed")},
-        {"max_acceleration", QT_TRANSLATE_NOOP("odo::FigureText", "Top acceleration")},
+        {"rms_speed", QT_TRANSLATE_NOOP("odo::FigureText", "Speed (RMS)")},
         {"max_accel", QT_TRANSLATE_NOOP("odo::FigureText", "Top acceleration")},
-        {"mean_acceleration", QT_TRANSLATE_NOOP("odo::FigureText", "Mean acceleration")},
+        {"rms_accel", QT_TRANSLATE_NOOP("odo::FigureText", "Acceleration (RMS)")},
+        {"straightness", QT_TRANSLATE_NOOP("odo::FigureText", "Straightness")},
+        {"stops", QT_TRANSLATE_NOOP("odo::FigureText", "Stops")},
         {"cross_track", QT_TRANSLATE_NOOP("odo::FigureText", "Off the line")},
         {"displacement", QT_TRANSLATE_NOOP("odo::FigureText", "Displacement")},
         {"moving_time", QT_TRANSLATE_NOOP("odo::FigureText", "Time in motion")},

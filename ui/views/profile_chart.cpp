@@ -32,8 +32,7 @@ void ProfileChart::setScene(TrialScenePtr scene)
         analysed = true;
         spikes += qsizetype(analysis->profile.spikes.size());
         for (const Metric &metric : analysis->profile.metrics) {
-            const bool telling =
-                metric.name == (m_quantity == Quantity::Speed ? "max_speed" : "max_acceleration");
+            const bool telling = metric.name == (m_quantity == Quantity::Speed ? "max_speed" : "max_accel");
             if (telling)
                 spoken += QStringLiteral("%1: %2 %3")
                               .arg(QString::fromStdString(scene->robots[robot].robot.name),

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/figure_text.h"
+
+#include <QTest>
+#include <cmath>
+#include <limits>
+
+using namespace odo;
+
+class TestFigureText : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void roundsToTheUncertainty_data()
+    {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<double>("sigma");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("one digit") << 1.8345 << 0.0231 << QStringLiteral("1.83 ±0.02");
+        QTest::newRow("two when it leads with 1") << 1.8343 << 0.0143 << QStringLiteral("1.834 ±0.014");
+        QTest::newRow("1.96 reads as 2") << 1.8345 << 0.0196 << QStringLiteral("1.83 ±0.02");
+        QTest::newRow("trailing zeros stay") << 2.0 << 0.03 << QStringLiteral("2.00 ±0.03");
+        QTest::newRow("integers") << 38.4 << 3.2 << QStringLiteral("38 ±3");
+        QTest::newRow("tens") << 1234.0 << 56.0 << QStringLiteral("1230 ±60");
+        QTest::newRow("larger than the value") << 0.2 << 3.0 << QStringLiteral("0 ±3");
+        QTest::newRow("no minus zero") << -0.001 << 0.02 << QStringLiteral("0.00 ±0.02");
+        QTest::newRow("negative") << -1.26 << 0.2 << QStringLiteral("-1.3 ±0.2");
+        QTest::newRow("sigma zero is unknown") << 1.2345 << 0.0 << QStringLiteral("1.23");
+        QTest::newRow("sigma not finite") << 1.2345 << std::nan("") << QStringLiteral("1.23");
+        QTest::newRow("tiny") << 0.00123 << 0.0 << QStringLiteral("0.00123");
+        QTest::newRow("count") << 2.0 << 0.0 << QStringLiteral("2");
+        QTest::newRow("large without sigma") << 12345.6 << 0.0 << QStringLiteral("12346");
+        QTest::newRow("infinite") << std::numeric_limits<double>::infinity() << 1.0 << QStringLiteral("–");
+    }
+    void roundsToTheUncertainty()
+    {
+        QFETCH(double, value);
+        QFETCH(double, sigma);
+        QFETCH(QString, text);
+        QCOMPARE(figureText(value, sigma, {}, QLocale::c()).text(), text);
+    }
+    void keepsTheUnitApart()
+    {
+        const FigureText figure = figureText(1.83, 0.02, QStringLiteral("m/s"), QLocale::c());
+        QCOMPARE(figure.text(), QStringLiteral("1.83 ±0.02\u00a0m/s"));
+        QCOMPARE(figure.smallPrint(), QStringLiteral("m/s ±0.02"));
+    }
+    void followsTheLocale()
+    {
+        const QLocale german(QLocale::German, QLocale::Germany);
+        QCOMPARE(figureText(1234.5, 0.2, {}, german).text(), QStringLiteral("1234,5 ±0,2"));
+        QCOMPARE(millimetresText(0.0016, german), QStringLiteral("1,6\u00a0mm"));
+    }
+    void namesMetrics()
+    {
+        QCOMPARE(metricName("max_speed"), QStringLiteral("Top speed"));
+        QCOMPARE(metricName("lap_time_2"), QStringLiteral("Lap time 2"));
+        QCOMPARE(metricFigure({"stops", "1", 2, std::nullopt}, QLocale::c()).text(), QStringLiteral("2"));
+    }
+    void writesTimes()
+    {
+        using namespace std::chrono_literals;
+        QCOMPARE(timeCode(3267ms), QStringLiteral("00:03.267"));
+        QCOMPARE(timeCode(0ns), QStringLiteral("00:00.000"));
+        QCOMPARE(timeCode(3599999600us), QStringLiteral("1:00:00.000"));
+        QCOMPARE(timeCode(-1500ms), QStringLiteral("-00:01.500"));
+        QCOMPARE(secondsText(3267ms, QLocale::c()), QStringLiteral("3.27\u00a0s"));
+    }
+};
+
+QTEST_MAIN(TestFigureText)
+#include "tst_figure_text.moc"

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/example_scene.h"
+#include "ui/views/axis_ticks.h"
+#include "ui/views/decimation.h"
+#include "ui/views/profile_curve.h"
+#include "ui/views/theme.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+#include <cmath>
+
+using namespace odo;
+
+class TestCurves : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void decimationKeepsExtremes()
+    {
+        QList<QPointF> points;
+        for (int i = 0; i < 108'000; ++i) // an hour at 30 frames/s
+            points.append({i / 30.0, std::sin(i * 0.01)});
+        points[54'321].setY(99); // one frame alone
+        points[77'777].setY(-99);
+        constexpr int columns = 800;
+        const QList<QPointF> kept = decimated(points, 0, 3600, columns);
+        QVERIFY(kept.size() <= 4 * (columns + 1));
+        QVERIFY(kept.contains(points[54'321]));
+        QVERIFY(kept.contains(points[77'777]));
+        QCOMPARE(kept.first(), points.first());
+        QCOMPARE(kept.last(), points.last());
+        QVERIFY(std::is_sorted(kept.begin(), kept.end(), [](auto a, auto b) { return a.x() < b.x(); }));
+    }
+    void shortCurvesStayWhole()
+    {
+        const QList<QPointF> points{{0, 1}, {1, 2}, {2, 1}};
+        QCOMPARE(decimated(points, 0, 2, 100), points);
+        QCOMPARE(decimated({}, 0, 2, 100), QList<QPointF>());
+        QCOMPARE(decimated(points, 2, 2, 100), points); // a range of nothing
+    }
+    void ticksAreRound_data()
+    {
+        QTest::addColumn<double>("low");
+        QTest::addColumn<double>("high");
+        QTest::addColumn<int>("most");
+        QTest::addColumn<QString>("labels");
+        QTest::newRow("speed") << 0.0 << 2.2 << 4 << QStringLiteral("0 1 2 3");
+        QTest::newRow("halves") << 0.0 << 1.9 << 4 << QStringLiteral("0.0 0.5 1.0 1.5 2.0");
+        QTest::newRow("signed") << -4.9 << 5.1 << 5 << QStringLiteral("-6 -4 -2 0 2 4 6");
+        QTest::newRow("exact ends") << 0.0 << 2.0 << 2 << QStringLiteral("0 1 2");
+        QTest::newRow("nothing") << 3.0 << 3.0 << 2 << QStringLiteral("2.5 3.0 3.5");
+        QTest::newRow("not a number") << std::nan("") << 1.0 << 2 << QStringLiteral("-0.5 0.0 0.5");
+    }
+    void ticksAreRound()
+    {
+        QFETCH(double, low);
+        QFETCH(double, high);
+        QFETCH(int, most);
+        QFETCH(QString, labels);
+        const AxisTicks ticks = coveringTicks(low, high, most);
+        QStringList words;
+        for (const double value : ticks.values())
+            words += ticks.label(value, QLocale::c());
+        QCOMPARE(words.join(u' '), labels);
+    }
+    void ticksInsideARange()
+    {
+        const AxisTicks ticks = niceTicks(0.0, 9.97, 12);
+        QCOMPARE(ticks.count, 10);
+        QCOMPARE(ticks.last(), 9.0);
+        QCOMPARE(niceTicks(1, 1, 5).count, 0);
+    }
+    void accelerationIsAlongThePath()
+    {
+        ProfilePoint point{};
+        point.velocity = {2, 0};
+        point.acceleration = {-1, 5};
+        point.accelMps2 = point.acceleration.norm();
+        QCOMPARE(curveValue(point, Quantity::Acceleration).value, -1.0); // it brakes
+        point.velocity.setZero();
+        QCOMPARE(curveValue(point, Quantity::Acceleration).value, point.accelMps2);
+    }
+    void gapsSplitACurve()
+    {
+        Profile profile = exampleScene({.frames = 60})->robots[0].analysis->profile;
+        profile.points[20].valid = profile.points[21].valid = false;
+        const auto runs = curveRuns(profile, Quantity::Speed);
+        QCOMPARE(runs.size(), std::size_t(2));
+        QCOMPARE(runs[0].line.size(), 20);
+        QCOMPARE(runs[1].line.size(), 38);
+        for (const QPointF &low : runs[0].lower)
+            QVERIFY(low.y() >= 0);
+        QVERIFY(!curveValueAt(profile, Quantity::Speed, profile.samples[20].time));
+        QVERIFY(!curveValueAt(profile, Quantity::Speed, Nanoseconds(-1)));
+    }
+    void measuredPointsLeaveSpikesOut()
+    {
+        const Profile profile = exampleScene({.frames = 300})->robots[0].analysis->profile;
+        const auto spike = static_cast<std::size_t>(profile.spikes[0].sampleIndex);
+        QVERIFY(measuredSpeed(profile, spike).has_value());
+        for (const QPointF &point : measuredPoints(profile, Quantity::Speed)) {
+            // Neighbours too would be wrong: central differences use the spike.
+            for (const std::size_t index : {spike - 1, spike, spike + 1})
+                QVERIFY(std::abs(point.x() - toSeconds(profile.samples[index].time)) > 1e-6);
+        }
+        QVERIFY(measuredPoints(profile, Quantity::Acceleration).isEmpty());
+        QVERIFY(!measuredSpeed(profile, 0));
+    }
+    void textStandsOutFromItsGround()
+    {
+        const auto luminance = [](const QColor &colour) {
+            const auto linear = [](double c) {
+                return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+            };
+            return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+                   0.0722 * linear(colour.blueF());
+        };
+        const auto contrast = [&](const QColor &a, const QColor &b) {
+            const double la = luminance(a), lb = luminance(b);
+            return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+        };
+        for (const QPalette &palette : {lightPalette(), darkPalette()}) {
+            const ThemeColours colours = ThemeColours::of(palette);
+            QVERIFY(contrast(colours.text, colours.card) >= 7);
+            QVERIFY(contrast(colours.muted, colours.card) >= 4.5);
+            QVERIFY(contrast(colours.muted, colours.mapGround) >= 4.5);
+            QVERIFY(contrast(colours.bubbleText, colours.bubble) >= 7);
+            for (const auto state :
+                 {BadgeState::Neutral, BadgeState::Good, BadgeState::Warning, BadgeState::Bad})
+                QVERIFY(contrast(badgeColours(state, palette).text, badgeColours(state, palette).ground) >=
+                        4.5);
+            for (int robot = 0; robot < 2; ++robot)
+                QVERIFY(contrast(seriesColour(robot, palette), colours.card) >= 3); // WCAG for graphics
+        }
+        QVERIFY(luminance(cividis(0)) < luminance(cividis(0.5)) &&
+                luminance(cividis(0.5)) < luminance(cividis(1)));
+        QCOMPARE(cividis(std::nan("")), cividis(0));
+    }
+};
+
+QTEST_MAIN(TestCurves)
+#include "tst_curves.moc"

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/example_scene.h"
+#include "ui/models/timeline.h"
+#include "ui/views/camera_view.h"
+#include "ui/views/floor_map.h"
+#include "ui/views/profile_chart.h"
+#include "ui/views/result_panel.h"
+#include "ui/views/spike_list.h"
+#include "ui/views/theme.h"
+#include "ui/views/timeline_bar.h"
+
+#include <QAbstractSlider>
+#include <QApplication>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+using namespace odo;
+
+namespace {
+
+/// A window like Review's, of the views alone.
+struct Desk
+{
+    Timeline timeline;
+    QWidget window;
+    CameraView a{timeline}, b{timeline};
+    FloorMap map{timeline};
+    ProfileChart speed{timeline, Quantity::Speed}, acceleration{timeline, Quantity::Acceleration};
+    TimelineBar bar{timeline};
+    ResultPanel result;
+    SpikeList spikes{timeline};
+
+    explicit Desk(const TrialScenePtr &scene, QSize size = {1500, 940})
+    {
+        auto *grid = new QGridLayout(&window);
+        grid->setContentsMargins(8, 8, 8, 8);
+        grid->setSpacing(8);
+        grid->addWidget(&a, 0, 0);
+        grid->addWidget(&b, 0, 1);
+        grid->addWidget(&map, 0, 2);
+        grid->addWidget(&speed, 1, 0, 1, 3);
+        grid->addWidget(&acceleration, 2, 0, 1, 3);
+        grid->addWidget(&bar, 3, 0, 1, 3);
+        auto *column = new QVBoxLayout;
+        column->addWidget(&result);
+        column->addWidget(&spikes, 1);
+        grid->addLayout(column, 0, 3, 4, 1);
+        grid->setRowStretch(0, 10);
+        grid->setRowStretch(1, 6);
+        grid->setRowStretch(2, 5);
+        for (const int part : {0, 1, 2})
+            grid->setColumnStretch(part, 10);
+        grid->setColumnStretch(3, 7);
+        show(scene);
+        window.resize(size);
+        window.show();
+    }
+    ~Desk()
+    {
+        // The views are members, not children to be deleted.
+        for (QWidget *view :
+             std::initializer_list<QWidget *>{&a, &b, &map, &speed, &acceleration, &bar, &result, &spikes})
+            view->setParent(nullptr);
+    }
+    void show(const TrialScenePtr &scene)
+    {
+        timeline.setFrameTimes(scene ? scene->frameTimes() : std::vector<Nanoseconds>());
+        a.setScene(scene, 0);
+        b.setScene(scene, 1);
+        map.setScene(scene);
+        speed.setScene(scene);
+        acceleration.setScene(scene);
+        bar.setScene(scene);
+        result.setScene(scene);
+        spikes.setScene(scene);
+    }
+    bool isSettled() const { return a.isSettled() && b.isSettled() && map.isSettled(); }
+};
+
+QImage shot(QWidget *widget)
+{
+    return widget->grab().toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+/// True when a pixel like this is within some logical pixels of a place.
+bool hasColourNear(const QImage &image, const QPointF &place, const QColor &colour, int within = 3,
+                   int tolerance = 60)
+{
+    const double ratio = image.devicePixelRatio();
+    const int reach = int(within * ratio);
+    for (int dy = -reach; dy <= reach; ++dy) {
+        for (int dx = -reach; dx <= reach; ++dx) {
+            const QPoint at = (place * ratio).toPoint() + QPoint(dx, dy);
+            if (!image.rect().contains(at))
+                continue;
+            const QColor got = image.pixelColor(at);
+            const int apart = std::abs(got.red() - colour.red()) + std::abs(got.green() - colour.green()) +
+                              std::abs(got.blue() - colour.blue());
+            if (apart < tolerance)
+                return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+class TestViews : public QObject
+{
+    Q_OBJECT
+    QTemporaryDir m_folder;
+    TrialScenePtr m_scene;
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        QApplication::setStyle(QStringLiteral("Fusion"));
+        QApplication::setPalette(lightPalette());
+        const bool pictures = !qEnvironmentVariableIsEmpty("ODOGRAPH_PICTURES");
+        m_scene = exampleScene({.frames = pictures ? 300 : 60,
+                                .widthPx = pictures ? 1280 : 640,
+                                .heightPx = pictures ? 720 : 360,
+                                .videoFolder = m_folder.path().toStdString()});
+    }
+    void cleanup() { QApplication::setPalette(lightPalette()); }
+
+    void cameraShowsTheRobotWhereItIs()
+    {
+        Desk desk(m_scene);
+        desk.timeline.setCurrentFrame(40);
+        QTRY_VERIFY(desk.isSettled());
+        const QImage image = shot(desk.a.pictureArea());
+        const Observation &seen = *m_scene->observationAt(0, 0, 40);
+        const QPointF centre = desk.a.fromPicture({seen.ellipse.centrePx.x(), seen.ellipse.centrePx.y()});
+        QVERIFY(hasColourNear(image, centre, QColor(0xd7, 0x23, 0x28), 2, 90)); // the box itself
+        const double reach =
+            desk.a.fromPicture({seen.ellipse.semiMajorPx, 0}).x() - desk.a.fromPicture({0, 0}).x() + 4;
+        const QPointF end = centre + QPointF(std::cos(0.1), std::sin(0.1)) * reach;
+        QVERIFY(hasColourNear(image, end, QColor(0xf0, 0xe4, 0x42)));
+    }
+    void cameraDrawsTrailAndAxesThroughItsLens()
+    {
+        Desk desk(m_scene);
+        QTRY_VERIFY(desk.isSettled());
+        const QImage image = shot(desk.b.pictureArea());
+        const FloorView &view = *m_scene->views[1].floorView;
+        const auto place = [&](double x, double y, double z) {
+            const Eigen::Vector2d pixel = *view.pixelFromWorld({x, y, z});
+            return desk.b.fromPicture({pixel.x(), pixel.y()});
+        };
+        const Eigen::Vector2d late = m_scene->robots[0].analysis->profile.points[45].position;
+        QVERIFY(hasColourNear(image, place(late.x(), late.y(), 0.06), QColor(0x56, 0xb4, 0xe9)));
+        QVERIFY(hasColourNear(image, place(2.0, 0, 0), Qt::white, 2));
+        QVERIFY(hasColourNear(image, place(0, 1.5, 0), Qt::white, 2));
+    }
+    void cameraSaysWhyThereIsNoPicture()
+    {
+        auto scene = std::make_shared<TrialScene>(*m_scene);
+        scene->views[0].file = "/nowhere/lost.mkv";
+        scene->views[1].floorView.reset();
+        scene->views[1].registration.reset();
+        Desk desk(scene);
+        QTRY_VERIFY(desk.isSettled());
+        QVERIFY(!shot(desk.a.pictureArea()).isNull());
+        bool told = false;
+        for (const QLabel *label : desk.b.findChildren<QLabel *>())
+            told = told || label->text() == QStringLiteral("not registered");
+        QVERIFY(told);
+    }
+    void mapShowsTrailFloorAndRobot()
+    {
+        Desk desk(m_scene);
+        desk.timeline.setCurrentFrame(50);
+        QTRY_VERIFY(desk.isSettled());
+        const QImage image = shot(desk.map.mapArea());
+        const Profile &profile = m_scene->robots[0].analysis->profile;
+        QVERIFY(hasColourNear(image, desk.map.fromWorld(profile.points[50].position),
+                              ThemeColours::of(lightPalette()).spike));
+        // X to the right, Y up.
+        QVERIFY(desk.map.fromWorld({1, 0}).x() > desk.map.fromWorld({0, 0}).x());
+        QVERIFY(desk.map.fromWorld({0, 1}).y() < desk.map.fromWorld({0, 0}).y());
+        // The floor of the pictures, half as strong as it is.
+        const QColor ground =
+            image.pixelColor((desk.map.fromWorld({2.62, 0.13}) * image.devicePixelRatio()).toPoint());
+        QVERIFY2(ground.lightness() < ThemeColours::of(lightPalette()).mapGround.lightness() - 10,
+                 qPrintable(ground.name()));
+    }
+    void clickOnTheMapGoesThere()
+    {
+        Desk desk(m_scene);
+        const Profile &profile = m_scene->robots[0].analysis->profile;
+        QTest::mouseClick(desk.map.mapArea(), Qt::LeftButton, {},
+                          desk.map.fromWorld(profile.points[45].position).toPoint());
+        QVERIFY(std::abs(desk.timeline.currentFrame() - 45) <= 1);
+    }
+    void chartMovesTheTime()
+    {
+        Desk desk(m_scene);
+        auto *area = qobject_cast<QAbstractScrollArea *>(desk.speed.chartArea());
+        QVERIFY(area);
+        QTest::mouseClick(area->viewport(), Qt::LeftButton, {}, {area->width() - 14, 60});
+        QCOMPARE(desk.timeline.currentFrame(), desk.timeline.frameCount() - 1);
+        QTest::mouseClick(area->viewport(), Qt::LeftButton, {}, {52, 60});
+        QCOMPARE(desk.timeline.currentFrame(), 0);
+    }
+    void sliderAndKeysMoveTheTime()
+    {
+        Desk desk(m_scene);
+        auto *slider = desk.bar.findChild<QAbstractSlider *>();
+        QVERIFY(slider);
+        desk.timeline.setCurrentFrame(20);
+        QCOMPARE(slider->value(), 20);
+        slider->setFocus();
+        QTest::keyClick(slider, Qt::Key_Right);
+        QCOMPARE(desk.timeline.currentFrame(), 21);
+        QTest::mouseClick(slider, Qt::LeftButton, {}, {slider->width() - 2, slider->height() / 2});
+        QCOMPARE(desk.timeline.currentFrame(), desk.timeline.frameCount() - 1);
+    }
+    void barShowsTheRate()
+    {
+        Desk desk(m_scene);
+        auto *rates = desk.bar.findChild<QComboBox *>();
+        QVERIFY(rates);
+        QCOMPARE(rates->currentData().toDouble(), 1.0);
+        const int offered = rates->count();
+        desk.timeline.setRate(-2);
+        QCOMPARE(rates->currentData().toDouble(), -2.0);
+        desk.timeline.setRate(0.5);
+        QCOMPARE(rates->currentData().toDouble(), 0.5);
+        QCOMPARE(rates->count(), offered);
+    }
+    void choosingASpikeGoesThere()
+    {
+        Desk desk(m_scene);
+        const auto &spikes = m_scene->robots[0].analysis->profile.spikes;
+        desk.spikes.table()->setCurrentIndex(desk.spikes.table()->model()->index(1, 0));
+        QCOMPARE(desk.timeline.currentFrame(), qint64(spikes[1].sampleIndex));
+        desk.timeline.setCurrentFrame(qint64(spikes[0].sampleIndex));
+        QCOMPARE(desk.spikes.table()->currentIndex().row(), 0);
+        desk.timeline.step(1);
+        QVERIFY(!desk.spikes.table()->currentIndex().isValid());
+    }
+    void nothingIsShownWithoutAScene()
+    {
+        Desk desk(nullptr);
+        QTRY_VERIFY(desk.isSettled());
+        QVERIFY(!shot(&desk.window).isNull());
+        desk.show(m_scene);
+        QTRY_VERIFY(desk.isSettled());
+        desk.show(nullptr);
+        QVERIFY(desk.isSettled());
+        QVERIFY(!shot(&desk.window).isNull());
+    }
+    void everythingHasAName()
+    {
+        Desk desk(m_scene);
+        for (QWidget *widget : desk.window.findChildren<QWidget *>()) {
+            const bool reachable = widget->isVisible() && widget->focusPolicy() != Qt::NoFocus;
+            if (reachable && !widget->inherits("QComboBoxPrivateContainer") && widget->parentWidget())
+                QVERIFY2(!widget->accessibleName().isEmpty() ||
+                             widget->objectName().startsWith(QStringLiteral("qt_")),
+                         qPrintable(QString::fromLatin1(widget->metaObject()->className())));
+        }
+    }
+    /// For the eye: with ODOGRAPH_PICTURES=folder the desk is saved there, light and dark, with one and two
+    /// robots.
+    void looks()
+    {
+        const QString folder = qEnvironmentVariable("ODOGRAPH_PICTURES");
+        if (folder.isEmpty())
+            QSKIP("no folder for pictures named");
+        auto two = std::make_shared<TrialScene>(
+            *exampleScene({.frames = 300, .robots = 2, .widthPx = 1280, .heightPx = 720}));
+        for (std::size_t view = 0; view < two->views.size(); ++view)
+            two->views[view].file = m_scene->views[view].file;
+        const auto save = [&](const QString &name, const TrialScenePtr &scene, const QPalette &palette,
+                              qint64 frame) {
+            QApplication::setPalette(palette);
+            Desk desk(scene);
+            desk.timeline.setCurrentFrame(frame);
+            QTRY_VERIFY(desk.isSettled());
+            QCoreApplication::processEvents();
+            QVERIFY(desk.window.grab().save(folder + u'/' + name));
+        };
+        save(QStringLiteral("light.png"), m_scene, lightPalette(), 99);
+        save(QStringLiteral("dark.png"), m_scene, darkPalette(), 130);
+        save(QStringLiteral("two.png"), two, lightPalette(), 240);
+        save(QStringLiteral("empty.png"), nullptr, lightPalette(), 0);
+    }
+};
+
+QTEST_MAIN(TestViews)
+#include "tst_views.moc"
