@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/card.h"
 
+#include "ui/views/elided_label.h"
 #include "ui/views/theme.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QPainterPath>
 #include <QVBoxLayout>
 
 namespace odo {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int cornerRadius = 5;
 
-/// A label whose text is data: never rich text, and it may be cut off rather than widen the card.
+/// A label whose text is data: never rich text.
 QLabel *plainLabel(QWidget *parent)
 {
     auto *label = new QLabel(parent);
@@ -28,7 +28,7 @@ QLabel *plainLabel(QWidget *parent)
 
 Card::Card(const QString &title, QWidget *parent)
     : QFrame(parent), m_header(new QWidget(this)), m_title(plainLabel(m_header)),
-      m_badge(plainLabel(m_header)), m_remark(plainLabel(m_header)),
+      m_badge(plainLabel(m_header)), m_remark(new ElidedLabel(m_header)),
       m_headerLayout(new QHBoxLayout(m_header)), m_layout(new QVBoxLayout(this))
 {
     setFrameShape(QFrame::NoFrame); // painted by paintEvent
@@ -64,8 +64,7 @@ void Card::setTitle(const QString &title)
 
 void Card::setRemark(const QString &remark)
 {
-    m_remark->setText(remark);
-    m_remark->setToolTip(remark.toHtmlEscaped());
+    m_remark->setFullText(remark);
     setAccessibleDescription(remark);
 }
 

@@ -11,6 +11,8 @@ class QVBoxLayout;
 
 namespace odo {
 
+class ElidedLabel;
+
 /// A panel as all of Odograph uses it: rounded frame, bold title at the left with an optional badge, a remark
 /// at the right, the content below a thin line. Follows the palette.
 class Card : public QFrame
@@ -40,7 +42,7 @@ private:
     QWidget *m_header;
     QLabel *m_title;
     QLabel *m_badge;
-    QLabel *m_remark;
+    ElidedLabel *m_remark;
     QHBoxLayout *m_headerLayout;
     QVBoxLayout *m_layout;
     QWidget *m_content = nullptr;
