@@ -19,8 +19,9 @@ void SpikeModel::setScene(TrialScenePtr scene)
         if (!analysis)
             continue;
         for (const Spike &spike : analysis->profile.spikes) {
-            // A person's mark on a sample that no longer counts as rejected means that it was restored.
-            const bool restored = hasFlag(spike.flags, SampleFlag::ByHand) && !isRejected(spike.flags);
+            // A person's mark that stands alone took the others away; beside others it set them.
+            constexpr SampleFlags beside = flagBit(SampleFlag::ByHand) | flagBit(SampleFlag::Interpolated);
+            const bool restored = hasFlag(spike.flags, SampleFlag::ByHand) && (spike.flags & ~beside) == 0;
             m_rows.push_back({static_cast<int>(robot), spike, restored});
         }
     }
@@ -76,8 +77,12 @@ QVariant SpikeModel::data(const QModelIndex &index, int role) const
         return display(row, index.column());
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
-        if (index.column() == StateColumn)
-            return row.restored ? tr("Restored by hand") : tr("Flagged, not used for the curve");
+        if (index.column() == StateColumn) {
+            if (row.restored)
+                return tr("Restored by hand");
+            return isRejected(row.spike.flags) ? tr("Flagged, not used for the curve")
+                                               : tr("Flagged, still used for the curve");
+        }
         if (index.column() == ReasonColumn && m_scene->robots.size() > 1)
             return QStringLiteral("%1: %2").arg(
                 QString::fromStdString(m_scene->robots[static_cast<std::size_t>(row.robot)].robot.name),

@@ -145,7 +145,7 @@ void ChartArea::setRanges()
     }
     if (high - low < 1e-6)
         high = low + 1;
-    const int most = std::max(2, int(plotRect().height() / 32));
+    const int most = std::max(2, int(plotRect().height() / 23));
     m_valueTicks = coveringTicks(low, high, most);
     m_valueAxis->setRange(m_valueTicks.first, m_valueTicks.last());
     m_startS = toSeconds(m_timeline.startTime());
@@ -242,25 +242,6 @@ void ChartArea::drawAxes(QPainter &painter) const
     }
 }
 
-void ChartArea::drawKey(QPainter &painter) const
-{
-    if (!m_scene || m_scene->robots.size() < 2)
-        return;
-    constexpr double swatch = 28;
-    const QFontMetricsF metrics(font());
-    double right = plotRect().right();
-    for (int robot = int(m_scene->robots.size()) - 1; robot >= 0; --robot) {
-        const QString name = QString::fromStdString(m_scene->robots[std::size_t(robot)].robot.name);
-        const double left = right - metrics.horizontalAdvance(name);
-        const double middle = plotRect().top() + metrics.height() / 2;
-        painter.setPen(ThemeColours::of(palette()).text);
-        painter.drawText(QPointF(left, middle + metrics.capHeight() / 2), name);
-        painter.setPen(QPen(seriesColour(robot, palette()), 2, seriesDash(robot)));
-        painter.drawLine(QPointF(left - swatch - 6, middle), QPointF(left - 6, middle));
-        right = left - swatch - 22;
-    }
-}
-
 void ChartArea::drawBackground(QPainter *painter, const QRectF &rect)
 {
     QChartView::drawBackground(painter, rect);
@@ -268,7 +249,6 @@ void ChartArea::drawBackground(QPainter *painter, const QRectF &rect)
     painter->setFont(font());
     drawAxes(*painter);
     drawPoints(*painter);
-    drawKey(*painter);
     painter->restore();
 }
 

@@ -61,7 +61,6 @@ private:
     QRectF plotRect() const;
     void drawPoints(QPainter &painter) const;
     void drawAxes(QPainter &painter) const;
-    void drawKey(QPainter &painter) const;
     void drawCursor(QPainter &painter) const;
     void goTo(double x);
 

@@ -40,7 +40,7 @@ int FigureGrid::rowCount() const
 QFont FigureGrid::valueFont() const
 {
     QFont large = font();
-    large.setPointSizeF(font().pointSizeF() * 1.6);
+    large.setPointSizeF(font().pointSizeF() * 1.55);
     return large;
 }
 
@@ -59,10 +59,20 @@ QSize FigureGrid::minimumSizeHint() const
     return {columnCount * fontMetrics().averageCharWidth() * 18, rowCount() * rowHeight()};
 }
 
+QFont FigureGrid::fittingFont(const QString &text, int width) const
+{
+    // A figure must never lose its end; rather it gets smaller.
+    const double natural = QFontMetricsF(font()).horizontalAdvance(text);
+    QFont fitting = font();
+    if (natural > width && width > 0)
+        fitting.setPointSizeF(font().pointSizeF() * std::max(0.6, width / natural));
+    return fitting;
+}
+
 void FigureGrid::paintFigure(QPainter &painter, const NamedFigure &figure, const QRect &cell) const
 {
     const ThemeColours colours = ThemeColours::of(palette());
-    const QRect inner = cell.adjusted(padding, padding - 2, -padding / 2, 0);
+    const QRect inner = cell.adjusted(padding, padding - 2, -4, 0);
     painter.setFont(font());
     painter.setPen(colours.muted);
     painter.drawText(inner, Qt::AlignLeft | Qt::AlignTop,
@@ -74,11 +84,9 @@ void FigureGrid::paintFigure(QPainter &painter, const NamedFigure &figure, const
     painter.setPen(colours.text);
     painter.drawText(inner.left(), baseline, figure.figure.value);
     const int left = inner.left() + largeMetrics.horizontalAdvance(figure.figure.value) + 6;
-    painter.setFont(font());
     painter.setPen(colours.muted);
-    painter.drawText(
-        left, baseline,
-        fontMetrics().elidedText(figure.figure.smallPrint(), Qt::ElideRight, inner.right() - left));
+    painter.setFont(fittingFont(figure.figure.smallPrint(), inner.right() - left));
+    painter.drawText(left, baseline, figure.figure.smallPrint());
 }
 
 void FigureGrid::paintEvent(QPaintEvent *)

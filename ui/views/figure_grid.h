@@ -32,6 +32,7 @@ private:
     int rowCount() const;
     int rowHeight() const;
     QFont valueFont() const;
+    QFont fittingFont(const QString &text, int width) const;
     void paintFigure(QPainter &painter, const NamedFigure &figure, const QRect &cell) const;
 
     std::vector<NamedFigure> m_figures;

@@ -21,7 +21,7 @@ constexpr std::size_t framesForMedian = 5;
 /// Where a node of the plan lies in a view, and how well it is seen there.
 struct Node
 {
-    float x = 0, y = 0, weight = 0; ///< weight 0: not seen
+    float x = 0, y = 0, weight = 0; ///< weight 0: behind the camera; may lie beside the picture
 };
 
 struct Plan
@@ -53,8 +53,6 @@ float viewWeight(const FloorView &view, const Eigen::Vector2d &point, const Eige
     constexpr double fadePx = 40;
     const double edge =
         std::min({pixel.x(), pixel.y(), picture.widthPx - 1 - pixel.x(), picture.heightPx - 1 - pixel.y()});
-    if (edge < 0)
-        return 0;
     const double fade = std::clamp(edge / fadePx, 0.02, 1.0);
     return static_cast<float>(area * area * fade); // squared: mostly the better one, yet without a seam
 }

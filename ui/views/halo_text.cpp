@@ -3,6 +3,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 
 namespace odo {
 
@@ -12,9 +13,24 @@ void drawHaloText(QPainter &painter, const QPointF &baseline, const QString &tex
     path.addText(baseline, painter.font(), text);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.strokePath(path, QPen(QColor(0, 0, 0, 170), 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.strokePath(path, QPen(QColor(0, 0, 0, 150), 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.fillPath(path, colour);
     painter.restore();
+}
+
+void drawTag(QPainter &painter, const QPointF &leftMiddle, const QString &text, const QColor &colour,
+             const QRectF &frame)
+{
+    const QFontMetricsF metrics(painter.font());
+    QRectF box(leftMiddle.x(), leftMiddle.y() - metrics.height() / 2 - 1,
+               metrics.horizontalAdvance(text) + 10, metrics.height() + 2);
+    box.moveLeft(std::max(frame.left() + 2, std::min(box.left(), frame.right() - 2 - box.width())));
+    box.moveTop(std::max(frame.top() + 2, std::min(box.top(), frame.bottom() - 2 - box.height())));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(20, 24, 28, 190));
+    painter.drawRoundedRect(box, 3, 3);
+    painter.setPen(colour);
+    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 } // namespace odo

@@ -18,6 +18,7 @@ namespace odo {
 namespace {
 
 constexpr double sideMargin = 26, topMargin = 24;
+constexpr double dotRadius = 7;
 constexpr double footHeight = 30; ///< for the scale and the legend
 
 double topSpeed(const TrialScene &scene)
@@ -54,6 +55,26 @@ std::optional<double> headingAt(const Profile &profile, std::ptrdiff_t index)
             return std::atan2(point.velocity.y(), point.velocity.x());
     }
     return std::nullopt;
+}
+
+/// The robot seen from above, heading to the right: its footprint where that is known and large enough to be
+/// seen, else a dot; with a point towards the heading.
+QPainterPath robotSign(const RobotRecord &robot, double scalePx, bool headingKnown)
+{
+    QPainterPath sign;
+    const double halfLength = std::max(dotRadius, robot.lengthM.value_or(0) * scalePx / 2);
+    const double halfWidth = std::max(dotRadius, robot.widthM.value_or(0) * scalePx / 2);
+    if (headingKnown && robot.lengthM && robot.widthM)
+        sign.addRoundedRect(QRectF(-halfLength, -halfWidth, 2 * halfLength, 2 * halfWidth), 2, 2);
+    else
+        sign.addEllipse(QPointF(0, 0), dotRadius, dotRadius);
+    if (!headingKnown)
+        return sign;
+    QPainterPath point(QPointF(halfLength + 7, 0));
+    point.lineTo(halfLength - 3, -5.5);
+    point.lineTo(halfLength - 3, 5.5);
+    point.closeSubpath();
+    return sign.united(point);
 }
 
 } // namespace
@@ -271,22 +292,13 @@ void MapArea::paintRobot(QPainter &painter, std::size_t robot) const
     painter.drawEllipse(at, 2 * point.sigmaXM * scale, 2 * point.sigmaYM * scale);
 
     const auto heading = headingAt(profile, index);
-    constexpr double dotRadius = 7;
-    painter.setPen(QPen(colours.card, 2));
+    painter.setPen(QPen(colours.card, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.setBrush(colour);
     painter.save();
     painter.translate(at);
-    if (heading) {
+    if (heading)
         painter.rotate(-*heading * 180 / std::numbers::pi); // Y is up on the floor, down on the screen
-        const double halfLength = std::max(dotRadius, shown.robot.lengthM.value_or(0) * scale / 2);
-        const double halfWidth = std::max(dotRadius, shown.robot.widthM.value_or(0) * scale / 2);
-        if (shown.robot.lengthM && shown.robot.widthM)
-            painter.drawRoundedRect(QRectF(-halfLength, -halfWidth, 2 * halfLength, 2 * halfWidth), 2, 2);
-        const QPointF arrow[] = {{halfLength + 8, 0}, {halfLength - 2, -5}, {halfLength - 2, 5}};
-        painter.drawConvexPolygon(arrow, 3);
-    }
-    if (!heading || !shown.robot.lengthM || !shown.robot.widthM)
-        painter.drawEllipse(QPointF(0, 0), dotRadius, dotRadius);
+    painter.drawPath(robotSign(shown.robot, scale, heading.has_value()));
     painter.restore();
     if (m_scene->robots.size() > 1) {
         painter.setPen(colours.text);

@@ -145,8 +145,10 @@ void PictureArea::paintRobots(QPainter &painter, qint64 frame) const
 
 void PictureArea::paintMessage(QPainter &painter, const QString &message) const
 {
-    painter.setPen(QColor(0xffe6eaee));
-    painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, message);
+    const QRect place = rect().adjusted(16, 16, -16, -16);
+    const bool onPicture = !m_picture.isNull();
+    painter.setPen(onPicture ? QColor(Qt::white) : ThemeColours::of(palette()).muted);
+    painter.drawText(place, Qt::AlignCenter | Qt::TextWordWrap, message);
 }
 
 void PictureArea::paintEvent(QPaintEvent *)

@@ -69,7 +69,8 @@ void paintSpike(QPainter &painter, const QPointF &top, const Spike &spike)
     painter.setPen(QPen(QColor(0, 0, 0, 170), 1));
     painter.setBrush(spikeColour);
     painter.drawPolygon(triangle);
-    drawHaloText(painter, top + QPointF(10, -5), QString::fromStdString(spike.reason), spikeColour);
+    drawTag(painter, top + QPointF(11, -10), QString::fromStdString(spike.reason), spikeColour,
+            painter.clipBoundingRect());
 }
 
 } // namespace
@@ -177,8 +178,9 @@ void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, st
     // Half extents of the turned ellipse.
     const double c = std::cos(ellipse.angleRad), s = std::sin(ellipse.angleRad);
     const double halfWidth = std::hypot(a * c, b * s), halfHeight = std::hypot(a * s, b * c);
-    drawHaloText(painter, centre + QPointF(halfWidth + 6, -2),
-                 QString::fromStdString(scene.robots[robot].robot.name), ellipseColour);
+    drawTag(painter, centre + QPointF(halfWidth + 5, 0),
+            QString::fromStdString(scene.robots[robot].robot.name), ellipseColour,
+            painter.clipBoundingRect());
     const auto &analysis = scene.robots[robot].analysis;
     if (!analysis)
         return;

@@ -3,6 +3,7 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/views/chart_area.h"
+#include "ui/views/series_key.h"
 
 #include <QStringList>
 
@@ -10,11 +11,13 @@ namespace odo {
 
 ProfileChart::ProfileChart(Timeline &timeline, Quantity quantity, QWidget *parent)
     : Card(quantity == Quantity::Speed ? tr("Speed") : tr("Acceleration"), parent),
-      m_area(new ChartArea(timeline, quantity, this)), m_quantity(quantity)
+      m_area(new ChartArea(timeline, quantity, this)), m_key(new SeriesKey(this)), m_quantity(quantity)
 {
+    addToHeader(m_key);
     setContent(m_area);
     m_area->setAccessibleName(quantity == Quantity::Speed ? tr("Chart of the speed against time")
                                                           : tr("Chart of the acceleration against time"));
+    m_area->viewport()->setAccessibleName(m_area->accessibleName()); // it takes the mouse and the focus frame
     setScene(nullptr);
 }
 
@@ -24,9 +27,10 @@ void ProfileChart::setScene(TrialScenePtr scene)
 {
     qsizetype spikes = 0;
     bool analysed = false;
-    QStringList spoken;
+    QStringList spoken, robots;
     for (std::size_t robot = 0; scene && robot < scene->robots.size(); ++robot) {
         const auto &analysis = scene->robots[robot].analysis;
+        robots += QString::fromStdString(scene->robots[robot].robot.name);
         if (!analysis)
             continue;
         analysed = true;
@@ -48,6 +52,7 @@ void ProfileChart::setScene(TrialScenePtr scene)
         remark += tr("along the path");
     setRemark(remark.join(QStringLiteral(" \u00b7 ")));
     m_area->setAccessibleDescription(spoken.join(QStringLiteral("; ")));
+    m_key->setNames(robots);
     m_area->setScene(std::move(scene));
 }
 

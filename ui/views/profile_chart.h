@@ -7,6 +7,7 @@
 namespace odo {
 
 class ChartArea;
+class SeriesKey;
 class Timeline;
 
 /// What a chart shows of a profile.
@@ -26,6 +27,7 @@ public:
 
 private:
     ChartArea *m_area;
+    SeriesKey *m_key;
     Quantity m_quantity;
 };
 

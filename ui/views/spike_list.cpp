@@ -4,10 +4,52 @@
 #include "ui/models/spike_model.h"
 #include "ui/models/timeline.h"
 
+#include "ui/views/theme.h"
+
+#include <QEvent>
 #include <QHeaderView>
+#include <QPainter>
+#include <QStyledItemDelegate>
 #include <QTableView>
 
 namespace odo {
+
+namespace {
+
+constexpr int padding = 9;
+
+/// Rows as in the other panels: air around the text, a thin line below, a light ground for the chosen one.
+class RowDelegate : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        const ThemeColours colours = ThemeColours::of(option.palette);
+        const bool chosen = option.state.testFlag(QStyle::State_Selected);
+        painter->fillRect(option.rect, chosen ? colours.selection : colours.card);
+        painter->fillRect(QRect(option.rect.left(), option.rect.bottom(), option.rect.width(), 1),
+                          colours.grid);
+        const bool focused = option.state.testFlag(QStyle::State_HasFocus);
+        if (focused)
+            painter->fillRect(QRect(option.rect.left(), option.rect.top(), 2, option.rect.height()),
+                              colours.accent);
+        painter->setFont(option.font);
+        painter->setPen(index.data(SpikeModel::RestoredRole).toBool() ? colours.muted : colours.text);
+        const QRect place = option.rect.adjusted(padding, 0, -padding / 2, 0);
+        const QString text = index.data().toString();
+        painter->drawText(place, index.data(Qt::TextAlignmentRole).value<Qt::Alignment>(),
+                          option.fontMetrics.elidedText(text, Qt::ElideRight, place.width()));
+    }
+    QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        return {option.fontMetrics.horizontalAdvance(index.data().toString()) + 2 * padding,
+                option.fontMetrics.height() + padding};
+    }
+};
+
+} // namespace
 
 SpikeList::SpikeList(Timeline &timeline, QWidget *parent)
     : Card(tr("Spikes"), parent), m_timeline(timeline), m_model(new SpikeModel(this)),
@@ -16,7 +58,9 @@ SpikeList::SpikeList(Timeline &timeline, QWidget *parent)
     m_table->setModel(m_model);
     m_table->setAccessibleName(tr("Spikes with time and reason"));
     m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setItemDelegate(new RowDelegate(m_table));
     m_table->setShowGrid(false);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -29,6 +73,7 @@ SpikeList::SpikeList(Timeline &timeline, QWidget *parent)
     m_table->horizontalHeader()->setSectionResizeMode(SpikeModel::ReasonColumn, QHeaderView::Stretch);
     m_table->horizontalHeader()->setSectionResizeMode(SpikeModel::StateColumn, QHeaderView::ResizeToContents);
     setContent(m_table);
+    applyColours();
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex &row) {
                 const Nanoseconds time(row.data(SpikeModel::TimeRole).toLongLong());
@@ -46,6 +91,24 @@ void SpikeList::setScene(TrialScenePtr scene)
     m_model->setScene(std::move(scene));
     setRemark(m_model->summary());
     followTime();
+}
+
+void SpikeList::changeEvent(QEvent *event)
+{
+    Card::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        applyColours();
+}
+
+void SpikeList::applyColours()
+{
+    const ThemeColours colours = ThemeColours::of(palette());
+    m_table->horizontalHeader()->setStyleSheet(
+        QStringLiteral(
+            "QHeaderView::section { background: %1; color: %2; border: none; border-bottom: 1px solid %3;"
+            " padding: 4px %4px; }")
+            .arg(colours.card.name(), colours.muted.name(), colours.grid.name())
+            .arg(padding));
 }
 
 void SpikeList::followTime()

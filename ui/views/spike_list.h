@@ -21,8 +21,12 @@ public:
     void setScene(TrialScenePtr scene);
     QTableView *table() const { return m_table; }
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
     void followTime();
+    void applyColours();
 
     Timeline &m_timeline;
     SpikeModel *m_model;

@@ -85,11 +85,12 @@ ThemeColours ThemeColours::of(const QPalette &palette)
     colours.border = QColor(dark ? 0xff38424c : 0xffd0d6dc);
     colours.grid = QColor(dark ? 0xff323b44 : 0xffe8ebee);
     colours.accent = palette.color(QPalette::Highlight);
+    colours.selection = QColor(dark ? 0xff2c4456 : 0xffe4f2fa);
     colours.spike = QColor(dark ? 0xfff0803c : 0xffd55e00);
     colours.point = QColor(dark ? 0xffa8b2bc : 0xff7d8894);
     colours.bubble = QColor(dark ? 0xffe6eaee : 0xff20262c);
     colours.bubbleText = QColor(dark ? 0xff1b2127 : 0xffffffff);
-    colours.pictureGround = QColor(dark ? 0xff101316 : 0xff2a3138);
+    colours.pictureGround = QColor(dark ? 0xff14181b : 0xffe3e8ec);
     colours.mapGround = QColor(dark ? 0xff262b2f : 0xfff2f1ec);
     colours.mapGrid = QColor(dark ? 0xff3b4248 : 0xffdcdad2);
     return colours;

@@ -19,12 +19,13 @@ bool isDark(const QPalette &palette);
 struct ThemeColours
 {
     QColor card, border, text, muted;
-    QColor grid;   ///< of a chart
-    QColor accent; ///< play button, slider
-    QColor spike;  ///< always with a triangle
-    QColor point;  ///< measured points
+    QColor grid;      ///< of a chart
+    QColor accent;    ///< play button, slider
+    QColor selection; ///< ground of a chosen row; its text keeps its colour
+    QColor spike;     ///< always with a triangle
+    QColor point;     ///< measured points
     QColor bubble, bubbleText;
-    QColor pictureGround; ///< around a letter-boxed picture
+    QColor pictureGround; ///< around a letter-boxed picture; text and muted can be read on it
     QColor mapGround, mapGrid;
 
     static ThemeColours of(const QPalette &palette);

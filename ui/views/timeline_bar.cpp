@@ -51,8 +51,10 @@ TimelineBar::TimelineBar(Timeline &timeline, QWidget *parent)
 
     auto *words = new QVBoxLayout;
     words->setSpacing(1);
+    words->addStretch();
     words->addWidget(m_time);
     words->addWidget(m_frame);
+    words->addStretch();
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 10, 14, 8);
     layout->setSpacing(10);

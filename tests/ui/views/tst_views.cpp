@@ -266,7 +266,9 @@ private Q_SLOTS:
             if (reachable && !widget->inherits("QComboBoxPrivateContainer") && widget->parentWidget())
                 QVERIFY2(!widget->accessibleName().isEmpty() ||
                              widget->objectName().startsWith(QStringLiteral("qt_")),
-                         qPrintable(QString::fromLatin1(widget->metaObject()->className())));
+                         qPrintable(QString::fromLatin1(widget->metaObject()->className()) +
+                                    QStringLiteral(" in ") +
+                                    QString::fromLatin1(widget->parentWidget()->metaObject()->className())));
         }
     }
     /// For the eye: with ODOGRAPH_PICTURES=folder the desk is saved there, light and dark, with one and two

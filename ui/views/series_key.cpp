@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/series_key.h"
+
+#include "ui/views/theme.h"
+
+#include <QPainter>
+
+namespace odo {
+
+namespace {
+
+constexpr int lineLength = 26, lineGap = 6, entryGap = 14;
+
+} // namespace
+
+SeriesKey::SeriesKey(QWidget *parent) : QWidget(parent)
+{
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setAccessibleName(tr("Key to the lines"));
+    hide();
+}
+
+void SeriesKey::setNames(const QStringList &names)
+{
+    m_names = names;
+    setAccessibleDescription(names.join(QStringLiteral(", ")));
+    setVisible(names.size() > 1);
+    updateGeometry();
+    update();
+}
+
+QSize SeriesKey::sizeHint() const
+{
+    int width = 0;
+    for (const QString &name : m_names)
+        width += lineLength + lineGap + fontMetrics().horizontalAdvance(name) + entryGap;
+    return {width, fontMetrics().height()};
+}
+
+void SeriesKey::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double middle = height() / 2.0;
+    int left = entryGap;
+    for (int i = 0; i < m_names.size(); ++i) {
+        painter.setPen(QPen(seriesColour(i, palette()), 2, seriesDash(i)));
+        painter.drawLine(QPointF(left, middle), QPointF(left + lineLength, middle));
+        left += lineLength + lineGap;
+        painter.setPen(ThemeColours::of(palette()).text);
+        painter.drawText(QRect(left, 0, width() - left, height()), Qt::AlignLeft | Qt::AlignVCenter,
+                         m_names[i]);
+        left += fontMetrics().horizontalAdvance(m_names[i]) + entryGap;
+    }
+}
+
+} // namespace odo
