@@ -21,15 +21,15 @@ QString viewTitle(const SceneView &view)
 QString viewRemark(const TrialScene &scene, std::size_t index)
 {
     const RecordingRecord &recording = scene.views[index].recording;
-    QStringList parts;
-    parts += QStringLiteral("%1\u00d7%2").arg(recording.widthPx).arg(recording.heightPx);
-    if (recording.framesPerSecond > 0)
-        parts += CameraView::tr("%1 /s").arg(QLocale().toString(recording.framesPerSecond, 'f', 1));
+    QStringList parts; // the most telling first: the end may be cut off
     const bool synchronised =
         index > 0 && scene.trial.syncMethod != "none" && scene.trial.syncOffsetSigmaS > 0;
     if (synchronised)
         parts += CameraView::tr("in step to %1 ms")
                      .arg(QLocale().toString(scene.trial.syncOffsetSigmaS * 1e3, 'f', 1));
+    parts += QStringLiteral("%1\u00d7%2").arg(recording.widthPx).arg(recording.heightPx);
+    if (recording.framesPerSecond > 0)
+        parts += CameraView::tr("%1 /s").arg(QLocale().toString(recording.framesPerSecond, 'f', 1));
     return parts.join(QStringLiteral(" \u00b7 "));
 }
 

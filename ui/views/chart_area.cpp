@@ -249,6 +249,10 @@ void ChartArea::drawBackground(QPainter *painter, const QRectF &rect)
     painter->setFont(font());
     drawAxes(*painter);
     drawPoints(*painter);
+    if (m_scene && m_runs.empty()) {
+        painter->setPen(ThemeColours::of(palette()).muted);
+        painter->drawText(plotRect(), Qt::AlignCenter, tr("No curve yet: track the trial"));
+    }
     painter->restore();
 }
 

@@ -66,11 +66,11 @@ const Spike *spikeAt(const Profile &profile, Nanoseconds time)
 void paintSpike(QPainter &painter, const QPointF &top, const Spike &spike)
 {
     const QPolygonF triangle({top + QPointF(-6, -4), top + QPointF(6, -4), top + QPointF(0, -15)});
+    drawTag(painter, top + QPointF(11, -10), QString::fromStdString(spike.reason), spikeColour,
+            painter.clipBoundingRect());
     painter.setPen(QPen(QColor(0, 0, 0, 170), 1));
     painter.setBrush(spikeColour);
     painter.drawPolygon(triangle);
-    drawTag(painter, top + QPointF(11, -10), QString::fromStdString(spike.reason), spikeColour,
-            painter.clipBoundingRect());
 }
 
 } // namespace
