@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/registered_view.h"
 
 #include <algorithm>
 
@@ -30,22 +31,6 @@ Result<std::optional<RegistrationRecord>> registrationOf(Project &project, std::
         return std::optional(std::move(*used));
     }
     return project.cameras().currentRegistration(camera);
-}
-
-Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &registration)
-{
-    Intrinsics intrinsics = registration.assumedIntrinsics;
-    if (registration.intrinsics != 0) {
-        auto stored = project.cameras().intrinsics(registration.intrinsics);
-        if (!stored)
-            return passOn(stored);
-        intrinsics = std::move(stored->calibration.intrinsics);
-    }
-    auto camera = CameraModel::create(std::move(intrinsics));
-    if (!camera)
-        return passOn(camera);
-    return FloorView(*camera, registration.registration.worldFromCamera,
-                     registration.registration.poseCovariance);
 }
 
 Result<void> loadViews(Project &project, const std::vector<AnalysisRecord> &analyses, TrialScene &scene)
