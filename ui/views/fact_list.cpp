@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/fact_list.h"
+
+#include "ui/views/badge_label.h"
+#include "ui/views/theme.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
+
+namespace odo {
+namespace {
+
+constexpr int rowMargin = 5;
+
+void empty(QGridLayout *layout)
+{
+    while (QLayoutItem *item = layout->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+}
+
+} // namespace
+
+FactList::FactList(QWidget *parent) : QWidget(parent), m_layout(new QGridLayout(this))
+{
+    m_layout->setContentsMargins(10, 0, 10, 0);
+    m_layout->setHorizontalSpacing(14);
+    m_layout->setVerticalSpacing(0);
+    m_layout->setColumnStretch(1, 1);
+}
+
+void FactList::setFacts(const QList<Fact> &facts)
+{
+    empty(m_layout);
+    for (int row = 0; row < facts.size(); ++row)
+        addRow(row, facts.at(row));
+}
+
+void FactList::addRow(int row, const Fact &fact)
+{
+    auto *name = new QLabel(fact.name, this);
+    name->setObjectName(QStringLiteral("quiet"));
+    auto *value = new QLabel(fact.value, this);
+    value->setWordWrap(true);
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    value->setAccessibleName(QStringLiteral("%1: %2").arg(fact.name, fact.value));
+    for (QLabel *label : {name, value}) {
+        label->setTextFormat(Qt::PlainText);
+        label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+        label->setContentsMargins(0, rowMargin, 0, rowMargin + 1);
+    }
+    m_layout->addWidget(name, row, 0);
+    m_layout->addWidget(value, row, 1);
+    if (!fact.badge.text.isEmpty())
+        m_layout->addWidget(new BadgeLabel(fact.badge, this), row, 2, Qt::AlignRight | Qt::AlignVCenter);
+}
+
+void FactList::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setPen(ThemeColours::of(palette()).grid);
+    for (int row = 0; row < m_layout->rowCount(); ++row)
+        if (const QRect cell = m_layout->cellRect(row, 0); cell.isValid())
+            painter.drawLine(0, cell.bottom(), width(), cell.bottom());
+}
+
+} // namespace odo

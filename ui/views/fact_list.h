@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/badge.h"
+
+#include <QList>
+#include <QString>
+#include <QWidget>
+
+class QGridLayout;
+
+namespace odo {
+
+/// What is known of a thing: a name, a value in words, perhaps a badge behind it.
+struct Fact
+{
+    QString name;
+    QString value;
+    Badge badge;
+};
+
+/// Facts beneath one another, names on the left, values wrapping on the right. Plain text.
+class FactList : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit FactList(QWidget *parent = nullptr);
+    void setFacts(const QList<Fact> &facts);
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    void addRow(int row, const Fact &fact);
+    QGridLayout *m_layout;
+};
+
+} // namespace odo
