@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/trial_facts.h"
+
+#include "ui/models/figure_text.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+#include <QStringList>
+#include <filesystem>
+
+namespace odo {
+namespace {
+
+class Words
+{
+    Q_DECLARE_TR_FUNCTIONS(TrialFacts)
+};
+
+QString robotText(const SceneRobot &robot)
+{
+    const QString name = QString::fromStdString(robot.robot.name);
+    if (!robot.analysis)
+        return name;
+    const QString height = millimetresText(robot.analysis->profile.heightM);
+    return robot.analysis->profile.heightEstimated ? Words::tr("%1, %2 high (estimated)").arg(name, height)
+                                                   : Words::tr("%1, %2 high").arg(name, height);
+}
+
+QString viewText(const SceneView &view)
+{
+    return Words::tr("%1: %2×%3, %4 frames")
+        .arg(QString::fromStdString(view.camera))
+        .arg(view.recording.widthPx)
+        .arg(view.recording.heightPx)
+        .arg(view.recording.frameTimes.size());
+}
+
+Fact viewFact(const SceneView &view)
+{
+    Fact fact{Words::tr("View"), viewText(view), {}};
+    std::error_code ignored;
+    if (!std::filesystem::exists(view.file, ignored))
+        fact.badge = {Words::tr("video missing"), BadgeState::Bad};
+    else if (!view.floorView)
+        fact.badge = {Words::tr("not registered"), BadgeState::Warning};
+    return fact;
+}
+
+QString syncText(const TrialRecord &trial)
+{
+    const QLocale locale;
+    const QString offset = Words::tr("%1 ms").arg(locale.toString(trial.syncOffsetS * 1e3, 'f', 1));
+    if (trial.syncMethod == "told")
+        return Words::tr("as told: second view %1 later").arg(offset);
+    if (trial.syncMethod == "auto")
+        return Words::tr("found in the videos: second view %1 ±%2 later")
+            .arg(offset, Words::tr("%1 ms").arg(locale.toString(trial.syncOffsetSigmaS * 1e3, 'f', 1)));
+    return Words::tr("none: taken as begun together");
+}
+
+QString smootherText(Smoother smoother)
+{
+    switch (smoother) {
+    case Smoother::Rts:
+        return Words::tr("Kalman/RTS, noise from the data");
+    case Smoother::SavGol:
+        return Words::tr("Savitzky–Golay, cubic, 11 points");
+    case Smoother::Tracker:
+        return Words::tr("differences as in Tracker");
+    case Smoother::None:
+        break;
+    }
+    return Words::tr("none: raw differences");
+}
+
+QString dateText(Instant instant)
+{
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),
+                              QLocale::ShortFormat);
+}
+
+} // namespace
+
+QList<Fact> trialFacts(const TrialScene &scene)
+{
+    QList<Fact> facts;
+    const auto add = [&facts](const QString &name, const QString &value) {
+        if (!value.isEmpty())
+            facts.append({name, value, {}});
+    };
+    const TrialRecord &trial = scene.trial;
+    add(Words::tr("Team"), QString::fromStdString(trial.teamName));
+    add(Words::tr("Task"), QString::fromStdString(trial.task));
+    QStringList robots;
+    for (const SceneRobot &robot : scene.robots)
+        robots << robotText(robot);
+    add(Words::tr("Robot"), robots.join(QStringLiteral("; ")));
+    add(Words::tr("Date"), dateText(trial.date));
+    if (scene.layout)
+        add(Words::tr("Testbed"), Words::tr("markers “%1”").arg(QString::fromStdString(scene.layout->name)));
+    for (const SceneView &view : scene.views)
+        facts.append(viewFact(view));
+    if (scene.views.size() > 1)
+        add(Words::tr("In step"), syncText(trial));
+    if (!scene.robots.empty() && scene.robots.front().analysis) {
+        const AnalysisRecord &analysis = *scene.robots.front().analysis;
+        add(Words::tr("Smoother"), smootherText(analysis.options.smoother));
+        add(Words::tr("Analysed"),
+            Words::tr("%1, Odograph %2")
+                .arg(dateText(analysis.made), QString::fromStdString(analysis.softwareVersion)));
+    }
+    add(Words::tr("Note"), QString::fromStdString(trial.notes));
+    return facts;
+}
+
+} // namespace odo

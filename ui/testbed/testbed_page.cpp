@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/testbed_page.h"
+
+#include "core/exchange/layout_csv.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/cameras.h"
+#include "ui/models/timeline.h"
+#include "ui/testbed/calibrate_dialog.h"
+#include "ui/testbed/register_dialog.h"
+#include "ui/testbed/testbed_state.h"
+#include "ui/views/camera_view.h"
+#include "ui/views/card.h"
+#include "ui/views/empty_state.h"
+#include "ui/views/path_field.h"
+#include "ui/views/theme_icon.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QInputDialog>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTableView>
+
+namespace odo {
+namespace {
+
+constexpr int tableHeight = 100; // header and two cameras
+
+enum ToolAction { CalibrateAction, RegisterAction, ImportLensAction, ImportLayoutAction };
+
+QPushButton *buttonFor(QAction *action)
+{
+    auto *button = new QPushButton(action->icon(), action->text().remove(QLatin1Char('&')));
+    button->setToolTip(action->toolTip());
+    button->setEnabled(action->isEnabled());
+    QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
+    QObject::connect(action, &QAction::enabledChanged, button, &QWidget::setEnabled);
+    return button;
+}
+
+} // namespace
+
+TestbedPage::TestbedPage(Project &project, QWidget *parent)
+    : QWidget(parent), m_project(project), m_timeline(new Timeline(this)),
+      m_cameras(new CameraListModel(this)), m_table(new QTableView), m_layoutList(new QListWidget),
+      m_view(new CameraView(*m_timeline)), m_facts(new FactList), m_sketch(new FloorSketch),
+      m_empty(
+          new EmptyState(QStringLiteral("testbed"), tr("No cameras yet"),
+                         tr("A testbed is a floor with markers and the cameras that watch it. Begin with the "
+                            "lens of the first camera, or with the places of the markers."))),
+      m_stack(new QStackedWidget(this))
+{
+    setObjectName(QStringLiteral("page"));
+    setFocusProxy(m_table);
+    makeActions();
+    auto *left = new QSplitter(Qt::Vertical);
+    left->addWidget(makeCameraCard());
+    left->addWidget(makeLayoutCard());
+    left->setSizes({640, 200});
+    auto *right = new QSplitter(Qt::Vertical);
+    auto *sketchCard = new Card(tr("From above"));
+    sketchCard->setContent(m_sketch);
+    right->addWidget(m_view);
+    right->addWidget(sketchCard);
+    right->setSizes({520, 380});
+    auto *splitter = new QSplitter;
+    splitter->addWidget(left);
+    splitter->addWidget(right);
+    splitter->setSizes({420, 780});
+    splitter->setStretchFactor(1, 1);
+    for (QSplitter *each : {left, right, splitter}) {
+        each->setHandleWidth(8);
+        each->setChildrenCollapsible(false);
+    }
+    auto *content = new QWidget;
+    auto *contentLayout = new QHBoxLayout(content);
+    contentLayout->setContentsMargins(8, 8, 8, 8);
+    contentLayout->addWidget(splitter);
+    for (const ToolAction action : {CalibrateAction, ImportLensAction, ImportLayoutAction}) {
+        QPushButton *button = m_empty->addButton(QStringLiteral("add"), m_actions.at(action)->text());
+        connect(button, &QPushButton::clicked, m_actions.at(action), &QAction::trigger);
+    }
+    m_stack->addWidget(content);
+    m_stack->addWidget(m_empty);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_stack);
+    connect(m_view, &CameraView::settled, this, &TestbedPage::settled);
+}
+
+TestbedPage::~TestbedPage() = default;
+
+void TestbedPage::makeActions()
+{
+    const auto add = [this](const QString &icon, const QString &text, const QString &tip,
+                            void (TestbedPage::*slot)()) {
+        auto *action = new QAction(themeIcon(icon), text, this);
+        action->setToolTip(tip);
+        connect(action, &QAction::triggered, this, slot);
+        m_actions.append(action);
+    };
+    add(QStringLiteral("calibrate"), tr("&Calibrate camera…"),
+        tr("Measure a camera's lens from pictures of a board"), &TestbedPage::calibrate);
+    add(QStringLiteral("register"), tr("&Register camera…"),
+        tr("Find where a camera stands from the floor markers"), &TestbedPage::registerCamera);
+    add(QStringLiteral("import"), tr("Import &intrinsics…"),
+        tr("Take a camera's lens from a ROS or OpenCV YAML file"), &TestbedPage::importLens);
+    add(QStringLiteral("add"), tr("Import marker &layout…"),
+        tr("Take the places of the markers from a table"), &TestbedPage::importLayout);
+}
+
+QWidget *TestbedPage::makeCameraCard()
+{
+    m_table->setModel(m_cameras);
+    m_table->setAccessibleName(tr("Cameras"));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setTabKeyNavigation(false);
+    m_table->setShowGrid(false);
+    m_table->setColumnHidden(CameraListModel::VerdictColumn, true);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->setMinimumHeight(tableHeight);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            &TestbedPage::showCamera);
+
+    auto *body = new QWidget;
+    body->setObjectName(QStringLiteral("cardBody"));
+    auto *bodyLayout = new QVBoxLayout(body);
+    bodyLayout->setContentsMargins(0, 0, 0, 0);
+    bodyLayout->addWidget(m_facts);
+    bodyLayout->addStretch(1);
+    auto *scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setAccessibleName(tr("What is known of the camera"));
+    scroll->setWidget(body);
+    m_factCard = new Card(tr("Camera"));
+    m_factCard->setContent(scroll);
+
+    auto *content = new QWidget;
+    auto *contentLayout = new QVBoxLayout(content);
+    contentLayout->setContentsMargins(0, 0, 0, 0);
+    contentLayout->setSpacing(0);
+    contentLayout->addWidget(m_table);
+    auto *buttons = new QHBoxLayout;
+    buttons->setContentsMargins(10, 8, 10, 8);
+    for (const ToolAction action : {CalibrateAction, RegisterAction, ImportLensAction})
+        buttons->addWidget(buttonFor(m_actions.at(action)));
+    buttons->addStretch(1);
+    contentLayout->addLayout(buttons);
+    auto *card = new Card(tr("Cameras"));
+    card->setContent(content);
+
+    auto *both = new QSplitter(Qt::Vertical);
+    both->setHandleWidth(8);
+    both->setChildrenCollapsible(false);
+    both->addWidget(card);
+    both->addWidget(m_factCard);
+    both->setSizes({200, 400});
+    return both;
+}
+
+QWidget *TestbedPage::makeLayoutCard()
+{
+    m_layoutList->setAccessibleName(tr("Marker layouts"));
+    connect(m_layoutList, &QListWidget::currentRowChanged, this, &TestbedPage::showLayout);
+    auto *content = new QWidget;
+    auto *layout = new QVBoxLayout(content);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_layoutList, 1);
+    auto *buttons = new QHBoxLayout;
+    buttons->setContentsMargins(10, 8, 10, 8);
+    buttons->addWidget(buttonFor(m_actions.at(ImportLayoutAction)));
+    buttons->addStretch(1);
+    layout->addLayout(buttons);
+    auto *card = new Card(tr("Marker layouts"));
+    card->setContent(content);
+    return card;
+}
+
+void TestbedPage::refresh()
+{
+    const QString camera = currentCamera();
+    const int layoutRow = std::max(0, m_layoutList->currentRow());
+    Result<std::vector<CameraRow>> cameras = loadCameraRows(m_project);
+    Result<std::vector<LayoutRecord>> layouts = m_project.layouts().all();
+    if (!cameras || !layouts) {
+        Q_EMIT failed(cameras ? layouts.error() : cameras.error());
+        return;
+    }
+    m_cameras->setRows(std::move(*cameras));
+    m_table->resizeColumnsToContents();
+    m_layouts = std::move(*layouts);
+    const QSignalBlocker quiet(m_layoutList);
+    m_layoutList->clear();
+    for (const LayoutRecord &record : m_layouts) {
+        QStringList labels;
+        for (const Marker &marker : record.layout.markers)
+            labels << QString::fromStdString(marker.label);
+        m_layoutList->addItem(QStringLiteral("%1: %2").arg(QString::fromStdString(record.layout.name),
+                                                           labels.join(QStringLiteral(", "))));
+    }
+    m_layoutList->setCurrentRow(std::min(layoutRow, m_layoutList->count() - 1));
+    m_actions.at(RegisterAction)->setEnabled(m_cameras->rowCount() > 0 && !m_layouts.empty());
+    m_stack->setCurrentIndex(m_cameras->rowCount() == 0 && m_layouts.empty() ? 1 : 0);
+    const int row = std::max(0, static_cast<int>(cameraNames().indexOf(camera)));
+    if (m_cameras->rowCount() > 0)
+        m_table->setCurrentIndex(m_cameras->index(row, 0));
+    showCamera();
+    showLayout();
+}
+
+QStringList TestbedPage::cameraNames() const
+{
+    QStringList names;
+    for (int row = 0; row < m_cameras->rowCount(); ++row)
+        names << QString::fromStdString(m_cameras->row(row).camera.name);
+    return names;
+}
+
+QString TestbedPage::currentCamera() const
+{
+    return m_table->currentIndex().data(CameraListModel::NameRole).toString();
+}
+
+void TestbedPage::showCamera()
+{
+    const QModelIndex current = m_table->currentIndex();
+    if (!current.isValid()) {
+        m_view->setScene(nullptr, 0);
+        m_view->setTitle(tr("Picture"));
+        m_facts->setFacts({});
+        return;
+    }
+    const CameraRow &camera = m_cameras->row(current.row());
+    m_factCard->setTitle(tr("Camera %1").arg(QString::fromStdString(camera.camera.name)));
+    m_facts->setFacts(cameraFacts(camera));
+    const Result<TrialScenePtr> scene = newestPicture(m_project, camera);
+    if (!scene)
+        Q_EMIT failed(scene.error());
+    m_view->setScene(scene.value_or(nullptr), 0);
+    if (scene && *scene)
+        m_timeline->setFrameTimes((*scene)->frameTimes());
+}
+
+void TestbedPage::showLayout()
+{
+    const int row = m_layoutList->currentRow();
+    if (row < 0) {
+        m_sketch->setTestbed(std::nullopt, {});
+        return;
+    }
+    const LayoutRecord &record = m_layouts.at(static_cast<std::size_t>(row));
+    std::vector<CameraRow> cameras;
+    for (int i = 0; i < m_cameras->rowCount(); ++i)
+        cameras.push_back(m_cameras->row(i));
+    Result<std::vector<SketchedCamera>> sketched = sketchedCameras(m_project, cameras, record.id);
+    if (!sketched)
+        Q_EMIT failed(sketched.error());
+    m_sketch->setTestbed(record.layout, sketched.value_or(std::vector<SketchedCamera>()));
+}
+
+bool TestbedPage::isSettled() const
+{
+    return m_stack->currentIndex() == 1 || m_view->isSettled();
+}
+
+void TestbedPage::calibrate()
+{
+    CalibrateDialog dialog(cameraNames(), currentCamera(), this);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const auto job = std::make_shared<CalibrateJob>(dialog.settings());
+    const QString camera = QString::fromStdString(job->settings().camera);
+    Q_EMIT jobRequested(job, tr("Calibrating camera %1").arg(camera), [job, camera] {
+        return tr("Camera %1 is calibrated. %2")
+            .arg(camera, QString::fromStdString(job->calibration().verdict));
+    });
+}
+
+void TestbedPage::registerCamera()
+{
+    QStringList layouts;
+    for (const LayoutRecord &record : m_layouts)
+        layouts << QString::fromStdString(record.layout.name);
+    RegisterDialog dialog(cameraNames(), currentCamera(), layouts, this);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const auto job = std::make_shared<RegisterJob>(dialog.settings());
+    const QString camera = QString::fromStdString(job->settings().camera);
+    Q_EMIT jobRequested(job, tr("Registering camera %1").arg(camera), [job, camera] {
+        return tr("Camera %1 is registered. %2")
+            .arg(camera, QString::fromStdString(job->record().registration.verdict));
+    });
+}
+
+void TestbedPage::importLens()
+{
+    const QString file = QFileDialog::getOpenFileName(this, tr("Intrinsics of a camera"), {},
+                                                      tr("Calibrations (*.yaml *.yml);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    bool accepted = false;
+    const QString camera =
+        QInputDialog::getItem(this, tr("Import intrinsics"), tr("Camera:"), cameraNames(), 0, true, &accepted)
+            .trimmed();
+    if (!accepted || camera.isEmpty())
+        return;
+    const Result<IntrinsicsRecord> imported = importIntrinsics(m_project, camera.toStdString(), pathOf(file));
+    if (!imported) {
+        Q_EMIT failed(imported.error());
+        return;
+    }
+    refresh();
+    Q_EMIT changed(tr("The lens of camera %1 was taken from %2.").arg(camera, QFileInfo(file).fileName()));
+}
+
+void TestbedPage::importLayout()
+{
+    const QString file = QFileDialog::getOpenFileName(this, tr("Places of the markers (label,x_mm,y_mm)"), {},
+                                                      tr("Tables (*.csv *.txt);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    bool accepted = false;
+    const QString name =
+        QInputDialog::getText(this, tr("Import marker layout"), tr("Name of the layout:"), QLineEdit::Normal,
+                              QFileInfo(file).completeBaseName(), &accepted)
+            .trimmed();
+    if (!accepted || name.isEmpty())
+        return;
+    Result<MarkerLayout> layout = readLayoutCsv(pathOf(file));
+    if (!layout) {
+        Q_EMIT failed(layout.error());
+        return;
+    }
+    layout->name = name.toStdString();
+    if (const Result<LayoutRecord> added = m_project.layouts().add(*layout); !added) {
+        Q_EMIT failed(added.error());
+        return;
+    }
+    refresh();
+    Q_EMIT changed(tr("Layout %1 has %2 markers.").arg(name).arg(layout->markers.size()));
+}
+
+} // namespace odo

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/testbed_state.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/registered_view.h"
+#include "ui/models/figure_text.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+
+namespace odo {
+namespace {
+
+class Words
+{
+    Q_DECLARE_TR_FUNCTIONS(TestbedState)
+};
+
+QString dateText(Instant instant)
+{
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),
+                              QLocale::ShortFormat);
+}
+
+QString lensName(LensModel model)
+{
+    switch (model) {
+    case LensModel::Standard:
+        return Words::tr("standard");
+    case LensModel::Rational:
+        return Words::tr("rational");
+    case LensModel::Fisheye:
+        break;
+    }
+    return Words::tr("fisheye");
+}
+
+void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
+{
+    const QLocale locale;
+    const Intrinsics &lens = record.calibration.intrinsics;
+    facts.append({Words::tr("Picture"), QStringLiteral("%1×%2").arg(lens.widthPx).arg(lens.heightPx), {}});
+    facts.append({Words::tr("Lens"),
+                  Words::tr("%1, f = %2 px").arg(lensName(lens.model), locale.toString(lens.fxPx, 'f', 1)),
+                  {}});
+    facts.append({Words::tr("Origin"),
+                  QStringLiteral("%1, %2").arg(QString::fromStdString(record.origin), dateText(record.made)),
+                  {}});
+    if (record.calibration.rmsPx > 0)
+        facts.append({Words::tr("Board error"),
+                      Words::tr("%1 px in %2 pictures")
+                          .arg(locale.toString(record.calibration.rmsPx, 'f', 2))
+                          .arg(record.calibration.pictureRmsPx.size()),
+                      {}});
+    if (record.calibration.crossValidationPx > 0)
+        facts.append({Words::tr("Held-out error"),
+                      Words::tr("%1 px").arg(locale.toString(record.calibration.crossValidationPx, 'f', 2)),
+                      {}});
+    if (!record.calibration.verdict.empty())
+        facts.append({Words::tr("Verdict"), QString::fromStdString(record.calibration.verdict), {}});
+}
+
+void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
+{
+    const QLocale locale;
+    const FloorRegistration &registration = record.registration;
+    facts.append({Words::tr("On the floor"), Words::tr("registered %1").arg(dateText(record.made)),
+                  registrationBadge(registration)});
+    const Eigen::Vector3d place = registration.worldFromCamera.translation;
+    facts.append({Words::tr("Place"),
+                  Words::tr("x %1 m, y %2 m, %3 m high")
+                      .arg(locale.toString(place.x(), 'f', 2), locale.toString(place.y(), 'f', 2),
+                           locale.toString(place.z(), 'f', 2)),
+                  {}});
+    QStringList errors;
+    for (const MarkerError &marker : registration.markers)
+        errors << QStringLiteral("%1 %2").arg(QString::fromStdString(marker.label),
+                                              millimetresText(marker.errorM));
+    facts.append({Words::tr("Markers"), errors.join(QStringLiteral(", ")), {}});
+    if (!registration.verdict.empty())
+        facts.append({Words::tr("Verdict"), QString::fromStdString(registration.verdict), {}});
+}
+
+} // namespace
+
+Result<TrialScenePtr> newestPicture(Project &project, const CameraRow &camera)
+{
+    const Result<std::vector<TrialRecord>> trials = project.trials().all();
+    if (!trials)
+        return tl::unexpected(trials.error());
+    for (const TrialRecord &trial : *trials) {
+        const Result<std::vector<RecordingRecord>> recordings = project.trials().recordings(trial.id);
+        if (!recordings)
+            return tl::unexpected(recordings.error());
+        for (const RecordingRecord &recording : *recordings) {
+            if (recording.camera != camera.camera.id)
+                continue;
+            auto scene = std::make_shared<TrialScene>();
+            SceneView view{camera.camera.name, recording, project.resolve(recording), {}, {}, Nanoseconds{0}};
+            if (camera.registration) {
+                const Result<FloorView> floorView = floorViewOf(project, *camera.registration);
+                const Result<LayoutRecord> layout = project.layouts().get(camera.registration->layout);
+                if (!floorView || !layout)
+                    return tl::unexpected(floorView ? layout.error() : floorView.error());
+                view.floorView = *floorView;
+                view.registration = camera.registration->registration;
+                scene->layout = layout->layout;
+            }
+            scene->trial = trial;
+            scene->views.push_back(std::move(view));
+            return scene;
+        }
+    }
+    return TrialScenePtr();
+}
+
+QList<Fact> cameraFacts(const CameraRow &camera)
+{
+    QList<Fact> facts;
+    if (camera.intrinsics)
+        addIntrinsics(facts, *camera.intrinsics);
+    else
+        facts.append({Words::tr("Lens"), Words::tr("not calibrated: taken as free of distortion"), {}});
+    if (camera.registration)
+        addRegistration(facts, *camera.registration);
+    else
+        facts.append(
+            {Words::tr("On the floor"), Words::tr("not registered: positions cannot be measured yet"), {}});
+    return facts;
+}
+
+Result<std::vector<SketchedCamera>> sketchedCameras(Project &project, const std::vector<CameraRow> &cameras,
+                                                    RecordId layout)
+{
+    std::vector<SketchedCamera> sketched;
+    for (const CameraRow &row : cameras) {
+        if (!row.registration || row.registration->layout != layout)
+            continue;
+        const Result<FloorView> view = floorViewOf(project, *row.registration);
+        if (!view)
+            return tl::unexpected(view.error());
+        const Intrinsics &lens = view->camera().intrinsics();
+        const Eigen::Vector3d place = view->cameraInWorld();
+        const auto aim = view->floorFromPixel({lens.widthPx / 2.0, lens.heightPx / 2.0}, 0);
+        sketched.push_back(
+            {QString::fromStdString(row.camera.name), place, aim.value_or(Eigen::Vector2d(place.head<2>()))});
+    }
+    return sketched;
+}
+
+} // namespace odo

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/camera_list_model.h"
+#include "ui/models/trial_scene.h"
+#include "ui/testbed/floor_sketch.h"
+#include "ui/views/fact_list.h"
+
+namespace odo {
+
+/// A scene with no robots: the newest recording of a camera with the registration in force. Null when the
+/// camera has recorded nothing yet. Project's thread.
+Result<TrialScenePtr> newestPicture(Project &project, const CameraRow &camera);
+
+/// All that is known of a camera: intrinsics, registration, the error of each marker, and the verdicts in
+/// words.
+QList<Fact> cameraFacts(const CameraRow &camera);
+
+/// Those of the cameras that are registered on the layout, as seen from above. Project's thread.
+Result<std::vector<SketchedCamera>> sketchedCameras(Project &project, const std::vector<CameraRow> &cameras,
+                                                    RecordId layout);
+
+} // namespace odo
