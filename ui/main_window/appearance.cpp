@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/appearance.h"
+
+#include "resources/resources.h"
+#include "ui/views/theme.h"
+#include "ui/views/theme_icon.h"
+
+#include <QApplication>
+#include <QHash>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace odo {
+namespace {
+
+struct NamedColour
+{
+    const char *name, *light, *dark;
+};
+
+// What only the style sheet needs, beside the palette; contrast of text to its ground is 4.5:1 or better.
+constexpr NamedColour namedColours[] = {
+    {"menu", "#f6f8fa", "#222830"},        {"stripe", "#f6f8fa", "#2a313a"},
+    {"hover", "#e2e7ec", "#343d47"},       {"selection", "#dceefa", "#1d4a66"},
+    {"accentHover", "#0a83c8", "#2b91d0"}, {"bar", "#25303a", "#13171c"},
+    {"barText", "#b4bfc9", "#a3aeb9"},     {"barHover", "#2d3a46", "#1d242b"},
+    {"barChecked", "#354553", "#29333d"},  {"barMark", "#56b4e9", "#56b4e9"},
+    {"barFocus", "#f0e442", "#f0e442"},    {"barDisabled", "#6b7883", "#5b6670"},
+};
+
+QHash<QString, QColor> coloursOf(const QPalette &palette)
+{
+    const bool dark = isDark(palette);
+    QHash<QString, QColor> colours;
+    for (const NamedColour &named : namedColours)
+        colours.insert(QString::fromLatin1(named.name),
+                       QColor(QLatin1String(dark ? named.dark : named.light)));
+    const ThemeColours theme = ThemeColours::of(palette);
+    const BadgeColours good = badgeColours(BadgeState::Good, palette),
+                       bad = badgeColours(BadgeState::Bad, palette);
+    colours.insert({{QStringLiteral("window"), palette.color(QPalette::Window)},
+                    {QStringLiteral("card"), theme.card},
+                    {QStringLiteral("border"), theme.border},
+                    {QStringLiteral("line"), theme.grid},
+                    {QStringLiteral("text"), theme.text},
+                    {QStringLiteral("quiet"), theme.muted},
+                    {QStringLiteral("accent"), theme.accent},
+                    {QStringLiteral("tip"), palette.color(QPalette::ToolTipBase)},
+                    {QStringLiteral("tipText"), palette.color(QPalette::ToolTipText)},
+                    {QStringLiteral("goodBack"), good.ground},
+                    {QStringLiteral("goodText"), good.text},
+                    {QStringLiteral("badBack"), bad.ground},
+                    {QStringLiteral("badText"), bad.text}});
+    return colours;
+}
+
+QString styleSheetOf(const QPalette &palette)
+{
+    QString sheet = QString::fromUtf8(resourceBytes(QStringLiteral("style/odograph.qss")));
+    const QHash<QString, QColor> colours = coloursOf(palette);
+    for (auto colour = colours.cbegin(); colour != colours.cend(); ++colour)
+        sheet.replace(QLatin1Char('@') + colour.key() + QLatin1Char('@'), colour.value().name());
+    return sheet;
+}
+
+bool desktopIsDark(QApplication &application)
+{
+    // Without a palette of ours the application shows the desktop's (Qt 6.4 has no other way to ask for it).
+    application.setPalette(QPalette());
+    return isDark(application.palette());
+}
+
+} // namespace
+
+Theme themeFromName(const QString &name)
+{
+    if (name == QLatin1String("light"))
+        return Theme::Light;
+    return name == QLatin1String("dark") ? Theme::Dark : Theme::System;
+}
+
+QString themeName(Theme theme)
+{
+    switch (theme) {
+    case Theme::Light:
+        return QStringLiteral("light");
+    case Theme::Dark:
+        return QStringLiteral("dark");
+    case Theme::System:
+        break;
+    }
+    return QStringLiteral("system");
+}
+
+void applyAppearance(QApplication &application, Theme theme)
+{
+    // Under a style sheet the style's name is empty, so the first call is told by the sheet.
+    if (application.styleSheet().isEmpty()) {
+        application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+        application.setWindowIcon(themeIcon(QStringLiteral("odograph")));
+    }
+    const bool dark = theme == Theme::System ? desktopIsDark(application) : theme == Theme::Dark;
+    const QPalette palette = dark ? darkPalette() : lightPalette();
+    application.setPalette(palette);
+    application.setStyleSheet(styleSheetOf(palette));
+}
+
+} // namespace odo

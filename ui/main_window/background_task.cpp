@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/background_task.h"
+
+#include <QMetaObject>
+
+namespace odo {
+
+BackgroundTask::~BackgroundTask()
+{
+    m_cancel.cancel();
+    if (m_thread.joinable())
+        m_thread.join();
+}
+
+bool BackgroundTask::start(Work work)
+{
+    if (m_running)
+        return false;
+    m_running = true;
+    m_cancel = CancelToken();
+    const JobControl control{m_cancel, [this](double fraction, const std::string &text) {
+                                 const QString words = QString::fromStdString(text);
+                                 QMetaObject::invokeMethod(
+                                     this, [this, fraction, words] { Q_EMIT progressed(fraction, words); },
+                                     Qt::QueuedConnection);
+                             }};
+    m_thread = std::thread([this, control, work = std::move(work)] {
+        const Result<void> result = work(control);
+        QMetaObject::invokeMethod(
+            this,
+            [this, result] {
+                m_thread.join();
+                m_running = false;
+                Q_EMIT finished(result ? std::nullopt : std::optional<Error>(result.error()));
+            },
+            Qt::QueuedConnection);
+    });
+    return true;
+}
+
+} // namespace odo

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/check_list.h"
+
+namespace odo {
+namespace {
+constexpr int fewestRows = 2, mostRows = 6;
+}
+
+CheckList::CheckList(const QString &accessibleName, QWidget *parent) : QListWidget(parent)
+{
+    setAccessibleName(accessibleName);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setFrameShape(QFrame::StyledPanel);
+}
+
+void CheckList::setNames(const QStringList &names, bool checked)
+{
+    clear();
+    for (const QString &name : names) {
+        auto *item = new QListWidgetItem(name, this);
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+        item->setCheckState(checked ? Qt::Checked : Qt::Unchecked);
+    }
+    if (count() > 0)
+        setCurrentRow(0);
+    updateGeometry();
+}
+
+std::vector<std::string> CheckList::checkedNames() const
+{
+    std::vector<std::string> names;
+    for (int i = 0; i < count(); ++i)
+        if (item(i)->checkState() == Qt::Checked)
+            names.push_back(item(i)->text().toStdString());
+    return names;
+}
+
+QSize CheckList::sizeHint() const
+{
+    const int row = std::max(sizeHintForRow(0), fontMetrics().height() + 6);
+    return {QListWidget::sizeHint().width(),
+            std::clamp(count(), fewestRows, mostRows) * row + 2 * frameWidth()};
+}
+
+} // namespace odo

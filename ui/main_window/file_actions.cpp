@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/file_actions.h"
+
+#include "core/project/project.h"
+#include "ui/main_window/recent_projects.h"
+#include "ui/main_window/workspace.h"
+#include "ui/views/path_field.h"
+#include "ui/views/theme_icon.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QStandardPaths>
+
+namespace odo {
+namespace {
+
+QString documentsFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+QString withSuffix(QString file)
+{
+    if (QFileInfo(file).suffix().isEmpty())
+        file += QStringLiteral(".odo");
+    return file;
+}
+
+/// A folder of that name which does not exist yet: the demo may be made as often as one likes.
+QString freeFolder(const QString &base)
+{
+    QString folder = base;
+    for (int number = 2; QFileInfo::exists(folder); ++number)
+        folder = QStringLiteral("%1 %2").arg(base).arg(number);
+    return folder;
+}
+
+} // namespace
+
+FileActions::FileActions(Workspace &workspace, RecentProjects &recent, QWidget &window)
+    : QObject(&window), m_workspace(workspace), m_recent(recent), m_window(window),
+      m_new(new QAction(themeIcon(QStringLiteral("new")), tr("&New project…"), this)),
+      m_open(new QAction(themeIcon(QStringLiteral("open")), tr("&Open project…"), this)),
+      m_demo(new QAction(themeIcon(QStringLiteral("demo")), tr("Open &demo lesson…"), this)),
+      m_copy(new QAction(tr("Save a &copy as…"), this)), m_quit(new QAction(tr("&Quit"), this))
+{
+    m_new->setShortcut(QKeySequence::New);
+    m_open->setShortcut(QKeySequence::Open);
+    m_copy->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+    m_quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
+    m_copy->setEnabled(false);
+    connect(m_new, &QAction::triggered, this, &FileActions::askNew);
+    connect(m_open, &QAction::triggered, this, &FileActions::askOpen);
+    connect(m_demo, &QAction::triggered, this, &FileActions::askDemo);
+    connect(m_copy, &QAction::triggered, this, &FileActions::askCopy);
+    connect(m_quit, &QAction::triggered, &m_window, &QWidget::close);
+    connect(&m_workspace, &Workspace::opened, this, [this] { m_copy->setEnabled(true); });
+}
+
+void FileActions::fillMenu(QMenu &menu)
+{
+    menu.addAction(m_new);
+    menu.addAction(m_open);
+    m_recentMenu = menu.addMenu(tr("Open &recent"));
+    connect(&m_recent, &RecentProjects::changed, this, &FileActions::fillRecent);
+    fillRecent();
+    menu.addAction(m_demo);
+    menu.addSeparator();
+    menu.addAction(m_copy);
+    menu.addSeparator();
+    menu.addAction(m_quit);
+}
+
+void FileActions::fillRecent()
+{
+    m_recentMenu->clear();
+    const QStringList files = m_recent.files();
+    for (const QString &file : files) {
+        QAction *action = m_recentMenu->addAction(
+            QDir::toNativeSeparators(file).replace(QLatin1String("&"), QLatin1String("&&")));
+        action->setEnabled(RecentProjects::exists(file));
+        connect(action, &QAction::triggered, this, [this, file] { tellFailure(open(pathOf(file))); });
+    }
+    if (!files.isEmpty()) {
+        m_recentMenu->addSeparator();
+        connect(m_recentMenu->addAction(tr("&Clear this list")), &QAction::triggered, &m_recent,
+                &RecentProjects::clear);
+    }
+    m_recentMenu->setEnabled(!files.isEmpty());
+}
+
+Result<void> FileActions::open(const std::filesystem::path &file)
+{
+    const Result<void> opened = m_workspace.open(file);
+    if (opened)
+        m_recent.add(file);
+    return opened;
+}
+
+void FileActions::askNew()
+{
+    QString file = QFileDialog::getSaveFileName(&m_window, tr("New project"),
+                                                QDir(documentsFolder()).filePath(tr("Project.odo")),
+                                                tr("Odograph projects (*.odo)"));
+    if (file.isEmpty())
+        return;
+    file = withSuffix(file);
+    const Result<void> made = m_workspace.create(pathOf(file), QFileInfo(file).completeBaseName());
+    if (made)
+        m_recent.add(pathOf(file));
+    tellFailure(made);
+}
+
+void FileActions::askOpen()
+{
+    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Open project"), documentsFolder(),
+                                                      tr("Odograph projects (*.odo);;All files (*)"));
+    if (!file.isEmpty())
+        tellFailure(open(pathOf(file)));
+}
+
+void FileActions::askDemo()
+{
+    const QString parent = QFileDialog::getExistingDirectory(
+        &m_window, tr("Where shall the demo lesson be made?"), documentsFolder());
+    if (parent.isEmpty())
+        return;
+    const QString folder = freeFolder(QDir(parent).filePath(tr("Odograph demo")));
+    tellFailure(m_workspace.makeDemo(pathOf(folder), tr("Making the demo lesson")));
+}
+
+void FileActions::askCopy()
+{
+    const QString own = textOf(m_workspace.project()->file());
+    const QString offered = QFileInfo(own).dir().filePath(tr("Copy of %1").arg(QFileInfo(own).fileName()));
+    QString file =
+        QFileDialog::getSaveFileName(&m_window, tr("Save a copy"), offered, tr("Odograph projects (*.odo)"));
+    if (file.isEmpty())
+        return;
+    file = withSuffix(file);
+    const Result<void> copied = m_workspace.project()->saveCopy(pathOf(file));
+    if (copied)
+        Q_EMIT done(tr("A copy was saved as %1. Its videos stay where they are.")
+                        .arg(QDir::toNativeSeparators(file)));
+    tellFailure(copied);
+}
+
+void FileActions::tellFailure(const Result<void> &result)
+{
+    if (!result)
+        Q_EMIT failed(result.error());
+}
+
+} // namespace odo

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QObject>
+#include <filesystem>
+
+class QAction;
+class QMenu;
+class QWidget;
+
+namespace odo {
+
+class RecentProjects;
+class Workspace;
+
+/// What can be done with project files: new, open, open a recent one, the demo lesson, save a copy. Owns the
+/// actions and asks for the files.
+class FileActions : public QObject
+{
+    Q_OBJECT
+public:
+    /// window: parent of the dialogs.
+    FileActions(Workspace &workspace, RecentProjects &recent, QWidget &window);
+
+    void fillMenu(QMenu &menu);
+    QAction *newProject() const { return m_new; }
+    QAction *openProject() const { return m_open; }
+    QAction *demo() const { return m_demo; }
+    /// Opens, and remembers it among the recent ones.
+    Result<void> open(const std::filesystem::path &file);
+
+Q_SIGNALS:
+    void failed(const odo::Error &error);
+    void done(const QString &words);
+
+private:
+    void askNew();
+    void askOpen();
+    void askDemo();
+    void askCopy();
+    void fillRecent();
+    void tellFailure(const Result<void> &result);
+
+    Workspace &m_workspace;
+    RecentProjects &m_recent;
+    QWidget &m_window;
+    QAction *m_new, *m_open, *m_demo, *m_copy, *m_quit;
+    QMenu *m_recentMenu = nullptr;
+};
+
+} // namespace odo

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/help_dialogs.h"
+
+#include "resources/resources.h"
+
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QMessageBox>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace odo {
+namespace {
+
+class Words
+{
+    Q_DECLARE_TR_FUNCTIONS(HelpDialogs)
+};
+
+} // namespace
+
+void showKeys(QWidget &window)
+{
+    auto *dialog = new QDialog(&window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(Words::tr("Keys"));
+    auto *text = new QTextBrowser;
+    text->setAccessibleName(Words::tr("List of keys"));
+    text->setFrameShape(QFrame::NoFrame);
+    text->setHtml(QString::fromUtf8(resourceBytes(QStringLiteral("help/keys.html"))));
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+    auto *layout = new QVBoxLayout(dialog);
+    layout->addWidget(text);
+    layout->addWidget(buttons);
+    dialog->resize(460, 560);
+    dialog->show();
+}
+
+void showAbout(QWidget &window)
+{
+    QMessageBox box(&window);
+    box.setWindowTitle(Words::tr("About Odograph"));
+    box.setTextFormat(Qt::PlainText);
+    box.setText(Words::tr("Odograph %1").arg(QStringLiteral(ODOGRAPH_VERSION)));
+    box.setInformativeText(Words::tr(
+        "Measures how a mobile robot moved, from the videos of ordinary cameras.\n\n"
+        "Free software under the GNU General Public License, version 3 or later, without any warranty.\n\n"
+        "The method follows S. Park, “Computational Vision for Automatic Tracking and Objective Estimation "
+        "of Mobile Robot Trajectory”, 2018."));
+    box.exec();
+}
+
+} // namespace odo

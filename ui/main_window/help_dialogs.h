@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+class QWidget;
+
+namespace odo {
+
+/// The list of keys, and what this program is. Not modal for the first, which one wants to read while
+/// working.
+void showKeys(QWidget &window);
+void showAbout(QWidget &window);
+
+} // namespace odo

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/workflow/import_trial_job.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLineEdit;
+
+namespace odo {
+
+class CheckList;
+class PathField;
+
+/// Asks what belongs to a trial: its name, team, task and robots, the video of each camera, and how they are
+/// in step.
+class ImportTrialDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    struct Offer
+    {
+        QString name; ///< a free one
+        QStringList teams, robots, cameras;
+    };
+    explicit ImportTrialDialog(const Offer &offer, QWidget *parent = nullptr);
+    ImportSettings settings() const;
+    /// One more row; file may be empty.
+    void addVideo(const QString &camera, const QString &file);
+
+private:
+    struct VideoRow
+    {
+        QComboBox *camera;
+        PathField *file;
+    };
+    QWidget *makeVideos();
+    QWidget *makeStep();
+    void updateButtons();
+
+    QStringList m_cameras;
+    QLineEdit *m_name;
+    QComboBox *m_team;
+    QLineEdit *m_task;
+    CheckList *m_robots;
+    QGridLayout *m_videoGrid;
+    std::vector<VideoRow> m_videos;
+    QComboBox *m_sync;
+    QDoubleSpinBox *m_offset;
+    QCheckBox *m_rateTold;
+    QDoubleSpinBox *m_rate;
+    QDialogButtonBox *m_buttons;
+};
+
+} // namespace odo

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QMainWindow>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+class QLabel;
+class QStackedWidget;
+
+namespace odo {
+
+class FileActions;
+class HistoryPage;
+class Job;
+class JobIndicator;
+class MessageBar;
+class ModeBar;
+class RecentProjects;
+class ReviewPage;
+class TestbedPage;
+class TrialActions;
+class ViewActions;
+class WelcomePage;
+class Workspace;
+
+/// The one window of Odograph: joins the mode bar, the pages, the menus and the running job. It wires; what
+/// is done is done by those it joins. GUI thread.
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+public:
+    enum class Mode { Testbed, Review, History };
+
+    MainWindow();
+    ~MainWindow() override;
+
+    /// Opens a project, and shows its newest trial; the one that was open stays when it fails.
+    Result<void> openProject(const std::filesystem::path &file);
+    /// Without a project the welcome page stays.
+    void showMode(Mode mode);
+    /// Shows a trial in Review. NotFound with the names there are.
+    Result<void> showTrial(const std::string &name);
+    /// Every picture that belongs to what is shown is on screen, or cannot be had.
+    bool isSettled() const;
+
+    Workspace &workspace() const { return *m_workspace; }
+
+Q_SIGNALS:
+    void settled();
+
+protected:
+    bool event(QEvent *event) override;
+    void closeEvent(QCloseEvent *event) override;
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
+
+private:
+    void makeCentre();
+    void makeMenus();
+    void makeStatusBar();
+    void connectActions();
+    void connectJobs();
+    void closePages();
+    void makePages();
+    void connectPages();
+    void refreshPages();
+    void showTitle();
+    void showState();
+    void startJob(const std::shared_ptr<Job> &job, const QString &words,
+                  const std::function<QString()> &done);
+    void tellFailure(const Error &error);
+
+    RecentProjects *m_recent;
+    Workspace *m_workspace;
+    FileActions *m_files;
+    TrialActions *m_trials;
+    ViewActions *m_views;
+    ModeBar *m_modeBar;
+    MessageBar *m_messages;
+    QStackedWidget *m_stack;
+    WelcomePage *m_welcome;
+    TestbedPage *m_testbed = nullptr;
+    ReviewPage *m_review = nullptr;
+    HistoryPage *m_history = nullptr;
+    QMenu *m_toolsMenu = nullptr, *m_trialMenu = nullptr, *m_playMenu = nullptr;
+    QLabel *m_saved, *m_analysis;
+    JobIndicator *m_job;
+};
+
+} // namespace odo

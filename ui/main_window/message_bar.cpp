@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/message_bar.h"
+
+#include "ui/views/theme_icon.h"
+
+#include <QAccessible>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStyle>
+#include <QTimer>
+#include <QToolButton>
+#include <chrono>
+
+namespace odo {
+namespace {
+
+constexpr int iconSide = 20;
+constexpr std::chrono::seconds doneStays{8};
+
+QString sentence(const std::string &part)
+{
+    QString text = QString::fromStdString(part).simplified();
+    if (text.isEmpty())
+        return text;
+    text[0] = text.at(0).toUpper();
+    if (!text.endsWith(QLatin1Char('.')) && !text.endsWith(QLatin1Char('?')) &&
+        !text.endsWith(QLatin1Char('!')))
+        text += QLatin1Char('.');
+    return text;
+}
+
+} // namespace
+
+QString errorInWords(const Error &error)
+{
+    QStringList sentences{sentence(error.what + (error.why.empty() ? std::string() : ": " + error.why))};
+    if (!error.advice.empty())
+        sentences << sentence(error.advice);
+    return sentences.join(QLatin1Char(' '));
+}
+
+MessageBar::MessageBar(QWidget *parent)
+    : QFrame(parent), m_icon(new QLabel(this)), m_text(new QLabel(this)), m_timer(new QTimer(this))
+{
+    setObjectName(QStringLiteral("messageBar"));
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setWordWrap(true);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto *close = new QToolButton(this);
+    close->setProperty("flat", true);
+    close->setIcon(themeIcon(QStringLiteral("close")));
+    close->setAccessibleName(tr("Close the message"));
+    close->setToolTip(tr("Close"));
+    close->setFocusPolicy(Qt::TabFocus);
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    m_timer->setSingleShot(true);
+    connect(m_timer, &QTimer::timeout, this, &QWidget::hide);
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(14, 6, 8, 6);
+    layout->setSpacing(10);
+    layout->addWidget(m_icon, 0, Qt::AlignTop);
+    layout->addWidget(m_text, 1);
+    layout->addWidget(close, 0, Qt::AlignTop);
+    hide();
+}
+
+void MessageBar::showError(const Error &error)
+{
+    m_timer->stop();
+    present("bad", QStringLiteral("warning"), errorInWords(error));
+}
+
+void MessageBar::showDone(const QString &text)
+{
+    present("good", QStringLiteral("information"), text);
+    m_timer->start(doneStays);
+}
+
+QString MessageBar::text() const
+{
+    return isHidden() ? QString() : m_text->text();
+}
+
+void MessageBar::present(const char *kind, const QString &icon, const QString &text)
+{
+    setProperty("kind", QString::fromLatin1(kind));
+    for (QWidget *widget : {static_cast<QWidget *>(this), static_cast<QWidget *>(m_text)}) {
+        widget->style()->unpolish(widget);
+        widget->style()->polish(widget);
+    }
+    m_icon->setPixmap(themeIcon(icon, m_text->palette().color(QPalette::WindowText)).pixmap(iconSide));
+    m_text->setText(text);
+    show();
+    QAccessibleEvent announcement(m_text, QAccessible::Alert);
+    QAccessible::updateAccessibility(&announcement);
+}
+
+} // namespace odo

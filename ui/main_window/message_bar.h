@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QFrame>
+
+class QLabel;
+class QTimer;
+
+namespace odo {
+
+/// A line across the window that says what went wrong, or what was done, until it is closed, another one
+/// comes, or (for what was done) some seconds have passed. Never in the way of work. Plain text only.
+class MessageBar : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit MessageBar(QWidget *parent = nullptr);
+    void showError(const Error &error);
+    void showDone(const QString &text);
+    QString text() const;
+
+private:
+    void present(const char *kind, const QString &icon, const QString &text);
+    QLabel *m_icon;
+    QLabel *m_text;
+    QTimer *m_timer;
+};
+
+/// An Error as a person reads it: what, why, and what to do, as sentences.
+QString errorInWords(const Error &error);
+
+} // namespace odo

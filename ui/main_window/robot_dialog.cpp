@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/robot_dialog.h"
+
+#include <QColorDialog>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace odo {
+namespace {
+constexpr double usualHeightMm = 60;
+constexpr int swatchSide = 16;
+} // namespace
+
+RobotDialog::RobotDialog(QWidget *parent)
+    : QDialog(parent), m_name(new QLineEdit), m_colourButton(new QPushButton), m_heightMode(new QComboBox),
+      m_height(new QDoubleSpinBox),
+      m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
+{
+    setWindowTitle(tr("Add robot"));
+    m_heightMode->addItem(tr("Found from the views"), static_cast<int>(RobotRecord::Height::Automatic));
+    m_heightMode->addItem(tr("Measured"), static_cast<int>(RobotRecord::Height::Told));
+    m_heightMode->addItem(tr("Changes while it runs (ramp)"), static_cast<int>(RobotRecord::Height::Free));
+    m_height->setRange(0, 2000);
+    m_height->setSuffix(tr(" mm"));
+    m_height->setValue(usualHeightMm);
+    m_height->setAccessibleName(tr("Height of the robot's top"));
+    auto *form = new QFormLayout;
+    form->addRow(tr("&Name"), m_name);
+    form->addRow(tr("&Colour of its top"), m_colourButton);
+    form->addRow(tr("&Height of its top"), m_heightMode);
+    form->addRow(QString(), m_height);
+    auto *layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    layout->addWidget(m_buttons);
+    connect(m_colourButton, &QPushButton::clicked, this, &RobotDialog::chooseColour);
+    connect(m_name, &QLineEdit::textChanged, this, &RobotDialog::updateButtons);
+    connect(m_heightMode, &QComboBox::currentIndexChanged, this, &RobotDialog::updateButtons);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    showColour();
+    updateButtons();
+}
+
+void RobotDialog::chooseColour()
+{
+    const QColor chosen = QColorDialog::getColor(QColor(m_colour.red, m_colour.green, m_colour.blue), this,
+                                                 tr("Colour of the robot's top"));
+    if (!chosen.isValid())
+        return;
+    m_colour = {static_cast<std::uint8_t>(chosen.red()), static_cast<std::uint8_t>(chosen.green()),
+                static_cast<std::uint8_t>(chosen.blue())};
+    showColour();
+}
+
+void RobotDialog::showColour()
+{
+    QPixmap swatch(swatchSide, swatchSide);
+    swatch.fill(QColor(m_colour.red, m_colour.green, m_colour.blue));
+    m_colourButton->setIcon(swatch);
+    m_colourButton->setText(QString::fromStdString(m_colour.toString()));
+}
+
+void RobotDialog::updateButtons()
+{
+    m_height->setEnabled(m_heightMode->currentData().toInt() == static_cast<int>(RobotRecord::Height::Told));
+    m_buttons->button(QDialogButtonBox::Ok)->setEnabled(!m_name->text().trimmed().isEmpty());
+}
+
+RobotRecord RobotDialog::robot() const
+{
+    RobotRecord robot;
+    robot.name = m_name->text().trimmed().toStdString();
+    robot.colour = m_colour;
+    robot.heightMode = static_cast<RobotRecord::Height>(m_heightMode->currentData().toInt());
+    if (robot.heightMode == RobotRecord::Height::Told)
+        robot.heightM = fromMillimetres(m_height->value());
+    return robot;
+}
+
+} // namespace odo

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QDialogButtonBox;
+class QDoubleSpinBox;
+class QLineEdit;
+class QPushButton;
+
+namespace odo {
+
+/// Asks what has to be known of a robot before it can be found: name, colour, height.
+class RobotDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    explicit RobotDialog(QWidget *parent = nullptr);
+    RobotRecord robot() const;
+
+private:
+    void chooseColour();
+    void showColour();
+    void updateButtons();
+
+    QLineEdit *m_name;
+    QPushButton *m_colourButton;
+    RgbColour m_colour{0xd7, 0x23, 0x28};
+    QComboBox *m_heightMode;
+    QDoubleSpinBox *m_height;
+    QDialogButtonBox *m_buttons;
+};
+
+} // namespace odo

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/trial_actions.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/import_trial_job.h"
+#include "core/workflow/track_job.h"
+#include "ui/main_window/import_trial_dialog.h"
+#include "ui/main_window/robot_dialog.h"
+#include "ui/main_window/track_dialog.h"
+#include "ui/main_window/trial_export.h"
+#include "ui/main_window/workspace.h"
+#include "ui/models/figure_text.h"
+#include "ui/views/theme_icon.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QWidget>
+
+namespace odo {
+namespace {
+
+template <class Record>
+QStringList namesOf(const Result<std::vector<Record>> &records)
+{
+    QStringList names;
+    if (records)
+        for (const Record &record : *records)
+            names << QString::fromStdString(record.name);
+    return names;
+}
+
+QString freeTrialName(const QStringList &taken)
+{
+    for (int number = static_cast<int>(taken.size()) + 1;; ++number) {
+        const QString name = TrialActions::tr("Trial %1").arg(number);
+        if (!taken.contains(name))
+            return name;
+    }
+}
+
+QString trackedWords(const TrackOutcome &outcome)
+{
+    QStringList parts;
+    for (const TrackedRobot &robot : outcome.robots)
+        parts << TrialActions::tr("%1 in %2 of %3 frames, spikes flagged: %4")
+                     .arg(QString::fromStdString(robot.name))
+                     .arg(robot.tracked)
+                     .arg(robot.frames)
+                     .arg(robot.analysis.profile.spikes.size());
+    return TrialActions::tr("%1 is tracked: %2.")
+        .arg(QString::fromStdString(outcome.trial), parts.join(QStringLiteral("; ")));
+}
+
+QString importedWords(const ImportTrialJob &job)
+{
+    QStringList sentences{TrialActions::tr("%1 is imported.").arg(QString::fromStdString(job.trial().name))};
+    for (const std::string &warning : job.warnings())
+        sentences << QString::fromStdString(warning);
+    return sentences.join(QLatin1Char(' '));
+}
+
+} // namespace
+
+TrialActions::TrialActions(Workspace &workspace, QWidget &window)
+    : QObject(&window), m_workspace(workspace), m_window(window),
+      m_import(new QAction(themeIcon(QStringLiteral("import")), tr("&Import trial from videos…"), this)),
+      m_track(new QAction(themeIcon(QStringLiteral("track")), tr("&Track…"), this)),
+      m_export(new QAction(themeIcon(QStringLiteral("export")), tr("&Export…"), this)),
+      m_addRobot(new QAction(themeIcon(QStringLiteral("add")), tr("Add &robot…"), this))
+{
+    m_import->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_I));
+    m_track->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
+    connect(m_import, &QAction::triggered, this, [this] { askImport(); });
+    connect(m_track, &QAction::triggered, this, [this] { askTrack(m_trial); });
+    m_export->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_E));
+    connect(m_export, &QAction::triggered, this, &TrialActions::askExport);
+    connect(m_addRobot, &QAction::triggered, this, &TrialActions::askRobot);
+    connect(&m_workspace, &Workspace::opened, this, &TrialActions::updateActions);
+    connect(&m_workspace, &Workspace::jobStarted, this, &TrialActions::updateActions);
+    connect(&m_workspace, &Workspace::jobDone, this, &TrialActions::updateActions);
+    connect(&m_workspace, &Workspace::jobFailed, this, &TrialActions::updateActions);
+    updateActions();
+}
+
+void TrialActions::fillMenu(QMenu &menu)
+{
+    menu.addActions({m_import, m_addRobot, m_track, m_export});
+}
+
+void TrialActions::setCurrentTrial(const QString &name)
+{
+    m_trial = name;
+    updateActions();
+}
+
+void TrialActions::updateActions()
+{
+    const bool writable = m_workspace.project() != nullptr && !m_workspace.isReadOnly();
+    m_addRobot->setEnabled(writable);
+    m_import->setEnabled(writable && !m_workspace.isBusy());
+    m_export->setEnabled(!m_trial.isEmpty());
+    m_track->setEnabled(writable && !m_workspace.isBusy() && !m_trial.isEmpty());
+}
+
+void TrialActions::askImport(const QStringList &videos)
+{
+    Project &project = *m_workspace.project();
+    const QStringList trials = namesOf(project.trials().all());
+    ImportTrialDialog dialog({freeTrialName(trials), namesOf(project.teams().all()),
+                              namesOf(project.robots().all()), namesOf(project.cameras().all())},
+                             &m_window);
+    for (const QString &video : videos)
+        dialog.addVideo({}, video);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const auto job = std::make_shared<ImportTrialJob>(dialog.settings());
+    const QString name = QString::fromStdString(dialog.settings().trial);
+    const Result<void> started = m_workspace.start(job, tr("Importing %1").arg(name), [this, job] {
+        Q_EMIT trialImported(QString::fromStdString(job->trial().name));
+        Q_EMIT done(importedWords(*job));
+    });
+    if (!started)
+        Q_EMIT failed(started.error());
+}
+
+void TrialActions::askTrack(const QString &trial)
+{
+    Project &project = *m_workspace.project();
+    QStringList robots = namesOf(project.robots().all());
+    if (robots.isEmpty()) { // there is nothing to look for: ask for the first one on the way
+        if (!askRobot())
+            return;
+        robots = namesOf(project.robots().all());
+    }
+    const Result<TrialRecord> record = project.trials().find(trial.toStdString());
+    if (!record) {
+        Q_EMIT failed(record.error());
+        return;
+    }
+    QStringList expected;
+    for (const std::string &name : record->robotNames)
+        expected << QString::fromStdString(name);
+    TrackDialog dialog(trial, robots, expected, &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const auto job = std::make_shared<TrackJob>(trial.toStdString(), dialog.settings());
+    const Result<void> started = m_workspace.start(job, tr("Tracking %1").arg(trial), [this, job] {
+        Q_EMIT trialTracked(QString::fromStdString(job->outcome().trial));
+        Q_EMIT done(trackedWords(job->outcome()));
+    });
+    if (!started)
+        Q_EMIT failed(started.error());
+}
+
+void TrialActions::askExport()
+{
+    const Result<QString> exported = exportTrial(*m_workspace.project(), m_trial, m_window);
+    if (!exported)
+        Q_EMIT failed(exported.error());
+    else if (!exported->isEmpty())
+        Q_EMIT done(*exported);
+}
+
+bool TrialActions::askRobot()
+{
+    RobotDialog dialog(&m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return false;
+    const Result<RobotRecord> added = m_workspace.project()->robots().add(dialog.robot());
+    if (!added) {
+        Q_EMIT failed(added.error());
+        return false;
+    }
+    Q_EMIT done(tr("Robot %1 is known now.").arg(QString::fromStdString(added->name)));
+    return true;
+}
+
+} // namespace odo

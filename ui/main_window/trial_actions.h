@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QObject>
+#include <QStringList>
+
+class QAction;
+class QMenu;
+class QWidget;
+
+namespace odo {
+
+class Workspace;
+
+/// What can be done with trials: import, track, export, and add the robots they need. Owns the actions, asks,
+/// and starts the jobs.
+class TrialActions : public QObject
+{
+    Q_OBJECT
+public:
+    TrialActions(Workspace &workspace, QWidget &window);
+    void fillMenu(QMenu &menu);
+    /// The trial that Track and Export mean; empty: none.
+    void setCurrentTrial(const QString &name);
+    void askImport(const QStringList &videos = {});
+    void askTrack(const QString &trial);
+
+Q_SIGNALS:
+    void failed(const odo::Error &error);
+    void done(const QString &words);
+    void trialImported(const QString &name);
+    void trialTracked(const QString &name);
+
+private:
+    void askExport();
+    bool askRobot();
+    void updateActions();
+
+    Workspace &m_workspace;
+    QWidget &m_window;
+    QString m_trial;
+    QAction *m_import, *m_track, *m_export, *m_addRobot;
+};
+
+} // namespace odo

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/trial_export.h"
+
+#include "core/exchange/text_file.h"
+#include "core/exchange/track_csv.h"
+#include "core/exchange/track_text.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "ui/views/path_field.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QList>
+#include <QStandardPaths>
+
+namespace odo {
+namespace {
+
+class Words
+{
+    Q_DECLARE_TR_FUNCTIONS(TrialExport)
+};
+
+struct Format
+{
+    QString filter, suffix;
+    std::string (*text)(const AnalysisRecord &analysis);
+};
+
+template <CsvStyle style>
+std::string csvText(const AnalysisRecord &analysis)
+{
+    return trackCsv(analysis, style);
+}
+
+QList<Format> formats()
+{
+    return {{Words::tr("CSV for programs (*.csv)"), QStringLiteral("csv"), &csvText<CsvStyle::Analysis>},
+            {Words::tr("CSV for spreadsheets, 1.5 (*.csv)"), QStringLiteral("csv"),
+             &csvText<CsvStyle::International>},
+            {Words::tr("CSV for spreadsheets, 1,5 (*.csv)"), QStringLiteral("csv"),
+             &csvText<CsvStyle::Continental>},
+            {Words::tr("Tracker text (*.txt)"), QStringLiteral("txt"), &trackTracker},
+            {Words::tr("TUM trajectory (*.tum)"), QStringLiteral("tum"), &trackTum}};
+}
+
+/// The index of the one that is meant; -1: the person thought better of it.
+int chooseRobot(const std::vector<AnalysisRecord> &analyses, QWidget &window)
+{
+    if (analyses.size() == 1)
+        return 0;
+    QStringList names;
+    for (const AnalysisRecord &analysis : analyses)
+        names << QString::fromStdString(analysis.robotName);
+    bool accepted = false;
+    const QString name =
+        QInputDialog::getItem(&window, Words::tr("Export"), Words::tr("Robot:"), names, 0, false, &accepted);
+    return accepted ? static_cast<int>(names.indexOf(name)) : -1;
+}
+
+} // namespace
+
+Result<QString> exportTrial(Project &project, const QString &trial, QWidget &window)
+{
+    const Result<TrialRecord> record = project.trials().find(trial.toStdString());
+    if (!record)
+        return tl::unexpected(record.error());
+    const Result<std::vector<AnalysisRecord>> analyses = project.analyses().current(record->id);
+    if (!analyses)
+        return tl::unexpected(analyses.error());
+    if (analyses->empty())
+        return fail(ErrorCode::NotFound, Words::tr("export of %1").arg(trial).toStdString(),
+                    Words::tr("it has not been tracked yet").toStdString(),
+                    Words::tr("track it first").toStdString());
+    const int robot = chooseRobot(*analyses, window);
+    if (robot < 0)
+        return QString();
+    QStringList filters;
+    for (const Format &format : formats())
+        filters << format.filter;
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    QString chosen = filters.front();
+    QString file = QFileDialog::getSaveFileName(&window, Words::tr("Export %1").arg(trial),
+                                                QDir(folder).filePath(trial + QStringLiteral(".csv")),
+                                                filters.join(QStringLiteral(";;")), &chosen);
+    if (file.isEmpty())
+        return QString();
+    const Format format = formats().at(std::max(0, static_cast<int>(filters.indexOf(chosen))));
+    if (QFileInfo(file).suffix().isEmpty())
+        file += QLatin1Char('.') + format.suffix;
+    const std::string text = format.text(analyses->at(static_cast<std::size_t>(robot)));
+    if (const Result<void> written = writeTextFile(pathOf(file), text); !written)
+        return tl::unexpected(written.error());
+    return Words::tr("%1 was exported to %2.").arg(trial, QDir::toNativeSeparators(file));
+}
+
+} // namespace odo

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/main_window/appearance.h"
+
+#include <QObject>
+
+class QAction;
+class QActionGroup;
+class QMainWindow;
+class QMenu;
+
+namespace odo {
+
+class ReviewDesk;
+
+/// How the window looks: theme, full screen, which docks are there. Owns the actions; the theme is kept in
+/// the settings.
+class ViewActions : public QObject
+{
+    Q_OBJECT
+public:
+    explicit ViewActions(QMainWindow &window);
+    void fillMenu(QMenu &menu);
+    /// The docks of the project that is open; nullptr: none.
+    void setDesk(ReviewDesk *desk);
+    /// The desktop may have changed its own theme.
+    void followDesktop();
+
+private:
+    void chooseTheme(Theme theme);
+
+    QMainWindow &m_window;
+    ReviewDesk *m_desk = nullptr;
+    QMenu *m_menu = nullptr;
+    QActionGroup *m_themes;
+    QList<QAction *> m_dockActions;
+    QAction *m_resetLayout, *m_fullScreen;
+    Theme m_theme;
+};
+
+} // namespace odo

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/workspace.h"
+
+#include "core/project/project.h"
+#include "core/workflow/demo.h"
+#include "core/workflow/job.h"
+#include "core/workflow/job_runner.h"
+#include "ui/main_window/background_task.h"
+
+namespace odo {
+namespace {
+
+tl::unexpected<Error> busy(const QString &what)
+{
+    return fail(ErrorCode::InvalidInput, what.toStdString(),
+                Workspace::tr("another job is running").toStdString(),
+                Workspace::tr("wait until it is done, or cancel it").toStdString());
+}
+
+} // namespace
+
+Workspace::Workspace(QObject *parent) : QObject(parent) {}
+
+Workspace::~Workspace() = default;
+
+bool Workspace::isBusy() const
+{
+    return (m_runner && m_runner->isRunning()) || (m_demo && m_demo->isRunning());
+}
+
+Result<void> Workspace::open(const std::filesystem::path &file)
+{
+    if (isBusy())
+        return busy(tr("cannot open another project"));
+    Result<std::unique_ptr<Project>> project = Project::open(file, Project::Access::ReadWrite);
+    bool readOnly = false;
+    if (!project && project.error().code == ErrorCode::ReadOnly) {
+        project = Project::open(file, Project::Access::ReadOnly);
+        readOnly = true;
+    }
+    if (!project)
+        return tl::unexpected(project.error());
+    adopt(std::move(*project), readOnly);
+    return {};
+}
+
+Result<void> Workspace::create(const std::filesystem::path &file, const QString &title)
+{
+    if (isBusy())
+        return busy(tr("cannot make another project"));
+    Result<std::unique_ptr<Project>> project = Project::create(file, title.toStdString());
+    if (!project)
+        return tl::unexpected(project.error());
+    adopt(std::move(*project), false);
+    return {};
+}
+
+void Workspace::adopt(std::unique_ptr<Project> project, bool readOnly)
+{
+    Q_EMIT aboutToClose();
+    m_runner.reset();
+    m_project = std::move(project);
+    m_readOnly = readOnly;
+    m_runner = std::make_unique<JobRunner>(*m_project);
+    connect(m_runner.get(), &JobRunner::progressed, this, &Workspace::jobProgressed);
+    connect(m_runner.get(), &JobRunner::finished, this,
+            [this](const std::shared_ptr<Job> &, const std::optional<Error> &error) { finishJob(error); });
+    Q_EMIT opened();
+}
+
+void Workspace::finishJob(const std::optional<Error> &error)
+{
+    const Done done = std::exchange(m_done, nullptr);
+    if (error) {
+        Q_EMIT jobFailed(*error);
+        return;
+    }
+    Q_EMIT jobDone();
+    if (done)
+        done();
+}
+
+Result<void> Workspace::start(std::shared_ptr<Job> job, const QString &words, Done done)
+{
+    if (!m_project)
+        return fail(ErrorCode::InvalidInput, words.toStdString(), tr("no project is open").toStdString(),
+                    tr("open or make a project first").toStdString());
+    if (isBusy())
+        return busy(words);
+    m_done = std::move(done);
+    Q_EMIT jobStarted(words);
+    m_runner->start(std::move(job));
+    return {};
+}
+
+Result<void> Workspace::makeDemo(const std::filesystem::path &folder, const QString &words)
+{
+    if (isBusy())
+        return busy(words);
+    m_demo = std::make_unique<BackgroundTask>();
+    connect(m_demo.get(), &BackgroundTask::progressed, this, &Workspace::jobProgressed);
+    const auto file = std::make_shared<std::filesystem::path>();
+    connect(m_demo.get(), &BackgroundTask::finished, this, [this, file](const std::optional<Error> &error) {
+        finishJob(error);
+        if (error)
+            return;
+        if (const Result<void> isOpen = open(*file); !isOpen)
+            Q_EMIT jobFailed(isOpen.error());
+    });
+    Q_EMIT jobStarted(words);
+    m_demo->start([folder, file](const JobControl &control) -> Result<void> {
+        const Result<std::filesystem::path> made = odo::makeDemo(folder, control);
+        if (!made)
+            return tl::unexpected(made.error());
+        *file = *made;
+        return {};
+    });
+    return {};
+}
+
+void Workspace::cancel()
+{
+    if (m_demo)
+        m_demo->cancel();
+    if (m_runner)
+        m_runner->cancel();
+}
+
+} // namespace odo

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QObject>
+#include <QString>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace odo {
+
+class BackgroundTask;
+class Job;
+class JobRunner;
+class Project;
+
+/// The project that the window shows, if any, and the one job that may run on it. GUI thread.
+class Workspace : public QObject
+{
+    Q_OBJECT
+public:
+    /// What to do with a job that came to a good end; called on the GUI thread.
+    using Done = std::function<void()>;
+
+    explicit Workspace(QObject *parent = nullptr);
+    ~Workspace() override;
+
+    Project *project() const { return m_project.get(); }
+    bool isReadOnly() const { return m_readOnly; }
+    bool isBusy() const;
+
+    /// Opens for writing or, where the place cannot be written to, for reading. The project that was open
+    /// stays when it fails. Refused while a job runs.
+    Result<void> open(const std::filesystem::path &file);
+    /// Makes a project and opens it.
+    Result<void> create(const std::filesystem::path &file, const QString &title);
+
+    /// Starts a job on the open project. Refused while another one runs.
+    Result<void> start(std::shared_ptr<Job> job, const QString &words, Done done);
+    /// Makes the demo lesson in a folder and opens it when it is done. The project that is open stays until
+    /// then.
+    Result<void> makeDemo(const std::filesystem::path &folder, const QString &words);
+    void cancel();
+
+Q_SIGNALS:
+    void aboutToClose(); ///< project() is still the old one
+    void opened();
+    void jobStarted(const QString &words);
+    void jobProgressed(double fraction, const QString &text);
+    /// Every job ends with one of these; a cancelled one fails with ErrorCode::Cancelled.
+    void jobDone();
+    void jobFailed(const odo::Error &error);
+
+private:
+    void finishJob(const std::optional<Error> &error);
+    void adopt(std::unique_ptr<Project> project, bool readOnly);
+
+    std::unique_ptr<Project> m_project;
+    std::unique_ptr<JobRunner> m_runner; ///< after the project: it must end before it
+    std::unique_ptr<BackgroundTask> m_demo;
+    Done m_done;
+    bool m_readOnly = false;
+};
+
+} // namespace odo
