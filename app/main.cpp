@@ -1,2 +1,136 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-int main() { return 0; }
+#include "app/commands/commands.h"
+#include "app/workbench.h"
+
+#include <QApplication>
+#include <QFileInfo>
+#include <clocale>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+
+namespace {
+
+using namespace odo;
+
+struct NamedCommand
+{
+    const char *name;
+    const char *summary;
+    Subcommand run;
+    bool needsWindow; ///< paints or opens one
+};
+
+constexpr NamedCommand commands[] = {
+    {"new", "make an empty project", runNew, false},
+    {"demo", "make a project with a simulated class and its videos", runDemo, false},
+    {"robot", "add a robot to a project", runRobot, false},
+    {"camera", "add a camera to a project", runCamera, false},
+    {"calibrate", "compute a camera's intrinsics from pictures of a board", runCalibrate, false},
+    {"intrinsics", "import or export a camera's intrinsics", runIntrinsics, false},
+    {"layout", "add a layout of floor markers", runLayout, false},
+    {"register", "register a camera to the floor", runRegister, false},
+    {"import", "bring in the videos of a trial", runImport, false},
+    {"track", "track the robots of a trial and analyse them", runTrack, false},
+    {"list", "list the trials", runList, false},
+    {"show", "show a trial's figures, spikes and provenance", runShow, false},
+    {"export", "write a trial's samples to a file", runExport, false},
+    {"snapshot", "paint the window into a picture file", runSnapshot, true},
+    {"check", "check a project and its recordings", runCheck, false},
+};
+
+constexpr int exitDone = 0, exitFailed = 1, exitWrongCall = 2, exitCancelled = 130;
+
+/// Set by Ctrl-C; the one global, because a signal handler can reach nothing else. Its flag is lock-free.
+const CancelToken cancelToken;
+
+void onInterrupt(int) { cancelToken.cancel(); }
+
+void printHelp()
+{
+    std::puts("odograph [PROJECT.odo]        open the workbench\n"
+              "odograph COMMAND ...          run without a window; odograph COMMAND --help tells how\n");
+    for (const NamedCommand &command : commands)
+        std::printf("  %-11s %s\n", command.name, command.summary);
+}
+
+int report(const Result<void> &result)
+{
+    if (result)
+        return exitDone;
+    std::fprintf(stderr, "odograph: %s\n", result.error().message().c_str());
+    switch (result.error().code) {
+    case ErrorCode::WrongCall:
+        return exitWrongCall;
+    case ErrorCode::Cancelled:
+        return exitCancelled;
+    default:
+        return exitFailed;
+    }
+}
+
+/// Files and answers are written with a point, whatever the locale; what a person reads goes through QLocale.
+void keepNumbersPlain() { std::setlocale(LC_NUMERIC, "C"); }
+
+/// Standard error belongs to our one line; Qt's remarks on platform plugins are for nobody there.
+void dropRemarks(QtMsgType type, const QMessageLogContext &, const QString &message)
+{
+    if (type == QtCriticalMsg || type == QtFatalMsg)
+        std::fprintf(stderr, "odograph: %s\n", qPrintable(message));
+}
+
+int runCommand(const NamedCommand &command, int argc, char **argv)
+{
+    qInstallMessageHandler(dropRemarks);
+    std::signal(SIGINT, onInterrupt);
+    std::signal(SIGTERM, onInterrupt);
+    std::unique_ptr<QCoreApplication> application;
+    const bool opensWindow = std::any_of(argv, argv + argc, [](const char *a) { return std::strcmp(a, "--open") == 0; });
+    if (command.needsWindow) {
+        // A picture of the window needs no display, and must look the same with one.
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        application = std::make_unique<QApplication>(argc, argv);
+    } else if (opensWindow) {
+        application = std::make_unique<QApplication>(argc, argv);
+    } else {
+        application = std::make_unique<QCoreApplication>(argc, argv);
+    }
+    QCoreApplication::setApplicationName(QStringLiteral("odograph"));
+    keepNumbersPlain();
+    return report(command.run(QCoreApplication::arguments().mid(2), cancelToken));
+}
+
+int openWorkbench(int argc, char **argv)
+{
+    QApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("odograph"));
+    keepNumbersPlain();
+    const QStringList arguments = QCoreApplication::arguments().mid(1);
+    if (arguments.isEmpty())
+        return report(runWorkbench(std::nullopt));
+    return report(runWorkbench(arguments.first().toStdString()));
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    const std::string_view first = argc > 1 ? argv[1] : "";
+    if (first == "--help" || first == "-h" || first == "help") {
+        printHelp();
+        return exitDone;
+    }
+    if (first == "--version") {
+        std::puts("odograph " ODOGRAPH_VERSION);
+        return exitDone;
+    }
+    for (const NamedCommand &command : commands) {
+        if (first == command.name)
+            return runCommand(command, argc, argv);
+    }
+    const bool isProject = first.ends_with(".odo") || QFileInfo(QString::fromLocal8Bit(argc > 1 ? argv[1] : "")).isFile();
+    if (argc == 1 || (argc == 2 && isProject))
+        return openWorkbench(argc, argv);
+    return report(fail(ErrorCode::WrongCall, "'" + std::string(first) + "'", "neither a command nor a project",
+                       "see odograph help"));
+}

@@ -2,7 +2,6 @@
 #include "tests/support/program.h"
 
 #include <QCryptographicHash>
-#include <QDir>
 #include <QFile>
 #include <QJsonDocument>
 #include <QProcess>
@@ -37,14 +36,6 @@ ProgramRun runProgram(const QStringList &arguments)
     run.out = process.readAllStandardOutput();
     run.err = process.readAllStandardError();
     return run;
-}
-
-QString realDataFolder()
-{
-    const QString told = qEnvironmentVariable("ODOGRAPH_REAL_DATA");
-    const QString folder =
-        told.isEmpty() ? qEnvironmentVariable("ODOGRAPH_SOURCE_DIR") + QStringLiteral("/../shared/data") : told;
-    return QDir(folder).exists() ? QDir(folder).absolutePath() : QString();
 }
 
 QByteArray fileHash(const QString &file)

@@ -21,9 +21,6 @@ struct ProgramRun
 /// Runs the built odograph (ODOGRAPH_PROGRAM) to its end, without a display, for at most ten minutes.
 ProgramRun runProgram(const QStringList &arguments);
 
-/// The folder of the real material: ODOGRAPH_REAL_DATA, or ../shared/data beside the source tree; empty when missing.
-QString realDataFolder();
-
 /// SHA-256 of a file's content; empty when it cannot be read.
 QByteArray fileHash(const QString &file);
 

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_call.h"
+
+#include "core/base/units.h"
+
+#include <QJsonDocument>
+#include <cstdio>
+#include <unistd.h>
+
+namespace odo {
+
+namespace {
+
+/// Shows progress on one line of a terminal, and clears it when the last copy is gone.
+class TerminalProgress
+{
+public:
+    ~TerminalProgress()
+    {
+        if (m_shown)
+            std::fputs("\r\033[K", stderr);
+    }
+    void show(double fraction, const std::string &text)
+    {
+        m_shown = true;
+        std::fprintf(stderr, "\r\033[K%3d %%  %s", int(fraction * 100), text.c_str());
+        std::fflush(stderr);
+    }
+
+private:
+    bool m_shown = false;
+};
+
+} // namespace
+
+CommandCall::CommandCall(CommandSyntax syntax, CancelToken cancel) : m_syntax(std::move(syntax))
+{
+    m_parser.addOptions(m_syntax.options);
+    m_parser.addOption({QStringLiteral("json"), QStringLiteral("Print one JSON object and nothing else.")});
+    m_parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")});
+    m_control.cancel = cancel;
+    if (isatty(STDERR_FILENO)) {
+        m_control.progress = [terminal = std::make_shared<TerminalProgress>()](double fraction, const std::string &text) {
+            terminal->show(fraction, text);
+        };
+    }
+}
+
+Result<bool> CommandCall::parse(const QStringList &arguments)
+{
+    if (!m_parser.parse(QStringList(QStringLiteral("odograph ") + m_syntax.name) + arguments))
+        return wrongCall(m_parser.errorText().chopped(m_parser.errorText().endsWith(u'.') ? 1 : 0));
+    if (m_parser.isSet(QStringLiteral("help"))) {
+        std::fputs(("odograph " + m_syntax.name.toStdString() + " " + m_syntax.arguments.toStdString() + "\n").c_str(),
+                   stdout);
+        const QString options = m_parser.helpText().section(QStringLiteral("Options:"), 1);
+        std::fputs(("\nOptions:" + options.toStdString()).c_str(), stdout);
+        return false;
+    }
+    const auto count = m_parser.positionalArguments().size();
+    if (count < m_syntax.fewest)
+        return wrongCall(QStringLiteral("something is missing"));
+    if (m_syntax.most >= 0 && count > m_syntax.most)
+        return wrongCall(QStringLiteral("'%1' is one argument too many").arg(positional(m_syntax.most)));
+    return true;
+}
+
+std::vector<std::string> CommandCall::texts(const QString &option) const
+{
+    std::vector<std::string> all;
+    for (const QString &text : values(option))
+        all.push_back(text.toStdString());
+    return all;
+}
+
+Result<double> CommandCall::lengthM(const QString &option) const
+{
+    const auto length = parseLengthM(value(option));
+    if (!length || *length <= 0)
+        return wrongCall(QStringLiteral("--%1 '%2' is not a length above zero").arg(option, m_parser.value(option)));
+    return length;
+}
+
+Result<double> CommandCall::number(const QString &option) const
+{
+    const auto number = parseNumber(value(option));
+    if (!number)
+        return wrongCall(QStringLiteral("--%1 '%2' is not a number").arg(option, m_parser.value(option)));
+    return number;
+}
+
+Result<std::vector<std::pair<std::string, std::string>>> CommandCall::pairs(const QString &option) const
+{
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const QString &text : values(option)) {
+        const auto equals = text.indexOf(u'=');
+        if (equals <= 0 || equals + 1 == text.size())
+            return wrongCall(QStringLiteral("--%1 '%2' is not of the form NAME=VALUE").arg(option, text));
+        all.emplace_back(text.left(equals).toStdString(), text.mid(equals + 1).toStdString());
+    }
+    return all;
+}
+
+Result<std::pair<double, double>> CommandCall::sizePair(const QString &option) const
+{
+    const std::string text = value(option);
+    const auto middle = text.find('x');
+    if (middle != std::string::npos) {
+        const auto first = parseNumber(std::string_view(text).substr(0, middle));
+        const auto second = parseNumber(std::string_view(text).substr(middle + 1));
+        if (first && second && *first > 0 && *second > 0)
+            return std::pair(*first, *second);
+    }
+    return wrongCall(QStringLiteral("--%1 '%2' is not of the form AxB").arg(option, m_parser.value(option)));
+}
+
+tl::unexpected<Error> CommandCall::wrongCall(const QString &why) const
+{
+    return fail(ErrorCode::WrongCall, m_syntax.name.toStdString(), why.toStdString(),
+                "call it as: odograph " + m_syntax.name.toStdString() + " " + m_syntax.arguments.toStdString());
+}
+
+Result<std::unique_ptr<Project>> CommandCall::openProject(int index, Project::Access access) const
+{
+    return Project::open(text(index), access);
+}
+
+void CommandCall::answer(const QJsonObject &json, const QString &text) const
+{
+    const QByteArray out = this->json() ? QJsonDocument(json).toJson(QJsonDocument::Indented) : text.toUtf8() + '\n';
+    if (m_control.progress)
+        std::fputs("\r\033[K", stderr);
+    std::fwrite(out.constData(), 1, std::size_t(out.size()), stdout);
+}
+
+void CommandCall::warn(const std::string &message) { std::fprintf(stderr, "odograph: %s\n", message.c_str()); }
+
+} // namespace odo

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "app/json_answers.h"
+#include "core/workflow/calibrate_job.h"
+
+namespace odo {
+
+namespace {
+
+const QString board = QStringLiteral("board"), square = QStringLiteral("square"), pattern = QStringLiteral("pattern"),
+              model = QStringLiteral("model");
+
+Result<CalibrateSettings> settingsFrom(const CommandCall &call)
+{
+    CalibrateSettings settings;
+    settings.camera = call.text(1);
+    for (const QString &file : call.positionals().mid(2))
+        settings.files.emplace_back(file.toStdString());
+    if (call.isSet(board)) {
+        const auto size = call.sizePair(board);
+        if (!size)
+            return tl::unexpected(size.error());
+        settings.board.columns = int(size->first);
+        settings.board.rows = int(size->second);
+        if (settings.board.columns < 3 || settings.board.rows < 3 || settings.board.columns > 100 ||
+            settings.board.rows > 100)
+            return call.wrongCall(QStringLiteral("--board counts inner corners, 3x3 to 100x100"));
+    }
+    if (call.isSet(square)) {
+        const auto side = call.lengthM(square);
+        if (!side)
+            return tl::unexpected(side.error());
+        settings.board.squareM = *side;
+    }
+    const std::string patternName = call.isSet(pattern) ? call.value(pattern) : "checkerboard";
+    if (patternName == "charuco")
+        settings.board.pattern = BoardPattern::Charuco;
+    else if (patternName != "checkerboard")
+        return call.wrongCall(QStringLiteral("--pattern is checkerboard or charuco"));
+    const std::string modelName = call.isSet(model) ? call.value(model) : "standard";
+    if (modelName == "rational")
+        settings.model = LensModel::Rational;
+    else if (modelName == "fisheye")
+        settings.model = LensModel::Fisheye;
+    else if (modelName != "standard")
+        return call.wrongCall(QStringLiteral("--model is standard, rational or fisheye"));
+    return settings;
+}
+
+QJsonObject answerJson(const CalibrateJob &job)
+{
+    const IntrinsicCalibration &calibration = job.calibration();
+    QJsonArray rejected;
+    for (const RejectedPicture &picture : calibration.rejected)
+        rejected.append(QJsonObject{{QStringLiteral("file"), QString::fromStdString(picture.file)},
+                                    {QStringLiteral("reason"), QString::fromStdString(picture.reason)}});
+    QJsonObject perImage;
+    for (const auto &[file, rms] : calibration.pictureRmsPx)
+        perImage.insert(QString::fromStdString(file), rms);
+    return {{QStringLiteral("camera"), QString::fromStdString(job.settings().camera)},
+            {QStringLiteral("rms_px"), calibration.rmsPx},
+            {QStringLiteral("images_used"), qint64(calibration.pictureRmsPx.size())},
+            {QStringLiteral("images_rejected"), rejected},
+            {QStringLiteral("intrinsics"), intrinsicsJson(calibration.intrinsics)},
+            {QStringLiteral("per_image_rms_px"), perImage},
+            {QStringLiteral("crossvalidation_px"), calibration.crossValidationPx},
+            {QStringLiteral("verdict"), QString::fromStdString(calibration.verdict)}};
+}
+
+} // namespace
+
+Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("calibrate"),
+                      QStringLiteral("P.odo CAMERA IMAGE|VIDEO... [--board 9x6] [--square 25mm] "
+                                     "[--pattern checkerboard|charuco] [--model standard|rational|fisheye] [--json]"),
+                      3, -1,
+                      {{board, QStringLiteral("Inner corners; found out when not given."), QStringLiteral("CxR")},
+                       {square, QStringLiteral("Side of a square."), QStringLiteral("LENGTH")},
+                       {pattern, QStringLiteral("What is printed on the board."), QStringLiteral("PATTERN")},
+                       {model, QStringLiteral("How the lens is modelled."), QStringLiteral("MODEL")}}},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    auto settings = settingsFrom(call);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    CalibrateJob job(std::move(*settings));
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    call.answer(answerJson(job), QStringLiteral("%1\nRMS %2 px over %3 pictures; %4 not used.")
+                                     .arg(QString::fromStdString(job.calibration().verdict))
+                                     .arg(job.calibration().rmsPx, 0, 'f', 3)
+                                     .arg(job.calibration().pictureRmsPx.size())
+                                     .arg(job.calibration().rejected.size()));
+    return {};
+}
+
+} // namespace odo

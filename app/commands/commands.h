@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/job_control.h"
+
+#include <QStringList>
+
+namespace odo {
+
+/// The subcommands of docs/command_line.md; each takes the arguments after its name, prints its answer on standard
+/// output, and gives back what stood in its way.
+using Subcommand = Result<void> (*)(const QStringList &arguments, const CancelToken &cancel);
+
+Result<void> runNew(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runDemo(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runCamera(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runImport(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runList(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runShow(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runExport(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel);
+
+} // namespace odo

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "core/exchange/text_file.h"
+#include "core/exchange/track_csv.h"
+#include "core/exchange/track_text.h"
+#include "core/exchange/trial_json.h"
+#include "core/project/repositories.h"
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+const QString output = QStringLiteral("output"), robot = QStringLiteral("robot"), format = QStringLiteral("format"),
+              csvStyle = QStringLiteral("csv-style");
+
+/// The one robot whose track the file is to hold.
+Result<AnalysisRecord> chosenRobot(const std::vector<AnalysisRecord> &analyses, const std::string &trial,
+                                   const std::string &name)
+{
+    std::string names;
+    for (const AnalysisRecord &analysis : analyses) {
+        if (analysis.robotName == name || (name.empty() && analyses.size() == 1))
+            return analysis;
+        names += (names.empty() ? "'" : ", '") + analysis.robotName + "'";
+    }
+    const std::string what = "export of trial '" + trial + "'";
+    if (analyses.empty())
+        return fail(ErrorCode::NotFound, what, "it has not been tracked yet", "run odograph track first");
+    if (name.empty())
+        return fail(ErrorCode::Undetermined, what, "it has several robots: " + names, "choose one with --robot");
+    return fail(ErrorCode::NotFound, what, "robot '" + name + "' was not tracked in it, but " + names,
+                "track it, or choose another with --robot");
+}
+
+Result<std::string> fileText(const CommandCall &call, const std::string &formatName, const TrialRecord &trial,
+                             const std::vector<RecordingRecord> &recordings, const std::vector<AnalysisRecord> &analyses)
+{
+    const auto chosen = chosenRobot(analyses, trial.name, call.value(robot));
+    if (formatName == "json" && !call.isSet(robot) && !analyses.empty())
+        return trialJson(trial, recordings, analyses);
+    if (!chosen)
+        return tl::unexpected(chosen.error());
+    if (formatName == "json")
+        return trialJson(trial, recordings, {*chosen});
+    if (formatName == "tum")
+        return trackTum(*chosen);
+    if (formatName == "tracker")
+        return trackTracker(*chosen);
+    const auto style = parseCsvStyle(call.value(csvStyle));
+    if (!style)
+        return call.wrongCall(QStringLiteral("--csv-style is analysis, international or continental"));
+    return trackCsv(*chosen, *style);
+}
+
+} // namespace
+
+Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("export"),
+                      QStringLiteral("P.odo TRIAL -o FILE [--robot R] [--format csv|tum|json|tracker] "
+                                     "[--csv-style analysis|international|continental]"),
+                      2, 2,
+                      {{{QStringLiteral("o"), output}, QStringLiteral("The file to write."), QStringLiteral("FILE")},
+                       {robot, QStringLiteral("The robot, where there are several."), QStringLiteral("R")},
+                       {format, QStringLiteral("Of the file."), QStringLiteral("FORMAT"), QStringLiteral("csv")},
+                       {csvStyle, QStringLiteral("For which program."), QStringLiteral("STYLE"), QStringLiteral("analysis")}}},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (!call.isSet(output))
+        return call.wrongCall(QStringLiteral("-o is missing"));
+    static const std::vector<std::string> formats = {"csv", "tum", "json", "tracker"};
+    const std::string formatName = call.value(format);
+    if (std::find(formats.begin(), formats.end(), formatName) == formats.end())
+        return call.wrongCall(QStringLiteral("--format is csv, tum, json or tracker"));
+    const auto project = call.openProject(0, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto trial = (*project)->trials().find(call.text(1));
+    if (!trial)
+        return tl::unexpected(trial.error());
+    const auto recordings = (*project)->trials().recordings(trial->id);
+    if (!recordings)
+        return tl::unexpected(recordings.error());
+    const auto analyses = (*project)->analyses().current(trial->id);
+    if (!analyses)
+        return tl::unexpected(analyses.error());
+    const auto text = fileText(call, formatName, *trial, *recordings, *analyses);
+    if (!text)
+        return tl::unexpected(text.error());
+    if (auto written = writeTextFile(call.value(output), *text); !written)
+        return written;
+    const QString file = QString::fromStdString(call.value(output));
+    call.answer({{QStringLiteral("file"), file}, {QStringLiteral("format"), QString::fromStdString(formatName)}},
+                QStringLiteral("Wrote %1.").arg(file));
+    return {};
+}
+
+} // namespace odo

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "app/json_answers.h"
+#include "core/workflow/import_trial_job.h"
+
+namespace odo {
+
+namespace {
+
+const QString trial = QStringLiteral("trial"), video = QStringLiteral("video"), sync = QStringLiteral("sync"),
+              team = QStringLiteral("team"), robot = QStringLiteral("robot"), rate = QStringLiteral("rate");
+
+Result<ImportSettings> settingsFrom(const CommandCall &call)
+{
+    ImportSettings settings;
+    if (!call.isSet(trial) || !call.isSet(video))
+        return call.wrongCall(QStringLiteral("--trial and --video are needed"));
+    settings.trial = call.value(trial);
+    const auto videos = call.pairs(video);
+    if (!videos)
+        return tl::unexpected(videos.error());
+    for (const auto &[camera, file] : *videos)
+        settings.videos.emplace_back(camera, file);
+    if (const std::string how = call.value(sync); how == "none") {
+        settings.sync = ImportSettings::Sync::None;
+    } else if (!how.empty() && how != "auto") {
+        const auto offset = call.number(sync);
+        if (!offset)
+            return call.wrongCall(QStringLiteral("--sync is auto, none or a number of seconds"));
+        settings.sync = ImportSettings::Sync::Told;
+        settings.offsetS = *offset;
+    }
+    settings.team = call.value(team);
+    settings.robots = call.texts(robot);
+    if (call.isSet(rate)) {
+        const auto framesPerSecond = call.number(rate);
+        if (!framesPerSecond || *framesPerSecond <= 0)
+            return call.wrongCall(QStringLiteral("--rate is a number of frames a second above zero"));
+        settings.rate = *framesPerSecond;
+    }
+    return settings;
+}
+
+} // namespace
+
+Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("import"),
+                      QStringLiteral("P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--sync auto|none|SECONDS] "
+                                     "[--team T] [--robot R]... [--rate 240] [--json]"),
+                      1, 1,
+                      {{trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
+                       {video, QStringLiteral("A view: the camera's name and the file."), QStringLiteral("CAMERA=FILE")},
+                       {sync, QStringLiteral("How much later the second view's first frame was taken."),
+                        QStringLiteral("auto|none|SECONDS")},
+                       {team, QStringLiteral("The team that ran."), QStringLiteral("T")},
+                       {robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
+                       {rate, QStringLiteral("The camera's frame rate where the file has another."), QStringLiteral("FPS")}}},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    auto settings = settingsFrom(call);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    ImportTrialJob job(std::move(*settings));
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    QJsonObject views;
+    for (const RecordingRecord &recording : job.recordings())
+        views.insert(QString::fromStdString(recording.cameraName), recordingJson(recording));
+    call.answer({{QStringLiteral("trial"), QString::fromStdString(job.trial().name)},
+                 {QStringLiteral("views"), views},
+                 {QStringLiteral("sync"), syncJson(job.trial())}},
+                QStringLiteral("Trial %1 imported with %2 views; synchronisation: %3, %4 s.")
+                    .arg(QString::fromStdString(job.trial().name))
+                    .arg(job.recordings().size())
+                    .arg(QString::fromStdString(job.trial().syncMethod))
+                    .arg(job.trial().syncOffsetS, 0, 'f', 4));
+    for (const std::string &warning : job.warnings())
+        CommandCall::warn(warning);
+    return {};
+}
+
+} // namespace odo

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "app/json_answers.h"
+#include "core/project/repositories.h"
+#include "core/workflow/truth_accuracy.h"
+
+#include <QDateTime>
+
+namespace odo {
+
+namespace {
+
+QJsonObject truthJson(const TruthAccuracy &accuracy)
+{
+    return {{QStringLiteral("compared"), qint64(accuracy.compared)},
+            {QStringLiteral("position_rms_mm"), toMillimetres(accuracy.positionRmsM)},
+            {QStringLiteral("velocity_rms_mm_s"), toMillimetres(accuracy.velocityRmsMps)},
+            {QStringLiteral("acceleration_rms_mm_s2"), toMillimetres(accuracy.accelerationRmsMps2)},
+            {QStringLiteral("inside_95_x"), accuracy.insideX95},
+            {QStringLiteral("inside_95_y"), accuracy.insideY95},
+            {QStringLiteral("inside_95_speed"), accuracy.insideSpeed95}};
+}
+
+QJsonObject provenanceJson(const AnalysisRecord &analysis)
+{
+    const std::string_view smoother = smootherName(analysis.options.smoother);
+    QJsonArray registrations;
+    for (const RecordId id : analysis.registrations)
+        registrations.append(qint64(id));
+    return {{QStringLiteral("analysis"), qint64(analysis.id)},
+            {QStringLiteral("made"),
+             QDateTime::fromMSecsSinceEpoch(analysis.made.time_since_epoch().count(), Qt::UTC).toString(Qt::ISODate)},
+            {QStringLiteral("software"), QString::fromStdString(analysis.softwareVersion)},
+            {QStringLiteral("smoother"), QString::fromUtf8(smoother.data(), qsizetype(smoother.size()))},
+            {QStringLiteral("registrations"), registrations}};
+}
+
+QString metricText(const Metric &metric)
+{
+    QString line = QStringLiteral("  %1 %2").arg(QString::fromStdString(metric.name), -14).arg(metric.value, 0, 'f', 3);
+    if (metric.sigma)
+        line += QStringLiteral(" ±%1").arg(*metric.sigma, 0, 'f', 3);
+    return metric.unit == "1" ? line : line + QStringLiteral(" ") + QString::fromStdString(metric.unit);
+}
+
+QStringList robotText(const AnalysisRecord &analysis, const std::optional<TruthAccuracy> &accuracy)
+{
+    QStringList lines(QStringLiteral("Robot %1").arg(QString::fromStdString(analysis.robotName)));
+    for (const Metric &metric : analysis.profile.metrics)
+        lines << metricText(metric);
+    for (const Spike &spike : analysis.profile.spikes)
+        lines << QStringLiteral("  spike at %1 s: %2").arg(toSeconds(spike.time), 0, 'f', 3).arg(QString::fromStdString(spike.reason));
+    if (accuracy)
+        lines << QStringLiteral("  against the known truth: %1 mm, %2 mm/s, %3 mm/s² RMS")
+                     .arg(toMillimetres(accuracy->positionRmsM), 0, 'f', 2)
+                     .arg(toMillimetres(accuracy->velocityRmsMps), 0, 'f', 1)
+                     .arg(toMillimetres(accuracy->accelerationRmsMps2), 0, 'f', 0);
+    return lines;
+}
+
+} // namespace
+
+Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("show"), QStringLiteral("P.odo TRIAL [--json]"), 2, 2, {}}, cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    const auto opened = call.openProject(0, Project::Access::ReadOnly);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    Project &project = **opened;
+    const auto trial = project.trials().find(call.text(1));
+    if (!trial)
+        return tl::unexpected(trial.error());
+    const auto recordings = project.trials().recordings(trial->id);
+    if (!recordings)
+        return tl::unexpected(recordings.error());
+    const auto analyses = project.analyses().current(trial->id);
+    if (!analyses)
+        return tl::unexpected(analyses.error());
+
+    QJsonObject views;
+    for (const RecordingRecord &recording : *recordings) {
+        QJsonObject view = recordingJson(recording);
+        view.insert(QStringLiteral("file"), QString::fromStdString(recording.path));
+        view.insert(QStringLiteral("sha256"), QString::fromStdString(recording.sha256));
+        views.insert(QString::fromStdString(recording.cameraName), view);
+    }
+    QJsonObject robots;
+    QStringList lines(QStringLiteral("Trial %1, team %2, synchronisation: %3, %4 s")
+                          .arg(QString::fromStdString(trial->name), QString::fromStdString(trial->teamName),
+                               QString::fromStdString(trial->syncMethod))
+                          .arg(trial->syncOffsetS, 0, 'f', 4));
+    if (analyses->empty())
+        lines << QStringLiteral("Not tracked yet; run: odograph track %1 %2").arg(call.positional(0), call.positional(1));
+    for (const AnalysisRecord &analysis : *analyses) {
+        const auto truth = project.trials().truth(trial->id, analysis.robot);
+        if (!truth)
+            return tl::unexpected(truth.error());
+        std::optional<TruthAccuracy> accuracy;
+        if (*truth)
+            accuracy = compareWithTruth(analysis.profile, **truth);
+        QJsonObject robot{{QStringLiteral("metrics"), metricsJson(analysis.profile.metrics)},
+                          {QStringLiteral("spikes"), spikesJson(analysis.profile.spikes)},
+                          {QStringLiteral("height_m"), analysis.profile.heightM},
+                          {QStringLiteral("height_estimated"), analysis.profile.heightEstimated},
+                          {QStringLiteral("provenance"), provenanceJson(analysis)}};
+        if (accuracy)
+            robot.insert(QStringLiteral("truth"), truthJson(*accuracy));
+        robots.insert(QString::fromStdString(analysis.robotName), robot);
+        lines << robotText(analysis, accuracy);
+    }
+    call.answer({{QStringLiteral("trial"), QString::fromStdString(trial->name)},
+                 {QStringLiteral("team"), QString::fromStdString(trial->teamName)},
+                 {QStringLiteral("task"), QString::fromStdString(trial->task)},
+                 {QStringLiteral("notes"), QString::fromStdString(trial->notes)},
+                 {QStringLiteral("views"), views},
+                 {QStringLiteral("sync"), syncJson(*trial)},
+                 {QStringLiteral("robots"), robots}},
+                lines.join(u'\n'));
+    return {};
+}
+
+} // namespace odo

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "app/workbench.h"
+
+namespace odo {
+
+namespace {
+
+constexpr double smallestPx = 200, largestPx = 8000;
+
+} // namespace
+
+Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel)
+{
+    const QString output = QStringLiteral("output"), mode = QStringLiteral("mode"), size = QStringLiteral("size");
+    CommandCall call({QStringLiteral("snapshot"),
+                      QStringLiteral("P.odo TRIAL -o picture.png [--mode review|history|testbed] [--size 1600x1000]"), 2, 2,
+                      {{{QStringLiteral("o"), output}, QStringLiteral("The picture to write."), QStringLiteral("FILE")},
+                       {mode, QStringLiteral("What the window shows."), QStringLiteral("MODE"), QStringLiteral("review")},
+                       {size, QStringLiteral("Of the window, in pixels."), QStringLiteral("WxH"), QStringLiteral("1600x1000")}}},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (!call.isSet(output))
+        return call.wrongCall(QStringLiteral("-o is missing"));
+    const auto wanted = call.sizePair(size);
+    if (!wanted)
+        return tl::unexpected(wanted.error());
+    const auto inRange = [](double px) { return px >= smallestPx && px <= largestPx; };
+    if (!inRange(wanted->first) || !inRange(wanted->second))
+        return call.wrongCall(QStringLiteral("--size is from 200x200 to 8000x8000"));
+    if (!QStringList{QStringLiteral("review"), QStringLiteral("history"), QStringLiteral("testbed")}.contains(
+            QString::fromStdString(call.value(mode))))
+        return call.wrongCall(QStringLiteral("--mode is review, history or testbed"));
+    const auto painted =
+        paintWorkbench(call.text(0), call.text(1), QString::fromStdString(call.value(mode)),
+                       QSize(int(wanted->first), int(wanted->second)), call.value(output));
+    if (!painted)
+        return painted;
+    const QString file = QString::fromStdString(call.value(output));
+    call.answer({{QStringLiteral("picture"), file}}, QStringLiteral("Wrote %1.").arg(file));
+    return {};
+}
+
+} // namespace odo

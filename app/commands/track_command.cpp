@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "app/json_answers.h"
+#include "core/workflow/track_job.h"
+
+namespace odo {
+
+namespace {
+
+QJsonObject robotJson(const TrackedRobot &robot)
+{
+    const Profile &profile = robot.analysis.profile;
+    return {{QStringLiteral("frames"), qint64(robot.frames)},
+            {QStringLiteral("tracked"), qint64(robot.tracked)},
+            {QStringLiteral("spikes"), qint64(profile.spikes.size())},
+            {QStringLiteral("mean_view_disagreement_mm"), toMillimetres(profile.meanViewDisagreementM)},
+            {QStringLiteral("height_m"), profile.heightM},
+            {QStringLiteral("path_length_m"), metricValue(profile, "path_length")},
+            {QStringLiteral("duration_s"), metricValue(profile, "duration")},
+            {QStringLiteral("mean_speed_m_s"), metricValue(profile, "mean_speed")},
+            {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")}};
+}
+
+QString robotText(const TrackedRobot &robot)
+{
+    const Profile &profile = robot.analysis.profile;
+    return QStringLiteral("%1: %2 of %3 frames, %4 spikes, path %5 m in %6 s, top speed %7 m/s")
+        .arg(QString::fromStdString(robot.name))
+        .arg(robot.tracked)
+        .arg(robot.frames)
+        .arg(profile.spikes.size())
+        .arg(metricValue(profile, "path_length"), 0, 'f', 3)
+        .arg(metricValue(profile, "duration"), 0, 'f', 2)
+        .arg(metricValue(profile, "max_speed"), 0, 'f', 3);
+}
+
+} // namespace
+
+Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
+{
+    const QString robot = QStringLiteral("robot"), smoother = QStringLiteral("smoother");
+    CommandCall call({QStringLiteral("track"),
+                      QStringLiteral("P.odo TRIAL [--robot R]... [--smoother rts|savgol|tracker|none] [--json]"), 2, 2,
+                      {{robot, QStringLiteral("A robot to look for."), QStringLiteral("R")},
+                       {smoother, QStringLiteral("How the curves are made."), QStringLiteral("NAME")}}},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    TrackSettings settings;
+    settings.robots = call.texts(robot);
+    if (call.isSet(smoother)) {
+        const auto known = parseSmoother(call.value(smoother));
+        if (!known)
+            return call.wrongCall(QStringLiteral("--smoother is rts, savgol, tracker or none"));
+        settings.smoother = *known;
+    }
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    TrackJob job(call.text(1), std::move(settings));
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    const TrackOutcome &outcome = job.outcome();
+    QJsonObject robots;
+    QStringList lines;
+    for (const TrackedRobot &tracked : outcome.robots) {
+        robots.insert(QString::fromStdString(tracked.name), robotJson(tracked));
+        lines << robotText(tracked);
+    }
+    call.answer({{QStringLiteral("trial"), QString::fromStdString(outcome.trial)},
+                 {QStringLiteral("robots"), robots},
+                 {QStringLiteral("wall_s"), outcome.wallS},
+                 {QStringLiteral("decode_s"), outcome.decodeS},
+                 {QStringLiteral("frames_per_s"), outcome.framesPerSecond}},
+                lines.join(u'\n'));
+    return {};
+}
+
+} // namespace odo

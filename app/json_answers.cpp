@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/json_answers.h"
+
+namespace odo {
+
+namespace {
+
+QString lensModelName(LensModel model)
+{
+    switch (model) {
+    case LensModel::Standard:
+        return QStringLiteral("standard");
+    case LensModel::Rational:
+        return QStringLiteral("rational");
+    case LensModel::Fisheye:
+        return QStringLiteral("fisheye");
+    }
+    return {};
+}
+
+} // namespace
+
+QJsonObject intrinsicsJson(const Intrinsics &intrinsics)
+{
+    QJsonArray distortion;
+    for (const double coefficient : intrinsics.distortion)
+        distortion.append(coefficient);
+    return {{QStringLiteral("width"), intrinsics.widthPx},
+            {QStringLiteral("height"), intrinsics.heightPx},
+            {QStringLiteral("fx"), intrinsics.fxPx},
+            {QStringLiteral("fy"), intrinsics.fyPx},
+            {QStringLiteral("cx"), intrinsics.cxPx},
+            {QStringLiteral("cy"), intrinsics.cyPx},
+            {QStringLiteral("model"), lensModelName(intrinsics.model)},
+            {QStringLiteral("distortion"), distortion}};
+}
+
+QJsonObject syncJson(const TrialRecord &trial)
+{
+    return {{QStringLiteral("method"), QString::fromStdString(trial.syncMethod)},
+            {QStringLiteral("offset_s"), trial.syncOffsetS},
+            {QStringLiteral("offset_sigma_s"), trial.syncOffsetSigmaS},
+            {QStringLiteral("score"), trial.syncScore}};
+}
+
+QJsonObject recordingJson(const RecordingRecord &recording)
+{
+    const double duration = recording.frameTimes.empty() ? 0 : toSeconds(recording.frameTimes.back());
+    const double interval = recording.framesPerSecond > 0 ? 1 / recording.framesPerSecond : 0;
+    return {{QStringLiteral("frames"), qint64(recording.frameTimes.size())},
+            {QStringLiteral("fps"), recording.framesPerSecond},
+            {QStringLiteral("duration_s"), duration + interval}};
+}
+
+QJsonArray vectorJson(const Eigen::VectorXd &vector)
+{
+    QJsonArray array;
+    for (const double value : vector)
+        array.append(value);
+    return array;
+}
+
+QJsonArray metricsJson(const std::vector<Metric> &metrics)
+{
+    QJsonArray array;
+    for (const Metric &metric : metrics)
+        array.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(metric.name)},
+                                 {QStringLiteral("unit"), QString::fromStdString(metric.unit)},
+                                 {QStringLiteral("value"), metric.value},
+                                 {QStringLiteral("sigma"), metric.sigma ? QJsonValue(*metric.sigma) : QJsonValue()}});
+    return array;
+}
+
+QJsonArray spikesJson(const std::vector<Spike> &spikes)
+{
+    QJsonArray array;
+    for (const Spike &spike : spikes)
+        array.append(QJsonObject{{QStringLiteral("t_s"), toSeconds(spike.time)},
+                                 {QStringLiteral("sample"), qint64(spike.sampleIndex)},
+                                 {QStringLiteral("flags"), QString::fromStdString(flagNames(spike.flags))},
+                                 {QStringLiteral("reason"), QString::fromStdString(spike.reason)}});
+    return array;
+}
+
+double metricValue(const Profile &profile, std::string_view name)
+{
+    for (const Metric &metric : profile.metrics) {
+        if (metric.name == name)
+            return metric.value;
+    }
+    return 0;
+}
+
+} // namespace odo

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+
+namespace odo {
+
+/// The parts that several subcommands print, as docs/command_line.md names them.
+QJsonObject intrinsicsJson(const Intrinsics &intrinsics);
+QJsonObject syncJson(const TrialRecord &trial);
+QJsonObject recordingJson(const RecordingRecord &recording);
+QJsonArray vectorJson(const Eigen::VectorXd &vector);
+QJsonArray metricsJson(const std::vector<Metric> &metrics);
+QJsonArray spikesJson(const std::vector<Spike> &spikes);
+
+/// The value of a metric by its name; 0 where it could not be computed.
+double metricValue(const Profile &profile, std::string_view name);
+
+} // namespace odo

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workbench.h"
+
+#include "ui/main_window/appearance.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/paint_window.h"
+
+#include <QApplication>
+#include <QImage>
+
+namespace odo {
+
+Result<void> runWorkbench(const std::optional<std::filesystem::path> &project)
+{
+    applyAppearance(*qApp);
+    MainWindow window;
+    if (project) {
+        if (auto opened = window.openProject(*project); !opened)
+            return opened;
+    }
+    window.show();
+    QApplication::exec();
+    return {};
+}
+
+Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, const QString &mode,
+                            QSize size, const std::filesystem::path &picture)
+{
+    applyAppearance(*qApp);
+    MainWindow window;
+    if (auto opened = window.openProject(project); !opened)
+        return opened;
+    if (auto shown = window.showTrial(trial); !shown)
+        return shown;
+    if (mode == QStringLiteral("history"))
+        window.showMode(MainWindow::Mode::History);
+    else if (mode == QStringLiteral("testbed"))
+        window.showMode(MainWindow::Mode::Testbed);
+    else
+        window.showMode(MainWindow::Mode::Review);
+    const QImage image = paintWindow(window, size);
+    if (!image.save(QString::fromStdString(picture.string())))
+        return fail(ErrorCode::Io, "picture '" + picture.string() + "'", "it could not be written",
+                    "check the folder, the rights, and that the name ends in .png or .jpg");
+    return {};
+}
+
+} // namespace odo

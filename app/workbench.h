@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QSize>
+#include <QString>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace odo {
+
+/// Opens the window, with a project or with the welcome page, and returns when the user has closed it.
+Result<void> runWorkbench(const std::optional<std::filesystem::path> &project);
+
+/// The window as a user would see it with a trial in one of its modes, painted without a display into a picture file.
+Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, const QString &mode,
+                            QSize size, const std::filesystem::path &picture);
+
+} // namespace odo

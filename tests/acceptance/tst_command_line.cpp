@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/demo_testbed.h"
+#include "core/simulation/renderer.h"
+#include "core/video/picture_writer.h"
+#include "tests/support/program.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+/// Every subcommand with a good call and with bad ones: the answer, the exit status, the one-line error, and that a
+/// failed call leaves the project's file as it was.
+class TestCommandLine : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    QString m_project;
+
+    QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+
+    void write(const char *name, const QByteArray &content) const
+    {
+        QFile file(path(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(content);
+    }
+
+    /// "%/" in an argument stands for the test's folder, "%P" for the project.
+    QStringList filled(const QString &line) const
+    {
+        QStringList arguments = line.split(u' ', Qt::SkipEmptyParts);
+        for (QString &argument : arguments)
+            argument.replace(QStringLiteral("%P"), m_project).replace(QStringLiteral("%/"), m_folder.path() + u'/');
+        return arguments;
+    }
+
+    ProgramRun good(const char *line) const
+    {
+        const ProgramRun run = runProgram(filled(QString::fromLatin1(line)));
+        if (run.exitStatus != 0)
+            qWarning("%s: %s", line, run.err.constData());
+        return run;
+    }
+
+    void renderTestVideos() const
+    {
+        SimulatedScene scene = demoTestbed(3);
+        scene.durationS = 2.0;
+        SimulatedRobot robot;
+        robot.name = "red";
+        robot.colour = *parseColour("#d72328");
+        robot.motion = makeCircleMotion({1.5, 1.1}, 0.5, 1.0, 0.5);
+        scene.robots.push_back(robot);
+        const auto render = [&](const SimulatedScene &s, int camera, const char *name) {
+            const auto done = renderVideo(s, camera, path(name).toStdString(), {}, {});
+            QVERIFY2(done.has_value(), done ? "" : done.error().message().c_str());
+        };
+        render(scene, 0, "a.mkv");
+        render(scene, 1, "b.mkv");
+        scene.durationS = 1.0;
+        render(scene, 1, "short.mkv");
+        scene.cameras[1].framesPerSecond = 15;
+        render(scene, 1, "slow.mkv");
+        scene.robots.clear();
+        scene.durationS = 0.5;
+        render(scene, 0, "empty.mkv");
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_project = path("class.odo");
+        renderTestVideos();
+        write("layout.csv", "label,x_mm,y_mm\nO,0,0\nU,3000,0\nV,0,2200\nD,3000,2200\n");
+        write("three.csv", "label,u,v\nO,100,600\nU,1100,650\nV,300,200\n");
+        write("collinear.csv", "label,u,v\nO,100,600\nU,300,600\nV,500,600\nD,700,600\n");
+        write("doubled.csv", "label,u,v\nO,100,600\nO,1100,650\nV,300,200\nD,900,210\n");
+        write("mirrored.csv", "label,u,v\nO,1100,650\nU,100,600\nV,900,210\nD,300,200\n");
+        write("broken.csv", "label,u,v\nO,100\n");
+        write("novideo.mkv", "this is no video");
+        write("playlist.mkv", "#EXTM3U\n#EXT-X-TARGETDURATION:5\n#EXTINF:5,\na.mkv\n#EXT-X-ENDLIST\n");
+        write("broken.yaml", "image_width: 640\ncamera_matrix: [[[[\n");
+        write("foreign.odo", "not a database");
+        QVERIFY(writePicture(SceneRenderer(demoTestbed(1), 0).render(0), path("noboard.png").toStdString()).has_value());
+    }
+
+    void aWholeLessonWorks()
+    {
+        QCOMPARE(good("new %P --title Lesson").exitStatus, 0);
+        QCOMPARE(good("robot add %P red --colour #d72328 --height 60mm --size 260x190").exitStatus, 0);
+        QCOMPARE(good("camera add %P A --device file:a.mkv").exitStatus, 0);
+        QCOMPARE(good("layout add %P floor %/layout.csv").exitStatus, 0);
+        const ProgramRun registered = good("register %P --camera A --layout floor --video %/a.mkv --json");
+        QCOMPARE(registered.exitStatus, 0);
+        const QJsonObject registration = registered.json();
+        QCOMPARE(registration.value(QStringLiteral("markers")).toArray().size(), 4);
+        QVERIFY(registration.value(QStringLiteral("verdict")).toString().contains(QStringLiteral("distortion")));
+        QCOMPARE(good("register %P --camera B --layout floor --video %/b.mkv").exitStatus, 0);
+
+        const ProgramRun imported =
+            good("import %P --trial run1 --video A=%/a.mkv --video B=%/b.mkv --sync 0 --team Falcon --robot red --json");
+        QCOMPARE(imported.exitStatus, 0);
+        QCOMPARE(imported.json().value(QStringLiteral("views")).toObject().value(QStringLiteral("A")).toObject()
+                     .value(QStringLiteral("frames")).toInt(), 60);
+        QCOMPARE(imported.json().value(QStringLiteral("sync")).toObject().value(QStringLiteral("method")).toString(),
+                 QStringLiteral("told"));
+
+        const ProgramRun tracked = good("track %P run1 --json");
+        QCOMPARE(tracked.exitStatus, 0);
+        const QJsonObject robot = tracked.json().value(QStringLiteral("robots")).toObject().value(QStringLiteral("red")).toObject();
+        QCOMPARE(robot.value(QStringLiteral("frames")).toInt(), 60);
+        QVERIFY(robot.value(QStringLiteral("tracked")).toInt() >= 58);
+        // One metre a second on the circle; the camera's lens is not known here, so only a rough figure can be had.
+        QVERIFY(std::abs(robot.value(QStringLiteral("max_speed_m_s")).toDouble() - 1.0) < 0.1);
+        for (const char *smoother : {"savgol", "tracker", "none", "rts"})
+            QCOMPARE(good((QByteArray("track %P run1 --robot red --smoother ") + smoother).constData()).exitStatus, 0);
+
+        QCOMPARE(good("list %P --json").json().value(QStringLiteral("trials")).toArray().size(), 1);
+        QCOMPARE(good("show %P run1 --json").json().value(QStringLiteral("team")).toString(), QStringLiteral("Falcon"));
+        for (const char *format : {"csv", "tum", "json", "tracker"})
+            QCOMPARE(good((QByteArray("export %P run1 -o %/out.txt --format ") + format).constData()).exitStatus, 0);
+        QCOMPARE(good("check %P").exitStatus, 0);
+        QCOMPARE(good("snapshot %P run1 -o %/run1.png --size 1000x700").exitStatus, 0);
+        QVERIFY(QDir(m_folder.path()).entryList({QStringLiteral("class.odo-*")}).isEmpty()); // closed to a single file
+    }
+
+    void unequalViewsAreImportedWithAWarning()
+    {
+        const ProgramRun shorter = good("import %P --trial uneven --video A=%/a.mkv --video B=%/short.mkv --sync none --json");
+        QCOMPARE(shorter.exitStatus, 0);
+        QVERIFY2(shorter.err.contains("in common"), shorter.err);
+        QVERIFY(!shorter.json().isEmpty()); // the warning did not spoil standard output
+        const ProgramRun slower = good("import %P --trial slower --video A=%/a.mkv --video B=%/slow.mkv --sync none");
+        QCOMPARE(slower.exitStatus, 0);
+        QVERIFY2(slower.err.contains("frames/s"), slower.err);
+        QCOMPARE(good("track %P slower --robot red").exitStatus, 0); // joined by time, not by frame
+    }
+
+    void badCallsFailInOneLine_data()
+    {
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<int>("status");
+        QTest::addColumn<QString>("words");
+        const auto row = [](const char *line, int status, const char *words) {
+            QTest::newRow(line) << QString::fromLatin1(line) << status << QString::fromUtf8(words);
+        };
+        row("nonsense", 2, "neither a command nor a project");
+        row("new", 2, "something is missing");
+        row("new %P", 1, "there already");
+        row("new %/nowhere/x.odo", 1, "nowhere");
+        row("demo", 2, "something is missing");
+        row("demo %/a.mkv", 1, "demo");
+        row("robot add %P blue", 2, "--colour is missing");
+        row("robot add %P blue --colour red", 2, "#rrggbb");
+        row("robot add %P blue --colour #0000ff --height tall", 2, "not a length");
+        row("robot add %P blue --colour #0000ff --size 26", 2, "AxB");
+        row("robot add %P red --colour #0000ff", 1, "red");
+        row("robot drop %P red", 2, "not known");
+        row("robot add %/missing.odo red --colour #0000ff", 1, "missing.odo");
+        row("robot add %/foreign.odo red --colour #0000ff", 1, "foreign.odo");
+        row("camera add %P A", 1, "A");
+        row("camera add %P", 2, "something is missing");
+        row("calibrate %P A %/nofile.png", 1, "no such file");
+        row("calibrate %P A %/noboard.png", 1, "board");
+        row("calibrate %P A %/noboard.png --board 9", 2, "AxB");
+        row("calibrate %P A %/noboard.png --square 0mm", 2, "length above zero");
+        row("calibrate %P A %/noboard.png --model wide", 2, "standard, rational or fisheye");
+        row("calibrate %P A %/novideo.mkv", 1, "calibration of camera 'A'");
+        row("intrinsics import %P A %/broken.yaml", 1, "broken.yaml");
+        row("intrinsics import %P A %/nofile.yaml", 1, "nofile.yaml");
+        row("intrinsics export %P A %/out.yaml", 1, "never calibrated");
+        row("intrinsics export %P nobody %/out.yaml", 1, "nobody");
+        row("intrinsics move %P A %/out.yaml", 2, "neither import nor export");
+        row("layout add %P floor %/layout.csv", 1, "floor");
+        row("layout add %P other %/nofile.csv", 1, "nofile.csv");
+        row("layout add %P other %/broken.csv", 1, "broken.csv");
+        row("register %P --camera A", 2, "--layout is missing");
+        row("register %P --camera A --layout nowhere --pixels %/three.csv", 1, "nowhere");
+        row("register %P --camera A --layout floor --pixels %/three.csv", 1, "four");
+        row("register %P --camera A --layout floor --pixels %/collinear.csv", 1, "line");
+        row("register %P --camera A --layout floor --pixels %/doubled.csv", 1, "'O'");
+        row("register %P --camera A --layout floor --pixels %/mirrored.csv", 1, "mirror");
+        row("register %P --camera A --layout floor --pixels %/broken.csv", 1, "broken.csv:2");
+        row("register %P --camera A --layout floor --image %/nofile.png", 1, "nofile.png");
+        row("import %P --trial run1 --video A=%/a.mkv", 1, "of that name");
+        row("import %P --trial run2", 2, "--video");
+        row("import %P --trial run2 --video %/a.mkv", 2, "NAME=VALUE");
+        row("import %P --trial run2 --video A=%/nofile.mkv", 1, "no such file");
+        row("import %P --trial run2 --video A=%/novideo.mkv", 1, "novideo.mkv");
+        row("import %P --trial run2 --video A=%/playlist.mkv", 1, "playlist.mkv");
+        row("import %P --trial run2 --video A=%/a.mkv --video A=%/b.mkv", 1, "two videos");
+        row("import %P --trial run2 --video A=%/a.mkv --video B=%/b.mkv --sync 100", 1, "no time in common");
+        row("import %P --trial run2 --video A=%/a.mkv --sync soon", 2, "--sync");
+        row("import %P --trial run2 --video A=%/a.mkv --robot blue", 1, "blue");
+        row("import %P --trial run2 --video A=%/a.mkv --rate 0", 2, "--rate");
+        row("track %P run1 --robot blue", 1, "blue");
+        row("track %P nowhere", 1, "nowhere");
+        row("track %P run1 --smoother magic", 2, "--smoother");
+        row("track %P", 2, "something is missing");
+        row("list %/missing.odo", 1, "missing.odo");
+        row("list %P --colour x", 2, "colour");
+        row("show %P nowhere", 1, "nowhere");
+        row("export %P run1", 2, "-o");
+        row("export %P run1 -o %/nowhere/out.csv", 1, "nowhere");
+        row("export %P run1 -o %/out.csv --format xls", 2, "--format");
+        row("export %P run1 -o %/out.csv --robot blue", 1, "blue");
+        row("export %P uneven -o %/out.csv", 1, "track");
+        row("snapshot %P run1", 2, "-o is missing");
+        row("snapshot %P nowhere -o %/x.png", 1, "nowhere");
+        row("snapshot %P run1 -o %/x.png --size 10x10", 2, "--size");
+        row("snapshot %P run1 -o %/nowhere/x.png", 1, "x.png");
+        row("snapshot %P run1 -o %/x.png --mode dance", 2, "--mode");
+        row("check %/foreign.odo", 1, "foreign.odo");
+    }
+
+    void badCallsFailInOneLine()
+    {
+        QFETCH(QString, line);
+        QFETCH(int, status);
+        QFETCH(QString, words);
+        const QByteArray before = fileHash(m_project);
+        const QStringList filesBefore = QDir(m_folder.path()).entryList();
+        const ProgramRun run = runProgram(filled(line));
+        QVERIFY2(run.exitStatus == status, qPrintable(QString::number(run.exitStatus) + QString::fromUtf8(run.err)));
+        QVERIFY2(run.err.startsWith("odograph: "), run.err);
+        QCOMPARE(run.err.count('\n'), 1);
+        QVERIFY2(run.err.contains("; "), run.err); // it says what to do
+        QVERIFY2(run.err.contains(words.toUtf8()), run.err);
+        QVERIFY(run.out.isEmpty());
+        QCOMPARE(fileHash(m_project), before);
+        QCOMPARE(QDir(m_folder.path()).entryList(), filesBefore);
+    }
+
+    void aRobotThatIsNotThereIsNotFound()
+    {
+        QCOMPARE(good("import %P --trial nobody --video A=%/empty.mkv --robot red").exitStatus, 0);
+        const ProgramRun run = runProgram(filled(QStringLiteral("track %P nobody")));
+        QCOMPARE(run.exitStatus, 1);
+        QVERIFY2(run.err.contains("red"), run.err);
+    }
+
+    void aLostVideoIsNamed()
+    {
+        const QString media = path("class.media/uneven_A.mkv");
+        QVERIFY(QFile::rename(media, media + QStringLiteral(".gone")));
+        const ProgramRun run = runProgram(filled(QStringLiteral("track %P uneven --robot red")));
+        QVERIFY(QFile::rename(media + QStringLiteral(".gone"), media));
+        QCOMPARE(run.exitStatus, 1);
+        QVERIFY2(run.err.contains("uneven_A.mkv"), run.err);
+    }
+
+    void aNewerProjectIsRefusedAndLeftAlone()
+    {
+        const QString newer = path("newer.odo");
+        QVERIFY(QFile::copy(m_project, newer));
+        // user_version: big-endian at offset 60 of the header (SQLite file format, section 1.3).
+        QFile file(newer);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QVERIFY(file.seek(60));
+        QCOMPARE(file.write(QByteArray::fromHex("000f4240")), 4);
+        file.close();
+        const QByteArray before = fileHash(newer);
+        for (const char *line : {"list %/newer.odo", "track %/newer.odo run1", "robot add %/newer.odo x --colour #000001"}) {
+            const ProgramRun run = runProgram(filled(QString::fromLatin1(line)));
+            QCOMPARE(run.exitStatus, 1);
+            QVERIFY2(run.err.contains("newer"), run.err);
+            QCOMPARE(fileHash(newer), before);
+        }
+    }
+
+    void helpAndVersionAnswer()
+    {
+        QCOMPARE(runProgram({QStringLiteral("--version")}).out.trimmed(), QByteArray("odograph " ODOGRAPH_VERSION));
+        const ProgramRun help = runProgram({QStringLiteral("track"), QStringLiteral("--help")});
+        QCOMPARE(help.exitStatus, 0);
+        QVERIFY(help.out.contains("--smoother"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCommandLine)
+#include "tst_command_line.moc"

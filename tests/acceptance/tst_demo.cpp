@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/program.h"
+
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo::test;
+
+/// The demo lesson through the command line: made, tracked, and compared with its known truth.
+class TestDemo : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    QString m_project;
+    QStringList m_trials;
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        const ProgramRun run = runProgram({QStringLiteral("demo"), m_folder.path(), QStringLiteral("--json")});
+        QVERIFY2(run.exitStatus == 0, run.err);
+        m_project = run.json().value(QStringLiteral("project")).toString();
+        QVERIFY(QFile::exists(m_project));
+        QCOMPARE(QDir(m_folder.path()).entryList({QStringLiteral("*.odo*")}), QStringList(QStringLiteral("demo.odo")));
+        const ProgramRun list = runProgram({QStringLiteral("list"), m_project, QStringLiteral("--json")});
+        QCOMPARE(list.exitStatus, 0);
+        for (const QJsonValue &trial : list.json().value(QStringLiteral("trials")).toArray())
+            m_trials << trial.toObject().value(QStringLiteral("name")).toString();
+        QVERIFY(m_trials.size() >= 4);
+    }
+
+    void everyTrialTracksWithinTheBounds()
+    {
+        for (const QString &trial : m_trials) {
+            const ProgramRun track = runProgram({QStringLiteral("track"), m_project, trial, QStringLiteral("--json")});
+            QVERIFY2(track.exitStatus == 0, track.err);
+            const ProgramRun show = runProgram({QStringLiteral("show"), m_project, trial, QStringLiteral("--json")});
+            QVERIFY2(show.exitStatus == 0, show.err);
+            const QJsonObject robots = show.json().value(QStringLiteral("robots")).toObject();
+            QVERIFY(!robots.isEmpty());
+            for (const QString &robot : robots.keys()) {
+                const QJsonObject truth = robots.value(robot).toObject().value(QStringLiteral("truth")).toObject();
+                const double compared = truth.value(QStringLiteral("compared")).toDouble();
+                const double positionMm = truth.value(QStringLiteral("position_rms_mm")).toDouble(1e9);
+                const double velocityMmS = truth.value(QStringLiteral("velocity_rms_mm_s")).toDouble(1e9);
+                qInfo("%s / %s: %.0f samples, position %.2f mm, velocity %.1f mm/s, acceleration %.0f mm/s2; inside 95 %%: x "
+                      "%.3f y %.3f speed %.3f",
+                      qPrintable(trial), qPrintable(robot), compared, positionMm, velocityMmS,
+                      truth.value(QStringLiteral("acceleration_rms_mm_s2")).toDouble(),
+                      truth.value(QStringLiteral("inside_95_x")).toDouble(),
+                      truth.value(QStringLiteral("inside_95_y")).toDouble(),
+                      truth.value(QStringLiteral("inside_95_speed")).toDouble());
+                // At least 95 % of the frames must carry a figure, or a good RMS could be had by leaving out the rest.
+                const double frames = track.json()
+                                          .value(QStringLiteral("robots"))
+                                          .toObject()
+                                          .value(robot)
+                                          .toObject()
+                                          .value(QStringLiteral("frames"))
+                                          .toDouble();
+                QVERIFY2(frames >= 150 && compared >= 0.95 * frames, qPrintable(trial));
+                QVERIFY2(positionMm <= 10.0, qPrintable(trial));
+                QVERIFY2(velocityMmS <= 40.0, qPrintable(trial));
+            }
+        }
+    }
+
+    void exportHasARowForEachFrame()
+    {
+        const QString file = m_folder.filePath(QStringLiteral("run.csv"));
+        const ProgramRun run = runProgram({QStringLiteral("export"), m_project, m_trials.first(), QStringLiteral("-o"), file});
+        QVERIFY2(run.exitStatus == 0, run.err);
+        QFile csv(file);
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = csv.readAll().trimmed().split('\n');
+        QCOMPARE(lines.first(), QByteArray("t_s,x_mm,y_mm,vx_mm_s,vy_mm_s,speed_mm_s,ax_mm_s2,ay_mm_s2,accel_mm_s2,sigma_x_mm,"
+                                           "sigma_y_mm,sigma_speed_mm_s,sigma_accel_mm_s2,raw_x_mm,raw_y_mm,views,flags"));
+        const ProgramRun show = runProgram({QStringLiteral("show"), m_project, m_trials.first(), QStringLiteral("--json")});
+        const QJsonObject views = show.json().value(QStringLiteral("views")).toObject();
+        QCOMPARE(lines.size() - 1, views.value(QStringLiteral("A")).toObject().value(QStringLiteral("frames")).toInt());
+    }
+
+    void snapshotsHaveTheSizeAskedFor()
+    {
+        for (const QString &mode : {QStringLiteral("review"), QStringLiteral("history"), QStringLiteral("testbed")}) {
+            const QString file = m_folder.filePath(mode + QStringLiteral(".png"));
+            const ProgramRun run = runProgram({QStringLiteral("snapshot"), m_project, m_trials.first(), QStringLiteral("-o"), file,
+                                               QStringLiteral("--mode"), mode, QStringLiteral("--size"),
+                                               QStringLiteral("1366x768")});
+            QVERIFY2(run.exitStatus == 0, run.err);
+            QCOMPARE(QImage(file).size(), QSize(1366, 768));
+        }
+    }
+
+    void checkFindsNothingUntilARecordingIsLost()
+    {
+        const ProgramRun sound = runProgram({QStringLiteral("check"), m_project, QStringLiteral("--json")});
+        QVERIFY2(sound.exitStatus == 0, sound.err);
+        QCOMPARE(sound.json().value(QStringLiteral("ok")).toBool(), true);
+
+        const QDir media(m_folder.filePath(QStringLiteral("demo.media")));
+        const QString video = media.filePath(media.entryList(QDir::Files).first());
+        QVERIFY(QFile::rename(video, video + QStringLiteral(".gone")));
+        const ProgramRun lost = runProgram({QStringLiteral("check"), m_project, QStringLiteral("--json")});
+        QVERIFY(QFile::rename(video + QStringLiteral(".gone"), video));
+        QCOMPARE(lost.exitStatus, 1);
+        QCOMPARE(lost.json().value(QStringLiteral("ok")).toBool(true), false);
+        QCOMPARE(lost.json().value(QStringLiteral("problems")).toArray().size(), 1);
+    }
+
+    void aSecondDemoInTheSameFolderIsRefused()
+    {
+        const QByteArray before = fileHash(m_project);
+        const ProgramRun run = runProgram({QStringLiteral("demo"), m_folder.path()});
+        QCOMPARE(run.exitStatus, 1);
+        QVERIFY(run.err.contains("is there already"));
+        QCOMPARE(fileHash(m_project), before);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestDemo)
+#include "tst_demo.moc"

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/program.h"
+#include "tests/support/real_material.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+using namespace odo::test;
+
+/// Real recordings and calibration sets, by the command line. The folder is ODOGRAPH_REAL_DATA or ../shared/data; its
+/// README holds the reference figures that are asserted here.
+class TestRealMaterial : public QObject
+{
+    Q_OBJECT
+
+    QString m_data;
+    QTemporaryDir m_folder;
+
+    QString project() const { return m_folder.filePath(QStringLiteral("real.odo")); }
+    QString data(const char *name) const { return m_data + u'/' + QString::fromLatin1(name); }
+
+    QStringList pictures(const char *folder, const char *pattern) const
+    {
+        QStringList files;
+        const QDir dir(data(folder));
+        for (const QString &name : dir.entryList({QString::fromLatin1(pattern)}, QDir::Files, QDir::Name))
+            files << dir.filePath(name);
+        return files;
+    }
+
+    static ProgramRun good(const QStringList &arguments)
+    {
+        const ProgramRun run = runProgram(arguments);
+        if (run.exitStatus != 0)
+            qWarning("%s", run.err.constData());
+        return run;
+    }
+
+    QJsonObject calibrated(const char *camera, const QStringList &files, const QStringList &options) const
+    {
+        const QStringList call{QStringLiteral("calibrate"), project(), QString::fromLatin1(camera)};
+        return good(call + files + options + QStringList(QStringLiteral("--json"))).json();
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        ODOGRAPH_NEED_REAL("cap-two-views");
+        m_data = QString::fromStdString(realMaterial().string());
+        QCOMPARE(good({QStringLiteral("new"), project()}).exitStatus, 0);
+    }
+
+    void theStereoChessboardsGiveThePublishedFocalLength()
+    {
+        const QJsonObject answer = calibrated("left", pictures("chessboard-stereo", "left*.jpg"),
+                                              {QStringLiteral("--square"), QStringLiteral("25mm")});
+        const QJsonObject intrinsics = answer.value(QStringLiteral("intrinsics")).toObject();
+        QCOMPARE(answer.value(QStringLiteral("images_used")).toInt(), 13);
+        QVERIFY(answer.value(QStringLiteral("rms_px")).toDouble(9) <= 0.41);
+        QVERIFY(std::abs(intrinsics.value(QStringLiteral("fx")).toDouble() - 535.916) <= 1.0);
+    }
+
+    void sevenPortraitBoardsAreEnoughForThreePercent_data()
+    {
+        QTest::addColumn<QString>("folder");
+        QTest::addColumn<double>("focal");
+        QTest::newRow("A") << QStringLiteral("chessboards-pose2sim/cam03") << 1681.6;
+        QTest::newRow("B") << QStringLiteral("chessboards-pose2sim/cam04") << 1675.2;
+    }
+    void sevenPortraitBoardsAreEnoughForThreePercent()
+    {
+        QFETCH(QString, folder);
+        QFETCH(double, focal);
+        const QJsonObject answer =
+            calibrated("portrait", pictures(folder.toLatin1(), "*.jpg"), {QStringLiteral("--square"), QStringLiteral("60mm")});
+        const double found = answer.value(QStringLiteral("intrinsics")).toObject().value(QStringLiteral("fx")).toDouble();
+        qInfo("focal length %.1f px, published %.1f px, RMS %.3f px", found, focal,
+              answer.value(QStringLiteral("rms_px")).toDouble());
+        QCOMPARE(answer.value(QStringLiteral("images_used")).toInt(), 7);
+        QVERIFY(std::abs(found - focal) <= 0.03 * focal);
+    }
+
+    void theCapIsFollowedInBothViews()
+    {
+        for (const QString &camera : {QStringLiteral("A"), QStringLiteral("B")})
+            QCOMPARE(good({QStringLiteral("intrinsics"), QStringLiteral("import"), project(), camera,
+                           data("cap-two-views/") + camera + QStringLiteral(".yaml")}).exitStatus, 0);
+        QCOMPARE(good({QStringLiteral("layout"), QStringLiteral("add"), project(), QStringLiteral("floor"),
+                       data("cap-two-views/layout.csv")}).exitStatus, 0);
+        for (const QString &camera : {QStringLiteral("A"), QStringLiteral("B")}) {
+            const ProgramRun run = good({QStringLiteral("register"), project(), QStringLiteral("--camera"), camera,
+                                         QStringLiteral("--layout"), QStringLiteral("floor"), QStringLiteral("--pixels"),
+                                         data("cap-two-views/pixels_") + camera + QStringLiteral(".csv"), QStringLiteral("--json")});
+            QCOMPARE(run.exitStatus, 0);
+            qInfo("camera %s: %.1f mm RMS", qPrintable(camera), run.json().value(QStringLiteral("rms_mm")).toDouble());
+        }
+        QCOMPARE(good({QStringLiteral("robot"), QStringLiteral("add"), project(), QStringLiteral("cap"), QStringLiteral("--colour"),
+                       QStringLiteral("#2c717a"), QStringLiteral("--height"), QStringLiteral("1.6m")}).exitStatus, 0);
+        QCOMPARE(good({QStringLiteral("import"), project(), QStringLiteral("--trial"), QStringLiteral("walk"),
+                       QStringLiteral("--video"), QStringLiteral("A=") + data("cap-two-views/A.mp4"), QStringLiteral("--video"),
+                       QStringLiteral("B=") + data("cap-two-views/B.mp4"), QStringLiteral("--sync"), QStringLiteral("0"),
+                       QStringLiteral("--robot"), QStringLiteral("cap")}).exitStatus, 0);
+        const ProgramRun track = good({QStringLiteral("track"), project(), QStringLiteral("walk"), QStringLiteral("--json")});
+        QCOMPARE(track.exitStatus, 0);
+        const QJsonObject cap = track.json().value(QStringLiteral("robots")).toObject().value(QStringLiteral("cap")).toObject();
+        QCOMPARE(cap.value(QStringLiteral("frames")).toInt(), 100);
+        QVERIFY(cap.value(QStringLiteral("tracked")).toInt() >= 99);
+        compareWithReference();
+    }
+
+private:
+    void compareWithReference()
+    {
+        const QString out = m_folder.filePath(QStringLiteral("cap.csv"));
+        QCOMPARE(good({QStringLiteral("export"), project(), QStringLiteral("walk"), QStringLiteral("-o"), out}).exitStatus, 0);
+        const auto rows = [](const QString &name) {
+            QFile file(name);
+            QList<QList<QByteArray>> all;
+            if (file.open(QIODevice::ReadOnly)) {
+                for (const QByteArray &line : file.readAll().trimmed().split('\n').mid(1))
+                    all << line.trimmed().split(',');
+            }
+            return all;
+        };
+        const auto measured = rows(out), reference = rows(data("cap-two-views/reference.csv"));
+        QCOMPARE(measured.size(), 100);
+        double sum = 0;
+        int compared = 0;
+        for (const auto &row : measured) {
+            if (row.at(1).isEmpty())
+                continue;
+            for (const auto &truth : reference) {
+                if (std::abs(truth.at(0).toDouble() - row.at(0).toDouble()) > 0.002)
+                    continue;
+                sum += std::pow(row.at(1).toDouble() - truth.at(1).toDouble(), 2) +
+                       std::pow(row.at(2).toDouble() - truth.at(2).toDouble(), 2);
+                ++compared;
+            }
+        }
+        const double rmsMm = std::sqrt(sum / compared);
+        qInfo("cap: %.1f mm RMS on the floor over %d frames", rmsMm, compared);
+        QVERIFY(compared >= 95);
+        QVERIFY(rmsMm <= 150);
+    }
+
+private Q_SLOTS:
+    void charucoStillsAreRefusedForBeingTooFew()
+    {
+        const ProgramRun run = runProgram({QStringLiteral("calibrate"), project(), QStringLiteral("still"),
+                                           data("charuco-stills/choriginal.jpg"), QStringLiteral("--pattern"),
+                                           QStringLiteral("charuco"), QStringLiteral("--square"), QStringLiteral("40mm")});
+        QCOMPARE(run.exitStatus, 1);
+        QVERIFY2(run.err.contains("three"), run.err);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRealMaterial)
+#include "tst_real_material.moc"
