@@ -39,7 +39,7 @@ HistoryPage::HistoryPage(Project &project, QWidget *parent)
     splitter->addWidget(makeTable());
     splitter->addWidget(m_detail);
     splitter->setStretchFactor(0, 1);
-    splitter->setSizes({900, 340});
+    splitter->setSizes({1000, 310});
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->addWidget(splitter);

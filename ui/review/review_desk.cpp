@@ -67,7 +67,7 @@ void ReviewDesk::resetLayout()
         dock->show();
     }
     splitDockWidget(m_speedDock, m_accelerationDock, Qt::Vertical);
-    resizeDocks({m_speedDock, m_accelerationDock}, {height() * 27 / 100, height() * 25 / 100}, Qt::Vertical);
+    resizeDocks({m_speedDock, m_accelerationDock}, {height() * 31 / 100, height() * 28 / 100}, Qt::Vertical);
     QList<int> widths(m_pictures->count(), 350);
     widths.last() = 320;
     m_pictures->setSizes(widths);

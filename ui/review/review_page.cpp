@@ -83,9 +83,9 @@ void ReviewPage::refresh()
         return;
     }
     QStringList names, teams;
-    for (const TrialRecord &trial : *trials) {
-        names << QString::fromStdString(trial.name);
-        teams << QString::fromStdString(trial.teamName);
+    for (const TrialRecord &trial : *trials) { // newest first; the chooser goes on in time
+        names.prepend(QString::fromStdString(trial.name));
+        teams.prepend(QString::fromStdString(trial.teamName));
     }
     m_chooser->setTrials(names, teams);
     if (names.isEmpty()) {
@@ -93,7 +93,7 @@ void ReviewPage::refresh()
         return;
     }
     const QString shown = m_scene ? QString::fromStdString(m_scene->trial.name) : QString();
-    if (const Result<void> done = showTrial(names.contains(shown) ? shown : names.front()); !done)
+    if (const Result<void> done = showTrial(names.contains(shown) ? shown : names.back()); !done)
         Q_EMIT failed(done.error());
 }
 

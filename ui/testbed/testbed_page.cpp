@@ -37,7 +37,7 @@ enum ToolAction { CalibrateAction, RegisterAction, ImportLensAction, ImportLayou
 
 QPushButton *buttonFor(QAction *action)
 {
-    auto *button = new QPushButton(action->icon(), action->text().remove(QLatin1Char('&')));
+    auto *button = new QPushButton(action->icon(), action->iconText());
     button->setToolTip(action->toolTip());
     button->setEnabled(action->isEnabled());
     QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
@@ -84,7 +84,8 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
     contentLayout->setContentsMargins(8, 8, 8, 8);
     contentLayout->addWidget(splitter);
     for (const ToolAction action : {CalibrateAction, ImportLensAction, ImportLayoutAction}) {
-        QPushButton *button = m_empty->addButton(QStringLiteral("add"), m_actions.at(action)->text());
+        QPushButton *button =
+            m_empty->addButton(QStringLiteral("add"), m_actions.at(action)->text().remove(QLatin1Char('&')));
         connect(button, &QPushButton::clicked, m_actions.at(action), &QAction::trigger);
     }
     m_stack->addWidget(content);
@@ -114,6 +115,11 @@ void TestbedPage::makeActions()
         tr("Take a camera's lens from a ROS or OpenCV YAML file"), &TestbedPage::importLens);
     add(QStringLiteral("add"), tr("Import marker &layout…"),
         tr("Take the places of the markers from a table"), &TestbedPage::importLayout);
+    // Short words for the buttons below the camera table; the menu has the long ones.
+    m_actions.at(CalibrateAction)->setIconText(tr("Calibrate…"));
+    m_actions.at(RegisterAction)->setIconText(tr("Register…"));
+    m_actions.at(ImportLensAction)->setIconText(tr("Import lens…"));
+    m_actions.at(ImportLayoutAction)->setIconText(tr("Import layout…"));
 }
 
 QWidget *TestbedPage::makeCameraCard()

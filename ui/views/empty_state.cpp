@@ -3,6 +3,7 @@
 
 #include "ui/views/theme_icon.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
@@ -43,24 +44,33 @@ QLabel *wrapped(const QString &text, const QString &name, QWidget *parent)
     label->setObjectName(name);
     label->setWordWrap(true);
     label->setAlignment(Qt::AlignHCenter);
-    label->setFixedWidth(columnWidth);
     return label;
 }
 
 } // namespace
 
 EmptyState::EmptyState(const QString &icon, const QString &headline, const QString &text, QWidget *parent)
-    : QWidget(parent), m_layout(new QVBoxLayout(this)), m_buttons(new QVBoxLayout)
+    : QWidget(parent), m_layout(nullptr), m_buttons(new QVBoxLayout)
 {
+    // A column of fixed width, in which wrapped labels get the height that they need.
+    auto *column = new QWidget(this);
+    column->setFixedWidth(columnWidth);
+    m_layout = new QVBoxLayout(column);
     m_layout->setSpacing(10);
-    m_layout->addStretch(2);
-    m_layout->addWidget(new IconLabel(icon, this), 0, Qt::AlignHCenter);
-    m_layout->addWidget(wrapped(headline, QStringLiteral("headline"), this), 0, Qt::AlignHCenter);
-    m_layout->addWidget(wrapped(text, QStringLiteral("subline"), this), 0, Qt::AlignHCenter);
+    m_layout->addWidget(new IconLabel(icon, column), 0, Qt::AlignHCenter);
+    m_layout->addWidget(wrapped(headline, QStringLiteral("headline"), column));
+    m_layout->addWidget(wrapped(text, QStringLiteral("subline"), column));
     m_layout->addSpacing(10);
     m_buttons->setSpacing(8);
     m_layout->addLayout(m_buttons);
-    m_layout->addStretch(3);
+    auto *across = new QHBoxLayout(this);
+    across->addStretch(1);
+    auto *down = new QVBoxLayout;
+    down->addStretch(2);
+    down->addWidget(column);
+    down->addStretch(3);
+    across->addLayout(down);
+    across->addStretch(1);
 }
 
 QPushButton *EmptyState::addButton(const QString &icon, const QString &text)
@@ -77,8 +87,7 @@ QPushButton *EmptyState::addButton(const QString &icon, const QString &text)
 
 void EmptyState::addWidget(QWidget *widget)
 {
-    widget->setFixedWidth(columnWidth);
-    m_layout->insertWidget(m_layout->count() - 1, widget, 0, Qt::AlignHCenter);
+    m_layout->addWidget(widget);
 }
 
 } // namespace odo

@@ -52,8 +52,9 @@ void FactList::addRow(int row, const Fact &fact)
         label->setContentsMargins(0, rowMargin, 0, rowMargin + 1);
     }
     m_layout->addWidget(name, row, 0);
-    m_layout->addWidget(value, row, 1);
-    if (!fact.badge.text.isEmpty())
+    const bool hasBadge = !fact.badge.text.isEmpty();
+    m_layout->addWidget(value, row, 1, 1, hasBadge ? 1 : 2);
+    if (hasBadge)
         m_layout->addWidget(new BadgeLabel(fact.badge, this), row, 2, Qt::AlignRight | Qt::AlignVCenter);
 }
 
@@ -62,8 +63,8 @@ void FactList::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.setPen(ThemeColours::of(palette()).grid);
     for (int row = 0; row < m_layout->rowCount(); ++row)
-        if (const QRect cell = m_layout->cellRect(row, 0); cell.isValid())
-            painter.drawLine(0, cell.bottom(), width(), cell.bottom());
+        if (const QLayoutItem *value = m_layout->itemAtPosition(row, 1))
+            painter.drawLine(0, value->geometry().bottom(), width(), value->geometry().bottom());
 }
 
 } // namespace odo

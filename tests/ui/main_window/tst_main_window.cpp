@@ -184,7 +184,7 @@ void TestMainWindow::switchesModesByKeys()
     auto *review = qobject_cast<ReviewPage *>(stack->currentWidget());
     QVERIFY(review);
     review->setFocus();
-    QTest::keyClick(review, Qt::Key_PageDown, Qt::ControlModifier);
+    QTest::keyClick(review, Qt::Key_PageUp, Qt::ControlModifier);
     QCOMPARE(QString::fromStdString(review->scene()->trial.name), QStringLiteral("Trial 2"));
 }
 
