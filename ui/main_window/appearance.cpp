@@ -22,10 +22,11 @@ struct NamedColour
 constexpr NamedColour namedColours[] = {
     {"menu", "#f6f8fa", "#222830"},        {"stripe", "#f6f8fa", "#2a313a"},
     {"hover", "#e2e7ec", "#343d47"},       {"selection", "#dceefa", "#1d4a66"},
-    {"accentHover", "#0a83c8", "#2b91d0"}, {"bar", "#25303a", "#13171c"},
-    {"barText", "#b4bfc9", "#a3aeb9"},     {"barHover", "#2d3a46", "#1d242b"},
-    {"barChecked", "#354553", "#29333d"},  {"barMark", "#56b4e9", "#56b4e9"},
-    {"barFocus", "#f0e442", "#f0e442"},    {"barDisabled", "#6b7883", "#5b6670"},
+    {"primary", "#0072b2", "#1b6ea6"},     {"primaryHover", "#0067a3", "#1f78b4"},
+    {"bar", "#25303a", "#13171c"},         {"barText", "#b4bfc9", "#a3aeb9"},
+    {"barHover", "#2d3a46", "#1d242b"},    {"barChecked", "#354553", "#29333d"},
+    {"barMark", "#56b4e9", "#56b4e9"},     {"barFocus", "#f0e442", "#f0e442"},
+    {"barDisabled", "#6b7883", "#5b6670"},
 };
 
 QHash<QString, QColor> coloursOf(const QPalette &palette)

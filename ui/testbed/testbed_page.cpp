@@ -161,6 +161,7 @@ QWidget *TestbedPage::makeCameraCard()
     contentLayout->addWidget(m_table);
     auto *buttons = new QHBoxLayout;
     buttons->setContentsMargins(10, 8, 10, 8);
+    buttons->setSpacing(8);
     for (const ToolAction action : {CalibrateAction, RegisterAction, ImportLensAction})
         buttons->addWidget(buttonFor(m_actions.at(action)));
     buttons->addStretch(1);
@@ -188,6 +189,7 @@ QWidget *TestbedPage::makeLayoutCard()
     layout->addWidget(m_layoutList, 1);
     auto *buttons = new QHBoxLayout;
     buttons->setContentsMargins(10, 8, 10, 8);
+    buttons->setSpacing(8);
     buttons->addWidget(buttonFor(m_actions.at(ImportLayoutAction)));
     buttons->addStretch(1);
     layout->addLayout(buttons);
