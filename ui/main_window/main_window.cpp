@@ -25,6 +25,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -46,7 +47,7 @@ MainWindow::MainWindow()
 {
     setAcceptDrops(true);
     setContextMenuPolicy(Qt::NoContextMenu);
-    resize(usualSize);
+    resize(usualSize.boundedTo(screen()->availableSize()));
     restoreGeometry(QSettings().value(geometryKey).toByteArray());
     makeCentre();
     makeMenus();
@@ -112,6 +113,7 @@ void MainWindow::makeStatusBar()
         label->setContentsMargins(8, 2, 8, 2);
     }
     statusBar()->setSizeGripEnabled(false);
+    statusBar()->setFixedHeight(m_job->sizeHint().height() + 6); // it must not jump when a job begins
     statusBar()->addWidget(m_saved);
     statusBar()->addWidget(m_analysis);
     statusBar()->addPermanentWidget(m_job);

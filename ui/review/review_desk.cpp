@@ -7,6 +7,7 @@
 #include "ui/views/profile_chart.h"
 
 #include <QDockWidget>
+#include <QResizeEvent>
 #include <QSettings>
 #include <QSplitter>
 
@@ -79,6 +80,27 @@ void ReviewDesk::showEvent(QShowEvent *event)
     if (!m_restored)
         restoreLayout();
     m_restored = true;
+}
+
+void ReviewDesk::resizeEvent(QResizeEvent *event)
+{
+    QMainWindow::resizeEvent(event);
+    // Docks keep their height by themselves, so that the pictures alone would have to give way.
+    const int before = event->oldSize().height(), now = event->size().height();
+    if (!m_restored || before <= 0 || before == now)
+        return;
+    QList<QDockWidget *> docks;
+    QList<int> heights;
+    for (QDockWidget *dock : {m_speedDock, m_accelerationDock}) {
+        const Qt::DockWidgetArea area = dockWidgetArea(dock);
+        if (dock->isFloating() || dock->isHidden() ||
+            (area != Qt::BottomDockWidgetArea && area != Qt::TopDockWidgetArea))
+            continue;
+        docks << dock;
+        heights << dock->height() * now / before;
+    }
+    if (!docks.isEmpty())
+        resizeDocks(docks, heights, Qt::Vertical);
 }
 
 void ReviewDesk::restoreLayout()
