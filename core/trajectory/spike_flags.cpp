@@ -188,7 +188,7 @@ std::string reasonOf(const Sample &sample, const SampleEvidence &evidence, const
     if (hasFlag(sample.flags, SampleFlag::ViewsDisagree)) {
         add(words("views disagree by %.0f mm", toMillimetres(sample.viewDisagreementM.value_or(0))));
         add(hasFlag(sample.flags, SampleFlag::Jump) ? "none could be trusted"
-                                                    : "the one at fault was left out");
+                                                    : "one left out");
     } else if (hasFlag(sample.flags, SampleFlag::Jump)) {
         add(point.valid ? words("jump of %.0f mm", toMillimetres((*sample.position - point.position).norm()))
                         : std::string("jump"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/media_copy.h"
 
+#include "core/project/recording_rows.h"
+
 #include <QCryptographicHash>
 #include <QFile>
 #include <QSaveFile>
@@ -10,6 +12,7 @@ namespace odo {
 namespace {
 
 constexpr qint64 blockBytes = 4 << 20;
+constexpr const char *roomAdvice = "check the free space and the rights of the project's folder";
 
 /// Letters and digits of any script, '-', '_' and '.' stay; the rest could mean something to a file system or a shell.
 QString safeName(const std::string &name)
@@ -28,45 +31,54 @@ std::filesystem::path unusedPath(const std::filesystem::path &folder, const QStr
     return path;
 }
 
-} // namespace
-
-Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::filesystem::path &mediaFolder,
-                                const std::string &name, const JobControl &control)
+/// Copies block by block, hashing on the way, and gives the hash.
+Result<std::string> copyHashed(const std::filesystem::path &source, const std::filesystem::path &target,
+                               const std::string &what, const JobControl &control)
 {
-    const std::string what = "copy of '" + source.string() + "'";
-    const auto problemOf = [&](const QString &why) {
-        return fail(ErrorCode::Io, what, why.toStdString(), "check the free space and the rights of the project's folder");
+    const auto problemOf = [&](const QFileDevice &file) {
+        return fail(ErrorCode::Io, what, file.errorString().toStdString(), roomAdvice);
     };
-    std::error_code problem;
-    std::filesystem::create_directories(mediaFolder, problem);
-    if (problem)
-        return problemOf(QString::fromStdString(problem.message()));
-    MediaCopy copy;
-    copy.made = !std::filesystem::equivalent(source.parent_path().empty() ? "." : source.parent_path(), mediaFolder, problem);
-    copy.file = copy.made ? unusedPath(mediaFolder, safeName(name), source.extension().string())
-                          : std::filesystem::absolute(source);
-
     QFile in(QString::fromStdString(source.string()));
     if (!in.open(QIODevice::ReadOnly))
-        return problemOf(in.errorString());
-    QSaveFile out(QString::fromStdString(copy.file.string()));
-    if (copy.made && !out.open(QIODevice::WriteOnly))
-        return problemOf(out.errorString());
+        return problemOf(in);
+    QSaveFile out(QString::fromStdString(target.string()));
+    if (!out.open(QIODevice::WriteOnly))
+        return problemOf(out);
     QCryptographicHash hash(QCryptographicHash::Sha256);
     while (!in.atEnd()) {
         if (control.isCancelled())
             return cancelled(what);
         const QByteArray block = in.read(blockBytes);
         if (block.isEmpty() && in.error() != QFileDevice::NoError)
-            return problemOf(in.errorString());
+            return problemOf(in);
         hash.addData(block);
-        if (copy.made && out.write(block) != block.size())
-            return problemOf(out.errorString());
-        copy.bytes += block.size();
+        if (out.write(block) != block.size())
+            return problemOf(out);
     }
-    if (copy.made && !out.commit())
-        return problemOf(out.errorString());
-    copy.sha256 = hash.result().toHex().toStdString();
+    if (!out.commit())
+        return problemOf(out);
+    return hash.result().toHex().toStdString();
+}
+
+} // namespace
+
+Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::filesystem::path &mediaFolder,
+                                const std::string &name, const JobControl &control)
+{
+    const std::string what = "copy of '" + source.string() + "'";
+    std::error_code problem;
+    std::filesystem::create_directories(mediaFolder, problem);
+    if (problem)
+        return fail(ErrorCode::Io, what, problem.message(), roomAdvice);
+    MediaCopy copy;
+    const std::filesystem::path original = std::filesystem::absolute(source);
+    copy.made = !std::filesystem::equivalent(original.parent_path(), mediaFolder, problem);
+    copy.file = copy.made ? unusedPath(mediaFolder, safeName(name), source.extension().string()) : original;
+    const auto hash = copy.made ? copyHashed(original, copy.file, what, control) : fileSha256(original, control);
+    if (!hash)
+        return tl::unexpected(hash.error());
+    copy.sha256 = *hash;
+    copy.bytes = static_cast<std::int64_t>(std::filesystem::file_size(copy.file, problem));
     return copy;
 }
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/truth_files.h"
 
+#include "core/exchange/text_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-
-#include <QByteArray>
-#include <QSaveFile>
 
 namespace odo {
 
@@ -13,20 +11,14 @@ namespace {
 
 Result<void> writeTruthCsv(const std::filesystem::path &file, const TruthSeries &truth)
 {
-    QByteArray text = "t_s,x_mm,y_mm,vx_mm_s,vy_mm_s,ax_mm_s2,ay_mm_s2\n";
+    std::string text = "t_s,x_mm,y_mm,vx_mm_s,vy_mm_s,ax_mm_s2,ay_mm_s2\n";
     for (std::size_t i = 0; i < truth.times.size(); ++i) {
-        text += QByteArray::number(toSeconds(truth.times[i]), 'f', 9);
-        for (const Eigen::Vector2d &pair : {truth.positions[i], truth.velocities[i], truth.accelerations[i]}) {
-            text += ',' + QByteArray::number(toMillimetres(pair.x()), 'f', 4);
-            text += ',' + QByteArray::number(toMillimetres(pair.y()), 'f', 4);
-        }
-        text += '\n';
+        text += numberText(toSeconds(truth.times[i]));
+        for (const Eigen::Vector2d &pair : {truth.positions[i], truth.velocities[i], truth.accelerations[i]})
+            text += "," + numberText(toMillimetres(pair.x())) + "," + numberText(toMillimetres(pair.y()));
+        text += "\n";
     }
-    QSaveFile out(QString::fromStdString(file.string()));
-    if (!out.open(QIODevice::WriteOnly) || out.write(text) != text.size() || !out.commit())
-        return fail(ErrorCode::Io, "'" + file.string() + "'", out.errorString().toStdString(),
-                    "check the free space and the rights of the folder");
-    return {};
+    return writeTextFile(file, text);
 }
 
 } // namespace

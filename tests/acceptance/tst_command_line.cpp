@@ -274,6 +274,35 @@ private Q_SLOTS:
         }
     }
 
+    void aReadOnlyFolderIsSaid()
+    {
+        // Rights do not bind root, a file system mounted read-only does; a mount name space of its own keeps it to this
+        // test. Where neither can be had the program cannot be shown a read-only folder.
+        const QString folder = path("readonly");
+        QVERIFY(QDir().mkpath(folder));
+        QVERIFY(QFile::copy(m_project, folder + QStringLiteral("/class.odo")));
+        const auto run = [&](const QString &line) {
+            QString call = QStringLiteral("mount --bind \"$0\" \"$0\" && mount -o remount,bind,ro \"$0\" || exit 99; exec ") +
+                           qEnvironmentVariable("ODOGRAPH_PROGRAM") + u' ' + QString(line).replace(QStringLiteral("%R"), folder);
+            return runCommand(QStringLiteral("unshare"),
+                              {QStringLiteral("-m"), QStringLiteral("sh"), QStringLiteral("-c"), call, folder});
+        };
+        const ProgramRun list = run(QStringLiteral("list %R/class.odo --json"));
+        if (list.exitStatus == 99 || list.exitStatus == -1 || list.err.contains("unshare"))
+            QSKIP("no mount name space of its own here");
+        QCOMPARE(list.exitStatus, 0); // looking is allowed
+        QCOMPARE(list.json().value(QStringLiteral("title")).toString(), QStringLiteral("Lesson"));
+        const QByteArray before = fileHash(folder + QStringLiteral("/class.odo"));
+        for (const char *line : {"new %R/other.odo", "robot add %R/class.odo x --colour '#000001'", "track %R/class.odo run1",
+                                 "demo %R/demo", "export %R/class.odo run1 -o %R/out.csv"}) {
+            const ProgramRun refused = run(QString::fromLatin1(line));
+            QVERIFY2(refused.exitStatus == 1, line);
+            QVERIFY2(refused.err.startsWith("odograph: ") && refused.err.count('\n') == 1, refused.err);
+        }
+        QCOMPARE(fileHash(folder + QStringLiteral("/class.odo")), before);
+        QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden), QStringList(QStringLiteral("class.odo")));
+    }
+
     void helpAndVersionAnswer()
     {
         QCOMPARE(runProgram({QStringLiteral("--version")}).out.trimmed(), QByteArray("odograph " ODOGRAPH_VERSION));

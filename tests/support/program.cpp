@@ -23,8 +23,13 @@ QJsonObject ProgramRun::json() const
 
 ProgramRun runProgram(const QStringList &arguments)
 {
+    return runCommand(qEnvironmentVariable("ODOGRAPH_PROGRAM"), arguments);
+}
+
+ProgramRun runCommand(const QString &program, const QStringList &arguments)
+{
     QProcess process;
-    process.start(qEnvironmentVariable("ODOGRAPH_PROGRAM"), arguments);
+    process.start(program, arguments);
     ProgramRun run;
     if (!process.waitForFinished(longestRunMs)) {
         run.err = "did not start or finish: " + process.errorString().toUtf8();

@@ -18,7 +18,10 @@ struct ProgramRun
     QJsonObject json() const;
 };
 
-/// Runs the built odograph (ODOGRAPH_PROGRAM) to its end, without a display, for at most ten minutes.
+/// Runs any program to its end, for at most ten minutes.
+ProgramRun runCommand(const QString &program, const QStringList &arguments);
+
+/// Runs the built odograph (ODOGRAPH_PROGRAM) likewise.
 ProgramRun runProgram(const QStringList &arguments);
 
 /// SHA-256 of a file's content; empty when it cannot be read.
