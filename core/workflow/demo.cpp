@@ -87,6 +87,8 @@ private:
             settings.board.squareM = board.squareM;
             int number = 0;
             for (const RigidTransform &pose : heldBoardPoses(camera.view.camera(), board, boardPictures, 7)) {
+                if (m_control.isCancelled())
+                    return cancelled("demo");
                 board.cameraFromBoard = pose;
                 const std::string suffix = (number < 9 ? "_0" : "_") + std::to_string(number + 1) + ".png";
                 const fs::path file = pictures / (camera.name + suffix);

@@ -15,6 +15,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace odo {
 namespace {
@@ -43,11 +44,11 @@ ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     form->addRow(tr("Videos"), makeVideos());
     form->addRow(tr("In &step"), makeStep());
     QPushButton *accept = m_buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
-    accept->setDefault(true);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
     layout->addStretch(1);
     layout->addWidget(m_buttons);
+    accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
     resize(620, sizeHint().height());
     connect(m_name, &QLineEdit::textChanged, this, &ImportTrialDialog::updateButtons);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -65,6 +66,7 @@ QWidget *ImportTrialDialog::makeVideos()
     m_videoGrid->addWidget(new QLabel(tr("Video file")), 0, 1);
     layout->addLayout(m_videoGrid);
     auto *add = new QPushButton(tr("Add &view"));
+    add->setAutoDefault(false); // Enter is the dialog's
     layout->addWidget(add, 0, Qt::AlignLeft);
     connect(add, &QPushButton::clicked, this, [this] { addVideo({}, {}); });
     for (int i = 0; i < usualViews; ++i)
@@ -127,7 +129,11 @@ void ImportTrialDialog::addVideo(const QString &camera, const QString &file)
 void ImportTrialDialog::updateButtons()
 {
     m_offset->setEnabled(m_sync->currentData().toInt() == static_cast<int>(ImportSettings::Sync::Told));
-    const bool complete = !m_name->text().trimmed().isEmpty() && !settings().videos.empty();
+    // A video without a camera would be left out in silence.
+    const bool nameless = std::any_of(m_videos.begin(), m_videos.end(), [](const VideoRow &row) {
+        return !row.file->path().empty() && row.camera->currentText().trimmed().isEmpty();
+    });
+    const bool complete = !m_name->text().trimmed().isEmpty() && !nameless && !settings().videos.empty();
     for (QAbstractButton *button : m_buttons->buttons())
         if (m_buttons->buttonRole(button) == QDialogButtonBox::AcceptRole)
             button->setEnabled(complete);

@@ -29,10 +29,10 @@ TrackDialog::TrackDialog(const QString &trial, const QStringList &robots, const 
     form->addRow(tr("&Robots"), m_robots);
     form->addRow(tr("&Smoothing"), m_smoother);
     QPushButton *accept = m_buttons->addButton(tr("Track"), QDialogButtonBox::AcceptRole);
-    accept->setDefault(true);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
     layout->addWidget(m_buttons);
+    accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
     resize(440, sizeHint().height());
     const auto update = [this, accept] { accept->setEnabled(!m_robots->checkedNames().empty()); };
     connect(m_robots, &QListWidget::itemChanged, this, update);

@@ -88,8 +88,8 @@ Result<void> Workspace::start(std::shared_ptr<Job> job, const QString &words, Do
     if (isBusy())
         return busy(words);
     m_done = std::move(done);
-    Q_EMIT jobStarted(words);
     m_runner->start(std::move(job));
+    Q_EMIT jobStarted(words); // now that isBusy() says so; whatever the job reports is queued behind
     return {};
 }
 
@@ -107,7 +107,6 @@ Result<void> Workspace::makeDemo(const std::filesystem::path &folder, const QStr
         if (const Result<void> isOpen = open(*file); !isOpen)
             Q_EMIT jobFailed(isOpen.error());
     });
-    Q_EMIT jobStarted(words);
     m_demo->start([folder, file](const JobControl &control) -> Result<void> {
         const Result<std::filesystem::path> made = odo::makeDemo(folder, control);
         if (!made)
@@ -115,6 +114,7 @@ Result<void> Workspace::makeDemo(const std::filesystem::path &folder, const QStr
         *file = *made;
         return {};
     });
+    Q_EMIT jobStarted(words);
     return {};
 }
 

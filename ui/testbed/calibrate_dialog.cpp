@@ -52,11 +52,11 @@ CalibrateDialog::CalibrateDialog(const QStringList &cameras, const QString &curr
     form->addRow(tr("&Side of a square, measured"), m_square);
     form->addRow(tr("&Lens"), m_lens);
     QPushButton *accept = m_buttons->addButton(tr("Calibrate"), QDialogButtonBox::AcceptRole);
-    accept->setDefault(true);
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(intro);
     layout->addLayout(form, 1);
     layout->addWidget(m_buttons);
+    accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
     resize(560, 480);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -81,6 +81,8 @@ QWidget *CalibrateDialog::makeFileList()
         qDeleteAll(m_files->selectedItems());
         updateButtons();
     });
+    for (QPushButton *button : {add, remove})
+        button->setAutoDefault(false); // Enter is the dialog's
     auto *buttons = new QVBoxLayout;
     buttons->addWidget(add);
     buttons->addWidget(remove);

@@ -27,6 +27,7 @@ RegisterDialog::RegisterDialog(const QStringList &cameras, const QString &curren
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Register camera to the floor"));
+    m_camera->setEditable(true); // a camera whose lens was never measured may be new here
     m_camera->addItems(cameras);
     m_camera->setCurrentText(current);
     m_layout->addItems(layouts);
@@ -37,7 +38,6 @@ RegisterDialog::RegisterDialog(const QStringList &cameras, const QString &curren
     m_picture->setContentsMargins(24, 0, 0, 0);
     m_pixels->setContentsMargins(24, 0, 0, 0);
     QPushButton *accept = m_buttons->addButton(tr("Register"), QDialogButtonBox::AcceptRole);
-    accept->setDefault(true);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
     layout->addSpacing(6);
@@ -49,10 +49,12 @@ RegisterDialog::RegisterDialog(const QStringList &cameras, const QString &curren
     layout->addWidget(m_pixels);
     layout->addStretch(1);
     layout->addWidget(m_buttons);
+    accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
     resize(520, sizeHint().height());
     m_fromRecording->setChecked(true);
     for (QRadioButton *choice : {m_fromRecording, m_fromFile, m_fromPixels})
         connect(choice, &QRadioButton::toggled, this, &RegisterDialog::updateButtons);
+    connect(m_camera, &QComboBox::editTextChanged, this, &RegisterDialog::updateButtons);
     for (PathField *field : {m_picture, m_pixels})
         connect(field, &PathField::changed, this, &RegisterDialog::updateButtons);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -69,13 +71,14 @@ void RegisterDialog::updateButtons()
                            (m_fromPixels->isChecked() && !m_pixels->path().empty());
     for (QAbstractButton *button : m_buttons->buttons())
         if (m_buttons->buttonRole(button) == QDialogButtonBox::AcceptRole)
-            button->setEnabled(placeTold && m_camera->count() > 0 && m_layout->count() > 0);
+            button->setEnabled(placeTold && m_layout->count() > 0 &&
+                               !m_camera->currentText().trimmed().isEmpty());
 }
 
 RegisterSettings RegisterDialog::settings() const
 {
     RegisterSettings settings;
-    settings.camera = m_camera->currentText().toStdString();
+    settings.camera = m_camera->currentText().trimmed().toStdString();
     settings.layout = m_layout->currentText().toStdString();
     if (m_fromFile->isChecked())
         settings.pictureFile = m_picture->path();

@@ -221,7 +221,7 @@ void TestbedPage::refresh()
                                                            labels.join(QStringLiteral(", "))));
     }
     m_layoutList->setCurrentRow(std::min(layoutRow, m_layoutList->count() - 1));
-    m_actions.at(RegisterAction)->setEnabled(m_cameras->rowCount() > 0 && !m_layouts.empty());
+    m_actions.at(RegisterAction)->setEnabled(!m_layouts.empty());
     m_stack->setCurrentIndex(m_cameras->rowCount() == 0 && m_layouts.empty() ? 1 : 0);
     const int row = std::max(0, static_cast<int>(cameraNames().indexOf(camera)));
     if (m_cameras->rowCount() > 0)
@@ -322,7 +322,8 @@ void TestbedPage::importLens()
         return;
     bool accepted = false;
     const QString camera =
-        QInputDialog::getItem(this, tr("Import intrinsics"), tr("Camera:"), cameraNames(), 0, true, &accepted)
+        QInputDialog::getItem(this, tr("Import intrinsics"), tr("Camera:"), cameraNames(),
+                              std::max(0, m_table->currentIndex().row()), true, &accepted)
             .trimmed();
     if (!accepted || camera.isEmpty())
         return;

@@ -29,6 +29,7 @@ PathField::PathField(const QString &name, const QString &filter, QWidget *parent
     setFocusProxy(m_line);
     auto *button = new QPushButton(tr("Browse…"), this);
     button->setAccessibleName(tr("Browse: %1").arg(name));
+    button->setAutoDefault(false); // Enter is the dialog's
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_line, 1);

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/simulation/board_poses.h"
+#include "core/simulation/demo_testbed.h"
+#include "core/simulation/renderer.h"
+#include "core/video/picture_writer.h"
+#include "core/workflow/cameras.h"
+#include "tests/ui/support/person.h"
+#include "tests/ui/support/project_content.h"
+#include "ui/main_window/import_trial_dialog.h"
+#include "ui/main_window/job_indicator.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/message_bar.h"
+#include "ui/main_window/workspace.h"
+#include "ui/testbed/calibrate_dialog.h"
+#include "ui/views/path_field.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+namespace {
+
+void setFile(QDialog &dialog, int number, const QString &file)
+{
+    dialog.findChildren<PathField *>().at(number)->setPath(file);
+}
+
+void checkRadio(QDialog &dialog, int number)
+{
+    dialog.findChildren<QRadioButton *>().at(number)->setChecked(true);
+}
+
+} // namespace
+
+/// What a class does with the window from an empty project to the exported track, by its menus and dialogs,
+/// each with bad input on the way, which is told in words and leaves the project as it was.
+class TestWindowFlows : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void makesAProject();
+    void importsALayout();
+    void addsARobot();
+    void registersANewCameraFromVideo();
+    void calibratesAndCancels();
+    void importsIntrinsics();
+    void importsATrial();
+    void refusesABadTrial_data();
+    void refusesABadTrial();
+    void registersFromPixels();
+    void cancelsTracking();
+    void tracks();
+    void exportsAndCopies();
+    void cancelsTheDemo();
+
+private:
+    QString path(const QString &name) const { return m_folder.filePath(name); }
+    void write(const QString &name, const QByteArray &content) const;
+    void renderMaterial() const;
+    /// Triggers the action of this text and answers its dialogs; waits for the job that may follow.
+    void run(const char *action, const QList<Answer> &answers);
+    void runAndCancel(const char *action, const Answer &answer);
+    QString message() const { return m_window->findChild<MessageBar *>()->text(); }
+    Project &project() const { return *m_window->workspace().project(); }
+    QStringList content() const { return contentOf(project()); }
+    Answer importAnswer(const QString &trial, const QString &first, const QString &second, int sync) const;
+
+    QTemporaryDir m_folder;
+    SimulatedScene m_scene = demoTestbed(3);
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void TestWindowFlows::write(const QString &name, const QByteArray &content) const
+{
+    QFile file(path(name));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(content);
+}
+
+void TestWindowFlows::renderMaterial() const
+{
+    const QStringList names{QStringLiteral("a.mkv"), QStringLiteral("b.mkv")};
+    for (int camera = 0; camera < 2; ++camera)
+        QVERIFY(renderVideo(m_scene, camera, path(names.at(camera)).toStdString(), {}, {}));
+    SimulatedBoard board;
+    const CameraModel &lens = m_scene.cameras[0].view.camera();
+    int number = 0;
+    for (const RigidTransform &pose : heldBoardPoses(lens, board, 6, 7)) {
+        board.cameraFromBoard = pose;
+        const QString name = QStringLiteral("board%1.png").arg(++number);
+        QVERIFY(writePicture(renderBoard(lens, board, 1.5, 100), path(name).toStdString()));
+    }
+}
+
+void TestWindowFlows::initTestCase()
+{
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName(QStringLiteral("odograph-test"));
+    QCoreApplication::setApplicationName(QStringLiteral("tst_window_flows"));
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    QLocale::setDefault(QLocale::c());
+    QSettings().clear();
+    m_scene.durationS = 1.5;
+    SimulatedRobot robot;
+    robot.name = "red";
+    robot.colour = *parseColour("#d72328");
+    robot.motion = makeCircleMotion({1.5, 1.1}, 0.5, 1.0, 0.5);
+    m_scene.robots.push_back(robot);
+    renderMaterial();
+    write(QStringLiteral("layout.csv"), "label,x_mm,y_mm\nO,0,0\nU,3000,0\nV,0,2200\nD,3000,2200\n");
+    write(QStringLiteral("broken.csv"), "label,x_mm\nO,0\n");
+    write(QStringLiteral("collinear.csv"), "label,u,v\nO,100,600\nU,300,600\nV,500,600\nD,700,600\n");
+    write(QStringLiteral("novideo.mkv"), "this is no video");
+    write(QStringLiteral("broken.yaml"), "image_width: 640\ncamera_matrix: [[[[\n");
+    QByteArray pixels = "label,u,v\n";
+    for (const Marker &marker : m_scene.floor.markers.markers) {
+        const auto pixel =
+            m_scene.cameras[1].view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
+        QVERIFY(pixel);
+        pixels += QByteArray::fromStdString(marker.label) + ',' + QByteArray::number(pixel->x()) + ',' +
+                  QByteArray::number(pixel->y()) + '\n';
+    }
+    write(QStringLiteral("pixels.csv"), pixels);
+    m_window = std::make_unique<MainWindow>();
+    m_window->show();
+}
+
+void TestWindowFlows::run(const char *text, const QList<Answer> &answers)
+{
+    for (QAction *action : m_window->findChildren<QAction *>())
+        if (action->text().remove(QLatin1Char('&')) == QString::fromUtf8(text)) {
+            QVERIFY2(action->isEnabled(), text);
+            Person person(answers);
+            action->trigger();
+            QVERIFY2(person.isDone(), qPrintable(message()));
+            QTRY_VERIFY_WITH_TIMEOUT(!m_window->workspace().isBusy(), 120000);
+            return;
+        }
+    QFAIL(text);
+}
+
+void TestWindowFlows::runAndCancel(const char *text, const Answer &answer)
+{
+    const auto press = connect(&m_window->workspace(), &Workspace::jobStarted, this, [this] {
+        for (const QAction *action : m_window->findChildren<QAction *>())
+            if (action->text() == QStringLiteral("&Import trial from videos…"))
+                QVERIFY2(!action->isEnabled(), "one job at a time");
+        QTest::mouseClick(m_window->findChild<JobIndicator *>()->findChild<QPushButton *>(), Qt::LeftButton);
+    });
+    run(text, {answer});
+    disconnect(press);
+}
+
+void TestWindowFlows::makesAProject()
+{
+    run("New project…", {chooseFile(path(QStringLiteral("nowhere/x.odo")))});
+    QVERIFY(!m_window->workspace().project());
+    run("New project…", {chooseFile(path(QStringLiteral("class")))});
+    QVERIFY2(m_window->workspace().project(), qPrintable(message()));
+    QVERIFY(QFile::exists(path(QStringLiteral("class.odo"))));
+    QCOMPARE(m_window->windowTitle(), QStringLiteral("class — Odograph"));
+}
+
+void TestWindowFlows::importsALayout()
+{
+    const QStringList before = content();
+    run("Import marker layout…",
+        {chooseFile(path(QStringLiteral("broken.csv"))), enterText(QStringLiteral("x"))});
+    QVERIFY2(message().contains(QLatin1String("broken.csv")), qPrintable(message()));
+    QCOMPARE(content(), before);
+    run("Import marker layout…",
+        {chooseFile(path(QStringLiteral("layout.csv"))), enterText(QStringLiteral("floor"))});
+    QCOMPARE(content(), before + QStringList(QStringLiteral("layout floor")));
+    QCOMPARE(message(), QStringLiteral("Layout floor has 4 markers."));
+}
+
+void TestWindowFlows::addsARobot()
+{
+    const Answer red = [](QDialog &dialog) {
+        dialog.findChild<QLineEdit *>()->setText(QStringLiteral("red"));
+        dialog.findChild<QComboBox *>()->setCurrentIndex(1);
+        dialog.findChild<QDoubleSpinBox *>()->setValue(60);
+        press(dialog);
+    };
+    run("Add robot…", {red});
+    const auto robot = project().robots().find("red");
+    QVERIFY(robot);
+    QCOMPARE(robot->heightM, 0.06);
+    const QStringList before = content();
+    run("Add robot…", {red});
+    QVERIFY2(message().contains(QLatin1String("red")), qPrintable(message()));
+    QCOMPARE(content(), before);
+}
+
+void TestWindowFlows::registersANewCameraFromVideo()
+{
+    const auto answer = [this](const QString &camera, const QString &file) -> Answer {
+        return [this, camera, file](QDialog &dialog) {
+            dialog.findChildren<QComboBox *>().at(0)->setEditText(camera);
+            checkRadio(dialog, 1);
+            setFile(dialog, 0, path(file));
+            press(dialog);
+        };
+    };
+    const QStringList before = content();
+    run("Register camera…", {answer(QStringLiteral("A"), QStringLiteral("novideo.mkv"))});
+    QVERIFY2(message().contains(QLatin1String("novideo.mkv")), qPrintable(message()));
+    QCOMPARE(content(), before);
+    run("Register camera…", {answer(QStringLiteral("A"), QStringLiteral("a.mkv"))});
+    QVERIFY2(message().startsWith(QLatin1String("Camera A is registered.")), qPrintable(message()));
+    run("Register camera…", {answer(QStringLiteral("B"), QStringLiteral("b.mkv"))});
+    QVERIFY2(message().startsWith(QLatin1String("Camera B is registered.")), qPrintable(message()));
+    QCOMPARE(project().cameras().all()->size(), std::size_t(2));
+}
+
+void TestWindowFlows::calibratesAndCancels()
+{
+    const auto answer = [this](const QString &pattern) -> Answer {
+        return [this, pattern](QDialog &dialog) {
+            dialog.findChildren<QComboBox *>().at(0)->setEditText(QStringLiteral("C"));
+            QStringList files;
+            for (const QString &name : QDir(m_folder.path()).entryList({pattern}))
+                files << path(name);
+            dynamic_cast<CalibrateDialog &>(dialog).addFiles(files);
+            press(dialog);
+        };
+    };
+    const QStringList before = content();
+    runAndCancel("Calibrate camera…", answer(QStringLiteral("board*.png")));
+    QVERIFY2(message().startsWith(QLatin1String("Cancelled")), qPrintable(message()));
+    QCOMPARE(content(), before);
+    run("Calibrate camera…", {answer(QStringLiteral("novideo.mkv"))});
+    QVERIFY2(message().contains(QLatin1String("board")), qPrintable(message()));
+    QCOMPARE(content(), before);
+    run("Calibrate camera…", {answer(QStringLiteral("board*.png"))});
+    QVERIFY2(message().startsWith(QLatin1String("Camera C is calibrated.")), qPrintable(message()));
+}
+
+void TestWindowFlows::importsIntrinsics()
+{
+    const QString file = path(QStringLiteral("c.yaml"));
+    QVERIFY(exportIntrinsics(project(), "C", file.toStdString()));
+    const QStringList before = content();
+    run("Import intrinsics…",
+        {chooseFile(path(QStringLiteral("broken.yaml"))), enterText(QStringLiteral("D"))});
+    QVERIFY2(message().contains(QLatin1String("broken.yaml")), qPrintable(message()));
+    QCOMPARE(content(), before);
+    run("Import intrinsics…", {chooseFile(file), enterText(QStringLiteral("D"))});
+    const auto camera = project().cameras().find("D");
+    QVERIFY2(camera, qPrintable(message()));
+    QVERIFY(project().cameras().currentIntrinsics(camera->id)->has_value());
+}
+
+Answer TestWindowFlows::importAnswer(const QString &trial, const QString &first, const QString &second,
+                                     int sync) const
+{
+    return [this, trial, first, second, sync](QDialog &dialog) {
+        auto &import = dynamic_cast<ImportTrialDialog &>(dialog);
+        import.findChildren<QLineEdit *>().at(0)->setText(trial);
+        for (auto *box : import.findChildren<QComboBox *>())
+            if (const int index = box->findText(QStringLiteral("Second view began later by")); index >= 0)
+                box->setCurrentIndex(sync);
+        setFile(dialog, 0, path(first));
+        setFile(dialog, 1, path(second));
+        press(dialog);
+    };
+}
+
+void TestWindowFlows::importsATrial()
+{
+    run("Import trial from videos…",
+        {importAnswer(QStringLiteral("told"), QStringLiteral("a.mkv"), QStringLiteral("b.mkv"), 2)});
+    QVERIFY2(project().trials().find("told"), qPrintable(message()));
+    QCOMPARE(project().trials().find("told")->syncMethod, std::string("told"));
+    run("Import trial from videos…",
+        {importAnswer(QStringLiteral("found"), QStringLiteral("a.mkv"), QStringLiteral("b.mkv"), 0)});
+    const auto found = project().trials().find("found");
+    QVERIFY2(found, qPrintable(message()));
+    QCOMPARE(project().trials().recordings(found->id)->size(), std::size_t(2));
+    QVERIFY2(m_window->windowTitle().contains(QLatin1String("found")), qPrintable(m_window->windowTitle()));
+}
+
+void TestWindowFlows::refusesABadTrial_data()
+{
+    QTest::addColumn<QString>("trial");
+    QTest::addColumn<QString>("second");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("no video") << "bad"
+                              << "novideo.mkv"
+                              << "novideo.mkv";
+    QTest::newRow("no file") << "bad"
+                             << "missing.mkv"
+                             << "missing.mkv";
+    QTest::newRow("name taken") << "told"
+                                << "b.mkv"
+                                << "told";
+}
+
+void TestWindowFlows::refusesABadTrial()
+{
+    QFETCH(QString, trial);
+    QFETCH(QString, second);
+    QFETCH(QString, words);
+    const QStringList before = content();
+    run("Import trial from videos…", {importAnswer(trial, QStringLiteral("a.mkv"), second, 1)});
+    QVERIFY2(message().contains(words), qPrintable(message()));
+    QCOMPARE(content(), before);
+}
+
+void TestWindowFlows::registersFromPixels()
+{
+    const auto answer = [this](const QString &file) -> Answer {
+        return [this, file](QDialog &dialog) {
+            dialog.findChildren<QComboBox *>().at(0)->setCurrentText(QStringLiteral("B"));
+            checkRadio(dialog, 2);
+            setFile(dialog, 1, path(file));
+            press(dialog);
+        };
+    };
+    const QStringList before = content();
+    run("Register camera…", {answer(QStringLiteral("collinear.csv"))});
+    QVERIFY2(message().contains(QLatin1String("line")), qPrintable(message()));
+    QCOMPARE(content(), before);
+    run("Register camera…", {answer(QStringLiteral("pixels.csv"))});
+    QVERIFY2(message().startsWith(QLatin1String("Camera B is registered.")), qPrintable(message()));
+    QVERIFY(content() != before);
+}
+
+void TestWindowFlows::cancelsTracking()
+{
+    QVERIFY(m_window->showTrial("told"));
+    const QStringList before = content();
+    runAndCancel("Track…", press);
+    QCOMPARE(message(), QStringLiteral("Cancelled. Nothing was changed."));
+    QCOMPARE(content(), before);
+}
+
+void TestWindowFlows::tracks()
+{
+    run("Track…", {press});
+    QVERIFY2(message().startsWith(QLatin1String("told is tracked: red in ")), qPrintable(message()));
+    QCOMPARE(project().analyses().current(project().trials().find("told")->id)->size(), std::size_t(1));
+}
+
+void TestWindowFlows::exportsAndCopies()
+{
+    run("Export…", {chooseFile(path(QStringLiteral("track.csv")))});
+    QFile exported(path(QStringLiteral("track.csv")));
+    QVERIFY2(exported.open(QIODevice::ReadOnly), qPrintable(message()));
+    QVERIFY(exported.readAll().count('\n') > 40);
+    run("Save a copy as…", {chooseFile(path(QStringLiteral("copy")))});
+    const auto copy =
+        Project::open(path(QStringLiteral("copy.odo")).toStdString(), Project::Access::ReadOnly);
+    QVERIFY2(copy, qPrintable(message()));
+    QCOMPARE((*copy)->trials().all()->size(), std::size_t(2));
+}
+
+void TestWindowFlows::cancelsTheDemo()
+{
+    const QString folder = path(QStringLiteral("lessons"));
+    QVERIFY(QDir().mkpath(folder));
+    const QStringList before = content();
+    runAndCancel("Open demo lesson…", chooseFile(folder));
+    QCOMPARE(message(), QStringLiteral("Cancelled. Nothing was changed."));
+    QCOMPARE(QDir(folder).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden), QStringList());
+    QCOMPARE(content(), before);
+}
+
+QTEST_MAIN(TestWindowFlows)
+#include "tst_window_flows.moc"
