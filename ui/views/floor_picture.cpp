@@ -192,37 +192,44 @@ FloorPicture makeFloorPicture(const TrialScene &scene, const Eigen::AlignedBox2d
 FloorPictureMaker::FloorPictureMaker(QObject *parent) : QObject(parent) {}
 FloorPictureMaker::~FloorPictureMaker()
 {
-    stop();
-}
-
-void FloorPictureMaker::stop()
-{
     m_cancel.cancel();
     if (m_thread.joinable())
         m_thread.join();
-    m_running = false;
 }
 
 void FloorPictureMaker::make(TrialScenePtr scene, const Eigen::AlignedBox2d &extent)
 {
-    stop();
-    ++m_serial;
-    if (!scene)
+    m_cancel.cancel();
+    m_wanted = std::move(scene);
+    m_wantedExtent = extent;
+    m_running = m_wanted != nullptr;
+    if (!m_thread
+             .joinable()) // else when it has ended: a decoder takes a while to, and the window must not wait
+        begin();
+}
+
+void FloorPictureMaker::begin()
+{
+    if (!m_wanted)
         return;
     m_cancel = CancelToken();
-    m_running = true;
-    m_thread = std::thread([this, scene, extent, cancel = m_cancel, serial = m_serial] {
+    m_thread = std::thread([this, scene = std::exchange(m_wanted, nullptr), extent = m_wantedExtent,
+                            cancel = m_cancel] {
         const FloorPicture picture = makeFloorPicture(*scene, extent, longestSide, cancel);
         QMetaObject::invokeMethod(
-            this,
-            [this, picture, serial] {
-                if (serial != m_serial)
-                    return;
-                m_running = false;
-                Q_EMIT ready(picture);
-            },
-            Qt::QueuedConnection);
+            this, [this, picture, cancel] { finish(picture, cancel.isCancelled()); }, Qt::QueuedConnection);
     });
+}
+
+void FloorPictureMaker::finish(const FloorPicture &picture, bool givenUp)
+{
+    m_thread.join(); // it had nothing left to do
+    if (givenUp) {
+        begin();
+        return;
+    }
+    m_running = false;
+    Q_EMIT ready(picture);
 }
 
 } // namespace odo

@@ -32,7 +32,8 @@ public:
     explicit FloorPictureMaker(QObject *parent = nullptr);
     ~FloorPictureMaker() override;
 
-    /// Begins; a picture in work is given up. A null scene only stops.
+    /// Begins without waiting; a picture in work is given up, and the new one begins as soon as that has
+    /// ended. A null scene only stops.
     void make(TrialScenePtr scene, const Eigen::AlignedBox2d &extent);
     bool isRunning() const { return m_running; }
 
@@ -40,11 +41,13 @@ Q_SIGNALS:
     void ready(const odo::FloorPicture &picture);
 
 private:
-    void stop();
+    void begin();
+    void finish(const FloorPicture &picture, bool givenUp);
 
     CancelToken m_cancel;
     std::thread m_thread;
-    quint64 m_serial = 0;
+    TrialScenePtr m_wanted; ///< not begun yet
+    Eigen::AlignedBox2d m_wantedExtent;
     bool m_running = false;
 };
 
