@@ -12,11 +12,13 @@ namespace odo {
 /// A position on a horizontal plane of the world, with its uncertainty. Metres.
 struct FloorPosition
 {
-    Eigen::Vector2d pointInWorld;
-    Eigen::Matrix2d pixelCovariance;       ///< m², from the pixel alone: independent from frame to frame
-    Eigen::Matrix2d calibrationCovariance; ///< m², from the camera's pose: common to all frames
-    Eigen::Vector2d
-        displacementPerMetreHeight; ///< d(pointInWorld)/d(height): how an error of the height shifts it
+    Eigen::Vector2d pointInWorld = Eigen::Vector2d::Zero();
+    /// m², from the pixel alone: independent from frame to frame.
+    Eigen::Matrix2d pixelCovariance = Eigen::Matrix2d::Zero();
+    /// m², from the camera's pose: common to all frames.
+    Eigen::Matrix2d calibrationCovariance = Eigen::Matrix2d::Zero();
+    /// d(pointInWorld)/d(height): how an error of the height shifts it.
+    Eigen::Vector2d displacementPerMetreHeight = Eigen::Vector2d::Zero();
 };
 
 /// One camera registered to the floor: its lens, its place, and the covariance of its place.

@@ -7,6 +7,7 @@
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 using namespace odo::test;
 
@@ -67,6 +68,29 @@ private Q_SLOTS:
                 QVERIFY2(positionMm <= 10.0, qPrintable(trial));
                 QVERIFY2(velocityMmS <= 40.0, qPrintable(trial));
             }
+        }
+    }
+
+    void theClipsOffsetIsFoundFromTheMotion()
+    {
+        // Told when the demo was made: the truth. 3 ms is a tenth of a frame, 3 mm at 1 m/s.
+        for (const QString &trial : {QStringLiteral("figure-eight"), QStringLiteral("stop-and-go")}) {
+            const QJsonObject told = runProgram({QStringLiteral("show"), m_project, trial, QStringLiteral("--json")}).json();
+            const QString robot = told.value(QStringLiteral("robots")).toObject().keys().first();
+            QStringList call{QStringLiteral("import"), m_project, QStringLiteral("--trial"), trial + QStringLiteral(" again"),
+                             QStringLiteral("--robot"), robot, QStringLiteral("--sync"), QStringLiteral("auto"),
+                             QStringLiteral("--json")};
+            for (const QString &camera : {QStringLiteral("A"), QStringLiteral("B")})
+                call << QStringLiteral("--video")
+                     << camera + u'=' + m_folder.filePath(QStringLiteral("demo.media/%1_%2.mkv").arg(trial, camera));
+            const ProgramRun run = runProgram(call);
+            QVERIFY2(run.exitStatus == 0, run.err);
+            const QJsonObject sync = run.json().value(QStringLiteral("sync")).toObject();
+            QCOMPARE(sync.value(QStringLiteral("method")).toString(), QStringLiteral("auto"));
+            const double truth = told.value(QStringLiteral("sync")).toObject().value(QStringLiteral("offset_s")).toDouble();
+            const double found = sync.value(QStringLiteral("offset_s")).toDouble(1e9);
+            qInfo("%s: offset %.4f s, truth %.4f s", qPrintable(trial), found, truth);
+            QVERIFY(std::abs(found - truth) <= 0.003);
         }
     }
 

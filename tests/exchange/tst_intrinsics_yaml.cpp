@@ -211,7 +211,7 @@ private Q_SLOTS:
         QFETCH(double, error);
         const QString file = realFile(name.toLatin1().constData());
         if (!QFile::exists(file))
-            QSKIP("ODOGRAPH-SKIPPED: the real material is not here (ODOGRAPH_REAL_DATA)");
+            QSKIP("the real material is not here (ODOGRAPH_REAL_DATA)");
         const auto read = readCalibrationFile(file.toStdString());
         QVERIFY2(read.has_value(), read ? "" : read.error().message().c_str());
         QCOMPARE(read->intrinsics.fxPx, fx);

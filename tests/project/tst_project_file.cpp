@@ -81,7 +81,7 @@ private Q_SLOTS:
         // Permissions do not bind root; the immutable attribute does, where the file system knows it.
         const QString file = QString::fromStdString(m_file.string());
         if (QProcess::execute(QStringLiteral("chattr"), {QStringLiteral("+i"), file}) != 0)
-            QSKIP("ODOGRAPH-SKIPPED: the file system knows no immutable files");
+            QSKIP("the file system knows no immutable files");
         const auto writing = Project::open(m_file, Access::ReadWrite);
         const bool readable = Project::open(m_file, Access::ReadOnly).has_value();
         QProcess::execute(QStringLiteral("chattr"), {QStringLiteral("-i"), file});
