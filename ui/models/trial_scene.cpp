@@ -113,10 +113,10 @@ std::optional<std::int64_t> TrialScene::frameAt(std::size_t view, Nanoseconds ti
     if (times.empty())
         return std::nullopt;
     const Nanoseconds own = time - seen.startOffset;
-    const Nanoseconds halfInterval =
+    const Nanoseconds interval =
         times.size() < 2 ? Nanoseconds(0)
-                         : (times.back() - times.front()) / static_cast<std::int64_t>(2 * (times.size() - 1));
-    if (own < times.front() - halfInterval || own > times.back() + halfInterval)
+                         : (times.back() - times.front()) / static_cast<std::int64_t>(times.size() - 1);
+    if (own < times.front() - interval || own > times.back() + interval)
         return std::nullopt;
     const auto after = std::lower_bound(times.begin(), times.end(), own);
     if (after == times.begin())

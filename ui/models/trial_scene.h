@@ -46,8 +46,8 @@ struct TrialScene
 
     /// Frame times of the first view, which is the time line of the trial; empty without views.
     const std::vector<Nanoseconds> &frameTimes() const;
-    /// The frame of a view that was on its sensor at a time of the first view; nullopt before its first or
-    /// after its last frame (by more than half an interval).
+    /// The frame of a view nearest to a time of the first view; nullopt before its first or after its last
+    /// frame by more than an interval (cameras that started together are still a part of one apart).
     std::optional<std::int64_t> frameAt(std::size_t view, Nanoseconds time) const;
     /// What a view saw of a robot in a frame; nullptr when nothing.
     const Observation *observationAt(std::size_t view, std::size_t robot, std::int64_t frame) const;

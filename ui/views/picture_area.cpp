@@ -163,10 +163,11 @@ void PictureArea::paintEvent(QPaintEvent *)
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.drawImage(pictureRect(), m_picture);
     }
+    const auto wanted = wantedFrame();
     if (m_floorLayer.isNull())
         renderFloorLayer();
-    painter.drawPixmap(0, 0, m_floorLayer);
-    const auto wanted = wantedFrame();
+    if (wanted || !m_picture.isNull()) // nothing to lie on where the camera showed nothing yet
+        painter.drawPixmap(0, 0, m_floorLayer);
     if (!m_failure.isEmpty())
         paintMessage(painter, m_failure);
     else if (!wanted)

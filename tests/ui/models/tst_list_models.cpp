@@ -128,6 +128,8 @@ private Q_SLOTS:
         QCOMPARE(scene->frameAt(0, scene->frameTimes()[7]).value(), std::int64_t(7));
         QCOMPARE(scene->frameAt(1, scene->frameTimes()[7]).value(), std::int64_t(4));
         QVERIFY(!scene->frameAt(1, scene->frameTimes()[0])); // it did not run yet
+        scene->views[1].startOffset = std::chrono::milliseconds(20); // more than half a frame, less than one
+        QCOMPARE(scene->frameAt(1, scene->frameTimes()[0]).value(), std::int64_t(0));
         QVERIFY(scene->observationAt(0, 0, 7));
         QVERIFY(!scene->observationAt(0, 0, 99));
         QVERIFY(scene->floorBounds().contains(Eigen::Vector2d(3.0, 2.2)));
