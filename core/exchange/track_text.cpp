@@ -2,6 +2,7 @@
 #include "core/exchange/track_text.h"
 
 #include "core/exchange/text_file.h"
+#include "core/trajectory/heading.h"
 
 #include <charconv>
 
@@ -17,17 +18,6 @@ double secondsOf(const Sample &sample)
 bool isUsable(const ProfilePoint &point)
 {
     return point.valid && point.position.allFinite();
-}
-
-bool isMoving(const ProfilePoint &point)
-{
-    return isUsable(point) && point.velocity.allFinite() && point.speedMps > 3 * point.sigmaSpeedMps &&
-           point.speedMps > 0;
-}
-
-double headingOf(const ProfilePoint &point)
-{
-    return std::atan2(point.velocity.y(), point.velocity.x());
 }
 
 /// Shortest text with an exponent as Java writes it: "1.25E-1".
@@ -52,15 +42,13 @@ std::string javaNumber(double value)
 std::string trackTum(const AnalysisRecord &analysis)
 {
     const Profile &profile = analysis.profile;
-    const auto firstMoving = std::find_if(profile.points.begin(), profile.points.end(), isMoving);
-    double heading = firstMoving == profile.points.end() ? 0.0 : headingOf(*firstMoving);
+    const auto headings = headingsOf(profile.points);
     std::string text;
     for (std::size_t i = 0; i < profile.points.size(); ++i) {
         const ProfilePoint &point = profile.points[i];
         if (!isUsable(point))
             continue;
-        if (isMoving(point))
-            heading = headingOf(point);
+        const double heading = headings[i] ? headings[i]->radians : 0.0;
         text += numberText(secondsOf(profile.samples[i])) + ' ' + numberText(point.position.x()) + ' ' +
                 numberText(point.position.y()) + " 0 0 0 " + numberText(std::sin(heading / 2)) + ' ' +
                 numberText(std::cos(heading / 2)) + '\n';

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/trial_json.h"
 
+#include "core/trajectory/heading.h"
+
 #include <QDateTime>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -110,6 +112,26 @@ QJsonArray spikesOf(const Profile &profile)
     return spikes;
 }
 
+/// Direction of motion without steps of a whole turn (also while the robot stands, then without σ), and turn
+/// rate; SI units.
+void addHeadings(QJsonObject &columns, const Profile &profile)
+{
+    QJsonArray headings, sigmas, turnRates, turnRateSigmas;
+    const auto headingSeries = headingsOf(profile.points);
+    for (std::size_t i = 0; i < profile.points.size(); ++i) {
+        const auto &heading = headingSeries[i];
+        const auto course = courseOf(profile.points[i]);
+        headings.append(heading ? numberOrNull(heading->radians) : QJsonValue());
+        sigmas.append(heading && heading->sigmaRad ? numberOrNull(*heading->sigmaRad) : QJsonValue());
+        turnRates.append(course ? numberOrNull(course->turnRateRadps) : QJsonValue());
+        turnRateSigmas.append(course ? numberOrNull(course->sigmaTurnRateRadps) : QJsonValue());
+    }
+    columns.insert(QStringLiteral("heading_rad"), headings);
+    columns.insert(QStringLiteral("sigma_heading_rad"), sigmas);
+    columns.insert(QStringLiteral("turn_rate_rad_s"), turnRates);
+    columns.insert(QStringLiteral("sigma_turn_rate_rad_s"), turnRateSigmas);
+}
+
 /// The curves, one array a column; SI units.
 QJsonObject columnsOf(const Profile &profile)
 {
@@ -137,6 +159,7 @@ QJsonObject columnsOf(const Profile &profile)
     addCurve(QStringLiteral("sigma_y_m"), [](const ProfilePoint &p) { return p.sigmaYM; });
     addCurve(QStringLiteral("sigma_speed_m_s"), [](const ProfilePoint &p) { return p.sigmaSpeedMps; });
     addCurve(QStringLiteral("sigma_accel_m_s2"), [](const ProfilePoint &p) { return p.sigmaAccelMps2; });
+    addHeadings(columns, profile);
     for (int axis : {0, 1}) {
         QJsonArray numbers;
         for (const Sample &sample : profile.samples)

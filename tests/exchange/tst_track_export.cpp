@@ -149,6 +149,12 @@ private Q_SLOTS:
         QCOMPARE(columns[QStringLiteral("t_s")][1].toDouble(), 0.033333333);
         QVERIFY(columns[QStringLiteral("x_m")][2].isNull());
         QVERIFY(columns[QStringLiteral("accel_m_s2")][1].isNull()); // NaN
+        const double up = std::acos(-1.0) / 2;
+        QCOMPARE(columns[QStringLiteral("heading_rad")][0].toDouble(), up);
+        QCOMPARE(columns[QStringLiteral("heading_rad")][1].toDouble(), up); // kept while it stands
+        QVERIFY(columns[QStringLiteral("sigma_heading_rad")][1].isNull());
+        QVERIFY(columns[QStringLiteral("heading_rad")][2].isNull());
+        QCOMPARE(columns[QStringLiteral("turn_rate_rad_s")][0].toDouble(), -0.25);
     }
 
     void theLocaleDoesNotMatter()
