@@ -2,36 +2,13 @@
 #pragma once
 
 #include "core/base/units.h"
+#include "core/video/pixel_rect.h"
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <vector>
 
 namespace odo {
-
-/// Whole pixels from (x0, y0) up to, not including, (x1, y1).
-struct PixelRect
-{
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-
-    int width() const { return x1 - x0; }
-    int height() const { return y1 - y0; }
-    bool isEmpty() const { return x1 <= x0 || y1 <= y0; }
-    bool meets(const PixelRect &other) const
-    {
-        return x0 < other.x1 && other.x0 < x1 && y0 < other.y1 && other.y0 < y1;
-    }
-    PixelRect united(const PixelRect &other) const
-    {
-        return {std::min(x0, other.x0), std::min(y0, other.y0), std::max(x1, other.x1),
-                std::max(y1, other.y1)};
-    }
-    PixelRect clipped(const PixelRect &other) const
-    {
-        return {std::max(x0, other.x0), std::max(y0, other.y0), std::min(x1, other.x1),
-                std::min(y1, other.y1)};
-    }
-};
 
 /// Red, green, blue in 0..255 and unused; a colour of the sensor's linear range.
 using Rgb = Eigen::Array4f;

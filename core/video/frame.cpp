@@ -3,6 +3,18 @@
 
 namespace odo {
 
+Result<Frame> wholeFrame(const Frame &frame)
+{
+    if (!frame.validRegion)
+        return frame;
+    auto whole = frame.coded->decodeWhole();
+    if (whole) {
+        whole->index = frame.index;
+        whole->time = frame.time;
+    }
+    return whole;
+}
+
 double FrameFormat::chromaOffsetX() const
 {
     if (chromaShiftX == 0 || siting != ChromaSiting::Center)

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/video/pixel_rect.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace odo {
@@ -43,6 +46,17 @@ struct FrameFormat
     double chromaOffsetY() const;
 };
 
+struct Frame;
+
+/// A picture as it was coded, kept so that more of it can be decoded later. Any thread.
+class CodedPicture
+{
+public:
+    virtual ~CodedPicture() = default;
+    /// All of it. InvalidInput when its data are damaged.
+    virtual Result<Frame> decodeWhole() const = 0;
+};
+
 /// One picture as planes of 8 bits, exactly as the decoder or camera gave it. A value that is cheap to copy:
 /// copies share the immutable memory, which `owner` keeps alive. Safe to pass between threads.
 struct Frame
@@ -52,7 +66,13 @@ struct Frame
     std::int64_t index = 0; ///< 0-based place in its recording
     Nanoseconds time{0}; ///< since the recording's first frame, from the file's time stamps (or the device's)
     std::shared_ptr<const void> owner;
+    /// Set when only a part was decoded: samples outside it are of no meaning, wholeFrame() gives the rest.
+    std::optional<PixelRect> validRegion;
+    std::shared_ptr<const CodedPicture> coded; ///< set together with validRegion
 };
+
+/// The same frame (index and time as here) with all of its picture; itself when it has it already.
+Result<Frame> wholeFrame(const Frame &frame);
 
 /// Owns the memory of a frame that is filled by us (simulator, converters).
 class FrameBuffer

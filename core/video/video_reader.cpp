@@ -2,6 +2,7 @@
 #include "core/video/video_reader.h"
 
 #include "core/video/ffv1_checksum.h"
+#include "core/video/jpeg_picture.h"
 #include "core/video/packet_index.h"
 #include "core/video/stream_format.h"
 
@@ -82,12 +83,14 @@ struct VideoReader::Impl
     std::filesystem::path file;
     std::unique_ptr<VideoInput> input;
     libav::CodecPtr decoder;
+    std::shared_ptr<JpegDecoder> jpegDecoder; ///< of MJPEG; `decoder` then does what it leaves
     PacketIndex index;
     VideoInfo info;
     AVPixelFormat pixelFormat = AV_PIX_FMT_NONE;
 
-    std::size_t nextIndex = 0;  ///< of the frame that next() gives
-    std::optional<Frame> ahead; ///< decoded already, index >= nextIndex
+    std::size_t nextIndex = 0;       ///< of the frame that next() gives
+    std::optional<Frame> ahead;      ///< decoded already, index >= nextIndex
+    std::optional<PixelRect> region; ///< all that is wanted of the next frame
     libav::PacketPtr packet{av_packet_alloc()};
     bool packetWaits = false;    ///< `packet` is read but not yet given to the decoder
     std::size_t packetsRead = 0; ///< place of the next packet to be read
@@ -103,8 +106,11 @@ struct VideoReader::Impl
     Result<void> restart();
     bool startAt(std::size_t keyPacket);
     bool isWhole(const AVPacket &coded);
+    bool readPacket();
     bool sendPacket();
     libav::FramePtr decodePicture();
+    std::optional<Frame> frameFrom(libav::FramePtr picture, std::int64_t place) const;
+    std::optional<Frame> decodeJpegFrame();
     std::optional<Frame> decodeFrame();
     void decodeTo(std::size_t frame);
     bool isAhead(std::size_t frame) const
@@ -162,22 +168,30 @@ bool VideoReader::Impl::isWhole(const AVPacket &coded)
     return checked || !hasChecksums;
 }
 
-/// Gives the decoder one more packet, or the word that there is none. False when it has all.
-bool VideoReader::Impl::sendPacket()
+/// The next packet to decode; false at the end.
+bool VideoReader::Impl::readPacket()
 {
-    if (draining)
-        return false;
     if (!packetWaits) {
-        if (input->read(*packet) < 0) {
-            draining = true;
-            avcodec_send_packet(decoder.get(), nullptr);
-            return true;
-        }
+        if (input->read(*packet) < 0)
+            return false;
         ++packetsRead;
     }
     packetWaits = false;
     if (packet->pts == AV_NOPTS_VALUE)
         packet->pts = packet->dts;
+    return true;
+}
+
+/// Gives the decoder one more packet, or the word that there is none. False when it has all.
+bool VideoReader::Impl::sendPacket()
+{
+    if (draining)
+        return false;
+    if (!readPacket()) {
+        draining = true;
+        avcodec_send_packet(decoder.get(), nullptr);
+        return true;
+    }
     // A damaged packet is refused; its frame is then missing in what comes out, which next() reports.
     if (isWhole(*packet))
         avcodec_send_packet(decoder.get(), packet.get());
@@ -197,19 +211,55 @@ libav::FramePtr VideoReader::Impl::decodePicture()
     }
 }
 
+/// What libavcodec made as a frame, if it is sound.
+std::optional<Frame> VideoReader::Impl::frameFrom(libav::FramePtr picture, std::int64_t place) const
+{
+    const bool whole = picture->decode_error_flags == 0 && (picture->flags & AV_FRAME_FLAG_CORRUPT) == 0;
+    if (place < 0 || place >= static_cast<std::int64_t>(index.frames.size()) || !whole ||
+        !fits(*picture, info.format, pixelFormat))
+        return std::nullopt;
+    Frame frame = frameOf(std::move(picture), info.format);
+    frame.index = place;
+    frame.time = index.times[static_cast<std::size_t>(place)];
+    return frame;
+}
+
+/// The next good picture of an MJPEG stream, where every packet is a picture by itself; nullopt at the end.
+std::optional<Frame> VideoReader::Impl::decodeJpegFrame()
+{
+    while (readPacket()) {
+        const std::int64_t place = index.counted ? counted++ : index.frameOf(packet->pts);
+        if (place < 0 || place >= static_cast<std::int64_t>(index.frames.size()))
+            continue;
+        Frame frame;
+        const auto outcome = jpegDecoder->decode(JpegPicture::bytesOf(*packet), region, frame);
+        if (outcome == JpegDecoder::Outcome::Decoded) {
+            frame.index = place;
+            frame.time = index.times[static_cast<std::size_t>(place)];
+            if (frame.validRegion)
+                frame.coded = std::make_shared<JpegPicture>(libav::PacketPtr(av_packet_clone(packet.get())),
+                                                            jpegDecoder);
+            return frame;
+        }
+        libav::FramePtr picture(av_frame_alloc());
+        if (outcome == JpegDecoder::Outcome::NotSuitable &&
+            avcodec_send_packet(decoder.get(), packet.get()) == 0 &&
+            avcodec_receive_frame(decoder.get(), picture.get()) == 0)
+            if (auto found = frameFrom(std::move(picture), place))
+                return found;
+    }
+    return std::nullopt;
+}
+
 /// The next good picture as a frame with its index; nullopt at the end.
 std::optional<Frame> VideoReader::Impl::decodeFrame()
 {
+    if (jpegDecoder)
+        return decodeJpegFrame();
     while (libav::FramePtr picture = decodePicture()) {
         const std::int64_t place = index.counted ? counted++ : index.frameOf(picture->pts);
-        const bool whole = picture->decode_error_flags == 0 && (picture->flags & AV_FRAME_FLAG_CORRUPT) == 0;
-        if (place < 0 || place >= static_cast<std::int64_t>(index.frames.size()) || !whole ||
-            !fits(*picture, info.format, pixelFormat))
-            continue;
-        Frame frame = frameOf(std::move(picture), info.format);
-        frame.index = place;
-        frame.time = index.times[static_cast<std::size_t>(place)];
-        return frame;
+        if (auto frame = frameFrom(std::move(picture), place))
+            return frame;
     }
     return std::nullopt;
 }
@@ -254,6 +304,8 @@ Result<std::unique_ptr<VideoReader>> VideoReader::open(const std::filesystem::pa
     impl->input = std::move(*input);
     impl->index = std::move(*index);
     impl->decoder = std::move(*decoder);
+    if (impl->decoder->codec_id == AV_CODEC_ID_MJPEG)
+        impl->jpegDecoder = std::make_shared<JpegDecoder>(*format);
     if (auto ready = impl->restart(); !ready)
         return tl::unexpected(ready.error());
     return std::unique_ptr<VideoReader>(new VideoReader(std::move(impl)));
@@ -264,9 +316,15 @@ const VideoInfo &VideoReader::info() const
     return m_impl->info;
 }
 
-Result<std::optional<Frame>> VideoReader::next()
+bool VideoReader::decodesRegions() const
+{
+    return m_impl->jpegDecoder != nullptr;
+}
+
+Result<std::optional<Frame>> VideoReader::next(const std::optional<PixelRect> &region)
 {
     Impl &d = *m_impl;
+    d.region = region;
     if (d.nextIndex >= d.index.frames.size())
         return std::nullopt;
     const std::size_t wanted = d.nextIndex++;

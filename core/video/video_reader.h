@@ -24,10 +24,10 @@ struct VideoInfo
     std::string warning;        ///< empty, or e.g. "ends early at 12.4 s: …" for a truncated file
 };
 
-/// Decodes one local video file to planes, exactly as coded, frame-accurately. Only ordinary container
-/// formats and the file protocol are allowed, so that a playlist dressed up as a video cannot open another
-/// file. Not thread-safe: one thread at a time uses a reader. See FrameStream for reading ahead on its own
-/// thread.
+/// Decodes one local video file to planes, exactly as coded, frame-accurately; MJPEG by libjpeg-turbo, all
+/// else by libavcodec. Only ordinary container formats and the file protocol are allowed, so that a playlist
+/// dressed up as a video cannot open another file. Not thread-safe: one thread at a time uses a reader. See
+/// FrameStream for reading ahead on its own thread.
 class VideoReader
 {
 public:
@@ -40,8 +40,11 @@ public:
 
     const VideoInfo &info() const;
     /// The next frame in order of presentation; nullopt at the end. A damaged frame is an Error that can be
-    /// skipped by calling again.
-    Result<std::optional<Frame>> next();
+    /// skipped by calling again. A region asks for no more than this part; where decodesRegions() the frame
+    /// may then hold only that (Frame::validRegion), in all else it is whole.
+    Result<std::optional<Frame>> next(const std::optional<PixelRect> &region = std::nullopt);
+    /// Whether asking for a region saves time: in MJPEG it does.
+    bool decodesRegions() const;
     /// Makes next() give the frame of this index. Exact for every codec: seeks to a key frame before it and
     /// decodes on.
     Result<void> seek(std::int64_t frameIndex);

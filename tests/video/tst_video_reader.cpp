@@ -27,6 +27,8 @@ private Q_SLOTS:
     void truncated_data();
     void truncated();
     void damagedInTheMiddle();
+    void damagedMotionJpeg();
+    void partsOfMotionJpeg();
     void refusals_data();
     void refusals();
     void playlistsOpenNothing_data();
@@ -212,6 +214,64 @@ void TestVideoReader::damagedInTheMiddle()
     QVERIFY(good >= 27);
     QVERIFY(good + damaged >= 29);
     QVERIFY(good < 30);
+}
+
+void TestVideoReader::damagedMotionJpeg()
+{
+    VideoWriterOptions options;
+    options.codec = VideoCodec::Mjpeg;
+    QCOMPARE(writeCoded(path("damaged_jpeg.mkv"), evenTimes(30, 30), options), QString());
+    std::string bytes = load("damaged_jpeg.mkv");
+    for (std::size_t i = 0; i < 64; ++i)
+        bytes[bytes.size() / 2 + i] ^= 0x5a;
+    store("damaged_jpeg.mkv", bytes);
+    const auto reader = VideoReader::open(path("damaged_jpeg.mkv"));
+    QVERIFY(reader.has_value());
+    int good = 0;
+    for (int i = 0; i < 30; ++i) {
+        const auto frame = (*reader)->next();
+        if (frame) {
+            QCOMPARE(numberIn(**frame), i);
+            ++good;
+        } else {
+            QVERIFY(frame.error().message().find("its data are damaged") != std::string::npos);
+        }
+    }
+    QCOMPARE(good, 29);
+}
+
+void TestVideoReader::partsOfMotionJpeg()
+{
+    VideoWriterOptions options;
+    options.codec = VideoCodec::Mjpeg;
+    const auto times = unevenTimes(40);
+    QCOMPARE(writeCoded(path("parts.mkv"), times, options), QString());
+    auto reader = VideoReader::open(path("parts.mkv"));
+    const auto other = VideoReader::open(path("parts.mkv"));
+    QVERIFY(reader.has_value() && other.has_value());
+    QVERIFY((*reader)->decodesRegions());
+    Frame kept;
+    for (int i = 0; i < 40; ++i) {
+        const auto part = (*reader)->next(PixelRect{16, 20, 50, 40});
+        const Frame whole = (*other)->next().value().value();
+        QVERIFY(part.has_value() && part->has_value());
+        QVERIFY(!whole.validRegion);
+        QVERIFY((*part)->validRegion && (*part)->validRegion->contains({16, 20, 50, 40}));
+        QCOMPARE((*part)->index, std::int64_t(i));
+        QCOMPARE((*part)->time, times[static_cast<std::size_t>(i)]);
+        for (int y = 20; y < 40; ++y)
+            QVERIFY(std::equal((*part)->y.row(y) + 16, (*part)->y.row(y) + 50, whole.y.row(y) + 16));
+        const auto completed = wholeFrame(**part);
+        QVERIFY(completed.has_value() && !completed->validRegion);
+        QCOMPARE(completed->index, std::int64_t(i));
+        QCOMPARE(completed->time, times[static_cast<std::size_t>(i)]);
+        QCOMPARE(fingerprint(*completed), fingerprint(whole));
+        if (i == 7)
+            kept = **part;
+    }
+    reader->reset(); // a frame needs its reader for nothing
+    QCOMPARE(fingerprint(wholeFrame(kept).value()), fingerprint((*other)->frameAt(7).value()));
+    QVERIFY(!wholeFrame(wholeFrame(kept).value()).value().validRegion);
 }
 
 void TestVideoReader::refusals_data()
