@@ -105,8 +105,8 @@ SimulatedScene demoTestbed(std::uint32_t seed)
     SimulatedScene scene;
     scene.seed = seed;
     scene.floor.markers = {"Gym floor", {{"O", {0, 0}}, {"U", {3.0, 0}}, {"V", {0, 2.2}}, {"D", {3.0, 2.2}}}};
-    SimulatedCamera a{"A", simulatedView({-0.9, -1.55, 2.0}, {1.4, 0.75, 0.0}, 1280, 720, 960), 30, 0, 0, {}};
-    SimulatedCamera b{"B", simulatedView({3.9, -1.55, 2.0}, {1.6, 0.75, 0.0}, 1280, 720, 940), 30, 0, 0, {}};
+    SimulatedCamera a{"A", simulatedView({-0.9, -1.55, 2.0}, {1.4, 0.75, 0.0}, 1280, 720, 960), 30, 0, 0, {}, 0};
+    SimulatedCamera b{"B", simulatedView({3.9, -1.55, 2.0}, {1.6, 0.75, 0.0}, 1280, 720, 940), 30, 0, 0, {}, 0};
     scene.cameras = {std::move(a), std::move(b)};
     return scene;
 }

@@ -51,13 +51,18 @@ struct CurvePoint
 class CurveMotion : public Motion
 {
 public:
-    CurveMotion(double rateRadPerS, double rampS) : m_rate(rateRadPerS), m_rampS(rampS) { assert(rampS > 0); }
+    CurveMotion(double rateRadPerS, double rampS, double firstPhaseRad = 0)
+        : m_rate(rateRadPerS), m_rampS(rampS), m_firstPhaseRad(firstPhaseRad)
+    {
+        assert(rampS > 0);
+    }
 
     MotionState at(double timeS) const override
     {
         const double u = timeS / m_rampS;
         const RampValue ramp = smoothRamp(u);
-        const double phase = m_rate * m_rampS * (smoothRampIntegral(u) + std::max(0.0, u - 1.0));
+        const double phase =
+            m_firstPhaseRad + m_rate * m_rampS * (smoothRampIntegral(u) + std::max(0.0, u - 1.0));
         const double phaseRate = m_rate * ramp.value;
         const CurvePoint curve = curveAt(phase);
         MotionState state;
@@ -73,7 +78,30 @@ protected:
     virtual CurvePoint curveAt(double phase) const = 0;
 
 private:
-    const double m_rate, m_rampS;
+    const double m_rate, m_rampS, m_firstPhaseRad;
+};
+
+class EllipseMotion : public CurveMotion
+{
+public:
+    EllipseMotion(Eigen::Vector2d centre, double halfWidthM, double halfHeightM, double periodS,
+                  double phaseRad, double rampS)
+        : CurveMotion(2.0 * std::numbers::pi / periodS, rampS, phaseRad), m_centre(std::move(centre)),
+          m_halfWidthM(halfWidthM), m_halfHeightM(halfHeightM)
+    {
+        assert(periodS > 0 && halfWidthM > 0 && halfHeightM > 0);
+    }
+
+protected:
+    CurvePoint curveAt(double phase) const override
+    {
+        const Eigen::Vector2d arm(m_halfWidthM * std::cos(phase), m_halfHeightM * std::sin(phase));
+        return {m_centre + arm, {-m_halfWidthM * std::sin(phase), m_halfHeightM * std::cos(phase)}, -arm};
+    }
+
+private:
+    const Eigen::Vector2d m_centre;
+    const double m_halfWidthM, m_halfHeightM;
 };
 
 class CircleMotion : public CurveMotion
@@ -160,6 +188,39 @@ private:
     std::vector<LineMotion> m_legs;
 };
 
+/// The ramps' integrals, added up.
+class VelocityMotion : public Motion
+{
+public:
+    VelocityMotion(Eigen::Vector2d start, double headingRad, std::vector<VelocityChange> changes)
+        : m_start(std::move(start)), m_headingRad(headingRad), m_changes(std::move(changes))
+    {
+        for ([[maybe_unused]] const VelocityChange &change : m_changes)
+            assert(change.durationS > 0);
+    }
+
+    MotionState at(double timeS) const override
+    {
+        MotionState state;
+        state.position = m_start;
+        state.headingRad = m_headingRad;
+        for (const VelocityChange &change : m_changes) {
+            const double u = (timeS - change.startS) / change.durationS;
+            const RampValue ramp = smoothRamp(u);
+            const double way = smoothRampIntegral(u) + std::max(0.0, u - 1.0);
+            state.position += change.durationS * way * change.deltaMps;
+            state.velocity += ramp.value * change.deltaMps;
+            state.acceleration += ramp.first / change.durationS * change.deltaMps;
+        }
+        return state;
+    }
+
+private:
+    const Eigen::Vector2d m_start;
+    const double m_headingRad;
+    const std::vector<VelocityChange> m_changes;
+};
+
 } // namespace
 
 std::shared_ptr<const Motion> makeLineMotion(Eigen::Vector2d start, Eigen::Vector2d end, double startS,
@@ -178,6 +239,19 @@ std::shared_ptr<const Motion> makeFigureEightMotion(Eigen::Vector2d centre, doub
                                                     double halfHeightM, double periodS, double rampS)
 {
     return std::make_shared<FigureEightMotion>(std::move(centre), halfWidthM, halfHeightM, periodS, rampS);
+}
+
+std::shared_ptr<const Motion> makeEllipseMotion(Eigen::Vector2d centre, double halfWidthM, double halfHeightM,
+                                                double periodS, double phaseRad, double rampS)
+{
+    return std::make_shared<EllipseMotion>(std::move(centre), halfWidthM, halfHeightM, periodS, phaseRad,
+                                           rampS);
+}
+
+std::shared_ptr<const Motion> makeVelocityMotion(Eigen::Vector2d start, double headingRad,
+                                                 std::vector<VelocityChange> changes)
+{
+    return std::make_shared<VelocityMotion>(std::move(start), headingRad, std::move(changes));
 }
 
 std::shared_ptr<const Motion> makeStopAndGoMotion(std::vector<Eigen::Vector2d> points, double legS,

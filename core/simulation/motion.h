@@ -36,6 +36,9 @@ std::shared_ptr<const Motion> makeCircleMotion(Eigen::Vector2d centre, double ra
 /// Lissajous figure eight (x = a·sin ωt, y = b·sin 2ωt), starting from rest over rampS.
 std::shared_ptr<const Motion> makeFigureEightMotion(Eigen::Vector2d centre, double halfWidthM,
                                                     double halfHeightM, double periodS, double rampS);
+/// Ellipse from a phase on (0 at centre + (halfWidth, 0)), anticlockwise, starting from rest over rampS.
+std::shared_ptr<const Motion> makeEllipseMotion(Eigen::Vector2d centre, double halfWidthM, double halfHeightM,
+                                                double periodS, double phaseRad, double rampS);
 /// Legs between way points, each a smooth ramp of legS after a stop of pauseS; while it stops between two
 /// legs it turns on the spot towards the next.
 std::shared_ptr<const Motion> makeStopAndGoMotion(std::vector<Eigen::Vector2d> points, double legS,
@@ -43,5 +46,16 @@ std::shared_ptr<const Motion> makeStopAndGoMotion(std::vector<Eigen::Vector2d> p
 /// Twice continuously differentiable spline through points at equal time steps, at rest at both ends: knot
 /// velocities and accelerations of the clamped cubic spline, joined by quintics.
 std::shared_ptr<const Motion> makeSplineMotion(std::vector<Eigen::Vector2d> points, double stepS);
+
+/// A change of the velocity, by a smooth (quintic) ramp.
+struct VelocityChange
+{
+    double startS = 0, durationS = 0;
+    Eigen::Vector2d deltaMps = Eigen::Vector2d::Zero();
+};
+/// Stands at start until the first change; the changes add up and may overlap. A short one is a collision.
+/// The body keeps its heading, whichever way it is thrown.
+std::shared_ptr<const Motion> makeVelocityMotion(Eigen::Vector2d start, double headingRad,
+                                                 std::vector<VelocityChange> changes);
 
 } // namespace odo

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/scene.h"
 
+#include "core/simulation/random_hash.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -19,11 +21,27 @@ bool contains(const std::vector<std::int64_t> &frames, std::int64_t frame)
     return std::find(frames.begin(), frames.end(), frame) != frames.end();
 }
 
-/// A fast clock counts its period sooner.
+/// A fast clock shows a time sooner.
+double sceneSeconds(const SimulatedCamera &camera, double clockS)
+{
+    return clockS / (1.0 + 1e-6 * camera.clockDriftPpm);
+}
+
 double periodInSceneS(const SimulatedCamera &camera)
 {
     assert(camera.framesPerSecond > 0);
-    return 1.0 / (camera.framesPerSecond * (1.0 + 1e-6 * camera.clockDriftPpm));
+    return sceneSeconds(camera, 1.0 / camera.framesPerSecond);
+}
+
+/// When the camera takes its i-th frame, by its own clock. The first one is never early.
+double clockOfTakenS(const SimulatedScene &scene, int camera, std::int64_t taken)
+{
+    const SimulatedCamera &cam = cameraOf(scene, camera);
+    assert(cam.jitterS >= 0 && cam.jitterS < 0.5 / cam.framesPerSecond);
+    const std::uint64_t key = randomHash(scene.seed, 0x6a17u + static_cast<std::uint64_t>(camera));
+    const double jitter =
+        taken > 0 ? cam.jitterS * randomSigned(key, static_cast<std::uint64_t>(taken)) : 0.0;
+    return static_cast<double>(taken) / cam.framesPerSecond + jitter;
 }
 
 std::int64_t takenFrames(const SimulatedCamera &camera, double durationS)
@@ -73,21 +91,22 @@ std::int64_t framePicture(const SimulatedScene &scene, int camera, std::int64_t 
 double frameSceneTime(const SimulatedScene &scene, int camera, std::int64_t frame)
 {
     const SimulatedCamera &cam = cameraOf(scene, camera);
-    return cam.startOffsetS + static_cast<double>(framePicture(scene, camera, frame)) * periodInSceneS(cam);
+    const double clockS = clockOfTakenS(scene, camera, framePicture(scene, camera, frame));
+    return cam.startOffsetS + sceneSeconds(cam, clockS);
 }
 
 Nanoseconds frameStamp(const SimulatedScene &scene, int camera, std::int64_t frame)
 {
     const SimulatedCamera &cam = cameraOf(scene, camera);
-    const std::int64_t periods = takenIndex(cam, frame) - takenIndex(cam, 0);
-    return fromSeconds(static_cast<double>(periods) / cam.framesPerSecond);
+    return fromSeconds(clockOfTakenS(scene, camera, takenIndex(cam, frame)) -
+                       clockOfTakenS(scene, camera, takenIndex(cam, 0)));
 }
 
 double sceneTimeOfStamp(const SimulatedScene &scene, int camera, Nanoseconds stamp)
 {
     const SimulatedCamera &cam = cameraOf(scene, camera);
-    const double periods = static_cast<double>(takenIndex(cam, 0)) + toSeconds(stamp) * cam.framesPerSecond;
-    return cam.startOffsetS + periods * periodInSceneS(cam);
+    const double clockS = clockOfTakenS(scene, camera, takenIndex(cam, 0)) + toSeconds(stamp);
+    return cam.startOffsetS + sceneSeconds(cam, clockS);
 }
 
 } // namespace odo

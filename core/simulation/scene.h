@@ -72,6 +72,9 @@ struct SimulatedCamera
     double startOffsetS = 0;  ///< when the first frame is taken, in the scene's time
     double clockDriftPpm = 0; ///< the camera's clock runs faster by this much
     SensorModel sensor;
+    /// Frames are taken up to this much before or after their turn, and their stamps say so (a camera of a
+    /// variable rate). Less than half a period.
+    double jitterS = 0;
 };
 
 /// The floor: a texture of tiles and grain that is the same for a seed, with tags as markers where a layout

@@ -23,7 +23,13 @@ std::vector<Case> cases()
             {"circle", makeCircleMotion({1.5, 1.1}, 0.7, 1.3, 1.0), 6.0},
             {"figure eight", makeFigureEightMotion({1.5, 1.1}, 1.0, 0.6, 5.0, 1.2), 7.0},
             {"stop and go", makeStopAndGoMotion({{0, 0}, {2, 0}, {2, 1}, {0.5, 1.5}}, 1.5, 0.5), 8.0},
-            {"spline", makeSplineMotion({{0, 0}, {1, 0.3}, {1.4, 1.2}, {0.3, 1.6}, {0.1, 0.4}}, 0.9), 5.0}};
+            {"spline", makeSplineMotion({{0, 0}, {1, 0.3}, {1.4, 1.2}, {0.3, 1.6}, {0.1, 0.4}}, 0.9), 5.0},
+            {"ellipse", makeEllipseMotion({1.5, 1.1}, 0.9, 0.5, 4.0, 2.0, 1.0), 6.0},
+            // The ramp of 1.5 m/s over 0.4 s: a jerk of 5.8 · 1.5/0.4² = 54 m/s³ at most.
+            {"velocities",
+             makeVelocityMotion({0.2, 0.3}, 0.1,
+                                {{0.5, 0.8, {1.0, 0.2}}, {1.2, 0.4, {-1.5, 0}}, {3, 0.5, {0.5, 0.1}}}),
+             5.0}};
 }
 
 } // namespace
@@ -66,6 +72,18 @@ private Q_SLOTS:
         }
     }
 
+    void anImpactThrowsBack()
+    {
+        // 1 m/s from 0.9 s on, after half of the ramp's way; thrown back at 0.3 m/s within 30 ms at 2 s.
+        const Shared motion = makeVelocityMotion({0, 0}, 0, {{0.5, 0.4, {1, 0}}, {1.985, 0.03, {-1.3, 0}}});
+        QVERIFY((motion->at(1.5).position - Eigen::Vector2d(0.8, 0)).norm() < 1e-12);
+        QVERIFY((motion->at(1.98).velocity - Eigen::Vector2d(1, 0)).norm() < 1e-12);
+        QVERIFY((motion->at(2.1).velocity - Eigen::Vector2d(-0.3, 0)).norm() < 1e-12);
+        // As far forth and back as if it were thrown back at once in the middle of the contact.
+        QVERIFY((motion->at(3.0).position - Eigen::Vector2d(1.3 - 0.3, 0)).norm() < 1e-12);
+        QCOMPARE(motion->at(3.0).headingRad, 0.0);
+    }
+
     void joinsWithoutAJump_data()
     {
         QTest::addColumn<Shared>("motion");
@@ -93,7 +111,14 @@ private Q_SLOTS:
         QVERIFY((after.acceleration - before.acceleration).norm() < 1e-4);
     }
 
-    void headsAlongItsVelocity_data() { addCases(); }
+    void headsAlongItsVelocity_data()
+    {
+        QTest::addColumn<Shared>("motion");
+        QTest::addColumn<double>("endS");
+        for (const Case &test : cases())
+            if (QByteArray(test.name) != "velocities") // keeps its heading
+                QTest::newRow(test.name) << test.motion << test.endS;
+    }
     void headsAlongItsVelocity()
     {
         QFETCH(Shared, motion);

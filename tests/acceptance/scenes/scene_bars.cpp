@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/acceptance/scenes/scene_bars.h"
+
+#include <cmath>
+#include <functional>
+
+namespace odo::test {
+
+namespace {
+
+using Pick = std::function<bool(const MeasuredScene &)>;
+using Figure = double (AccuracySums::*)() const;
+
+class Judge
+{
+public:
+    explicit Judge(const std::vector<MeasuredScene> &scenes) : m_scenes(scenes) {}
+
+    /// The worst scene's and all together's root mean square, of scenes with two views or more.
+    void rms(const QString &figure, Figure value, double atMost, const Pick &counts)
+    {
+        AccuracySums together;
+        BarResult worst{figure + QStringLiteral(", worst"), -1, 0, atMost, {}};
+        for (const MeasuredScene &scene : m_scenes) {
+            if (scene.scene.oneView || !counts(scene) || !scene.problem.isEmpty())
+                continue;
+            const AccuracySums sums = scene.sums();
+            together += sums;
+            if ((sums.*value)() > worst.value) {
+                worst.value = (sums.*value)();
+                worst.where = QStringLiteral("%1/%2")
+                                  .arg(QString::fromStdString(scene.scene.name))
+                                  .arg(scene.scene.seed);
+            }
+        }
+        if (worst.value < 0)
+            return;
+        m_results.push_back({figure + QStringLiteral(", together"), (together.*value)(), 0, atMost, {}});
+        m_results.push_back(worst);
+    }
+
+    void add(const QString &figure, double value, double atLeast, double atMost)
+    {
+        m_results.push_back({figure, value, atLeast, atMost, {}});
+    }
+
+    std::vector<BarResult> take() { return std::move(m_results); }
+
+private:
+    const std::vector<MeasuredScene> &m_scenes;
+    std::vector<BarResult> m_results;
+};
+
+void judgeCurves(Judge &judge)
+{
+    const Pick told = [](const MeasuredScene &m) { return m.scene.sizeTold(); };
+    const Pick notTold = [](const MeasuredScene &m) { return !m.scene.sizeTold(); };
+    const Pick plain = [](const MeasuredScene &m) { return m.scene.kind == SceneKind::Plain; };
+    const Pick hard = [](const MeasuredScene &m) { return m.scene.kind == SceneKind::Hard; };
+    judge.rms(QStringLiteral("position RMS, size told, mm"), &AccuracySums::positionRmsMm, 4, told);
+    judge.rms(QStringLiteral("position RMS, size not told, mm"), &AccuracySums::positionRmsMm, 8, notTold);
+    judge.rms(QStringLiteral("velocity RMS, plain, mm/s"), &AccuracySums::velocityRmsMmS, 12, plain);
+    judge.rms(QStringLiteral("velocity RMS, hard, mm/s"), &AccuracySums::velocityRmsMmS, 20, hard);
+    judge.rms(QStringLiteral("acceleration RMS, plain, mm/s2"), &AccuracySums::accelerationRmsMmS2, 250,
+              plain);
+    judge.rms(QStringLiteral("acceleration RMS, hard, mm/s2"), &AccuracySums::accelerationRmsMmS2, 450, hard);
+}
+
+} // namespace
+
+std::vector<BarResult> judge(const std::vector<MeasuredScene> &scenes)
+{
+    Judge judge(scenes);
+    judgeCurves(judge);
+    AccuracySums all;
+    double worstOffsetS = -1;
+    long failed = 0, leftOut = 0;
+    for (const MeasuredScene &scene : scenes) {
+        all += scene.sums();
+        failed += !scene.problem.isEmpty();
+        if (scene.offsetErrorS)
+            worstOffsetS = std::max(worstOffsetS, std::abs(*scene.offsetErrorS));
+    }
+    leftOut = all.frames - all.withPosition;
+    judge.add(QStringLiteral("calls that failed"), double(failed), 0, 0);
+    // Or a good figure could be had by leaving the hard frames out.
+    judge.add(QStringLiteral("frames without a position, %"),
+              all.frames > 0 ? 100.0 * double(leftOut) / double(all.frames) : 100, 0, 2);
+    judge.add(QStringLiteral("truth in the 95 % interval, x, %"), 100 * all.share(all.insideX), 92, 98);
+    judge.add(QStringLiteral("truth in the 95 % interval, y, %"), 100 * all.share(all.insideY), 92, 98);
+    judge.add(QStringLiteral("truth in the 95 % interval, speed, %"), 100 * all.share(all.insideSpeed), 92,
+              98);
+    if (all.recall())
+        judge.add(QStringLiteral("spikes: recall"), *all.recall(), 0.98, 1);
+    if (all.precision())
+        judge.add(QStringLiteral("spikes: precision"), *all.precision(), 0.95, 1);
+    if (worstOffsetS >= 0)
+        judge.add(QStringLiteral("clip offset error, worst, ms"), 1000 * worstOffsetS, 0, 2);
+    judge.add(QStringLiteral("exchanges of names"), double(all.exchanges), 0, 0);
+    if (all.hiddenInOneView > 0)
+        judge.add(QStringLiteral("hidden in a view, with a position, %"),
+                  100.0 * double(all.hiddenWithPosition) / double(all.hiddenInOneView), 100, 100);
+    return judge.take();
+}
+
+} // namespace odo::test

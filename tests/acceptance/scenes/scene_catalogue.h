@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/scene.h"
+#include "core/video/video_writer.h"
+
+#include <string>
+#include <vector>
+
+namespace odo::test {
+
+/// What the program is told of a robot; empty where it is not.
+struct ToldRobot
+{
+    std::string name, colour, height, size;
+};
+
+/// Which bars of the velocity and the acceleration hold: those of the plain scenes, or those with spikes,
+/// occlusion or several robots.
+enum class SceneKind { Plain, Hard };
+
+/// One simulated recording with known truth, and what the program is told of it.
+struct AccuracyScene
+{
+    std::string name;
+    unsigned seed = 1;
+    SceneKind kind = SceneKind::Plain;
+    SimulatedScene scene;
+    std::vector<ToldRobot> told;  ///< as scene.robots
+    bool findsOffset = false;     ///< the clips' offset is to be found, not told
+    bool oneView = false;         ///< seen by one camera: counted for coverage only
+    std::vector<double> impactsS; ///< collisions: no curve is smooth there
+    VideoWriterOptions recording;
+
+    bool sizeTold() const { return !told.front().size.empty(); }
+};
+
+/// In the order in which they are measured: plain ones first.
+std::vector<std::string> sceneNames();
+/// The scene of a name with all that a seed draws. The name must be one of sceneNames().
+AccuracyScene makeScene(const std::string &name, unsigned seed);
+
+} // namespace odo::test

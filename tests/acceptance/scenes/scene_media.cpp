@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/acceptance/scenes/scene_media.h"
+
+#include "core/exchange/layout_csv.h"
+#include "core/exchange/text_file.h"
+#include "core/simulation/board_poses.h"
+#include "core/simulation/renderer.h"
+#include "core/video/picture_writer.h"
+#include "tests/acceptance/scenes/scene_recipe.h"
+#include "tests/acceptance/scenes/seeded_draw.h"
+
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace odo::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double markerErrorPx = 0.3; // of each coordinate
+constexpr double boardNoise = 1.5;    // of 255
+
+std::string contentOf(const fs::path &file)
+{
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream content;
+    content << in.rdbuf();
+    return content.str();
+}
+
+Result<void> writeBoards(const AccuracyScene &scene, const SceneMedia &media, std::size_t camera)
+{
+    const SimulatedCamera &cam = scene.scene.cameras[camera];
+    SimulatedBoard board;
+    const std::uint32_t seed = scene.scene.seed + static_cast<std::uint32_t>(camera);
+    int number = 0;
+    for (const RigidTransform &pose : heldBoardPoses(cam.view.camera(), board, boardPictures, seed)) {
+        board.cameraFromBoard = pose;
+        const Frame picture =
+            renderBoard(cam.view.camera(), board, boardNoise, seed + 1000u * std::uint32_t(number));
+        if (auto written = writePicture(picture, media.board(cam, number)); !written)
+            return written;
+        ++number;
+    }
+    return {};
+}
+
+/// Those in the picture, at a little distance from its edge, as someone would pick them.
+Result<void> writePixels(const AccuracyScene &scene, const SceneMedia &media, std::size_t camera)
+{
+    const SimulatedCamera &cam = scene.scene.cameras[camera];
+    SeededDraw draw("markers of " + scene.name + cam.name, scene.seed);
+    std::string text = "label,u,v\n";
+    for (const Marker &marker : scene.scene.floor.markers.markers) {
+        const auto pixel = cam.view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
+        const Intrinsics &lens = cam.view.camera().intrinsics();
+        if (!pixel || pixel->x() < 3 || pixel->y() < 3 || pixel->x() > lens.widthPx - 4 ||
+            pixel->y() > lens.heightPx - 4)
+            continue;
+        const double u = pixel->x() + draw.gaussian(markerErrorPx),
+                     v = pixel->y() + draw.gaussian(markerErrorPx);
+        text += marker.label + "," + numberText(u) + "," + numberText(v) + "\n";
+    }
+    return writeTextFile(media.pixels(cam), text);
+}
+
+Result<void> renderCamera(const AccuracyScene &scene, const SceneMedia &media, std::size_t camera)
+{
+    if (auto written = writePixels(scene, media, camera); !written)
+        return written;
+    if (auto written = writeBoards(scene, media, camera); !written)
+        return written;
+    return renderVideo(scene.scene, static_cast<int>(camera), media.video(scene.scene.cameras[camera]),
+                       scene.recording, {});
+}
+
+} // namespace
+
+fs::path SceneMedia::board(const SimulatedCamera &camera, int number) const
+{
+    return folder / "boards" /
+           (camera.name + (number < 9 ? "_0" : "_") + std::to_string(number + 1) + ".png");
+}
+
+Result<SceneMedia> provideMedia(const AccuracyScene &scene, const fs::path &folder)
+{
+    SceneMedia media{folder};
+    const fs::path recipeFile = folder / "recipe.txt";
+    const std::string recipe = recipeOf(scene);
+    if (contentOf(recipeFile) == recipe)
+        return media;
+    fs::remove_all(folder);
+    fs::create_directories(folder / "boards");
+    if (auto written = writeLayoutCsv(media.layout(), scene.scene.floor.markers); !written)
+        return tl::unexpected(written.error());
+    std::vector<Result<void>> results(scene.scene.cameras.size());
+    std::vector<std::thread> threads;
+    for (std::size_t camera = 0; camera < results.size(); ++camera)
+        threads.emplace_back([&, camera] { results[camera] = renderCamera(scene, media, camera); });
+    for (std::thread &thread : threads)
+        thread.join();
+    for (const auto &result : results) {
+        if (!result)
+            return tl::unexpected(result.error());
+    }
+    // Written last: without it the folder is not complete.
+    if (auto written = writeTextFile(recipeFile, recipe); !written)
+        return tl::unexpected(written.error());
+    return media;
+}
+
+} // namespace odo::test

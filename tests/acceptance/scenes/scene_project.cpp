@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/acceptance/scenes/scene_project.h"
+
+#include "tests/support/program.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+
+namespace odo::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+QString q(const std::string &text)
+{
+    return QString::fromStdString(text);
+}
+
+QString q(const fs::path &path)
+{
+    return QString::fromStdString(path.string());
+}
+
+class ProjectMaker
+{
+public:
+    ProjectMaker(QString program, const AccuracyScene &scene, const SceneMedia &media)
+        : m_program(std::move(program)), m_media(media),
+          m_project(q(media.folder / "scene.odo")), m_out{scene, {}, {}, 0, {}}
+    {
+    }
+
+    MeasuredScene measure()
+    {
+        fs::remove(m_media.folder / "scene.odo");
+        fs::remove_all(m_media.folder / "scene.media");
+        QElapsedTimer clock;
+        clock.start();
+        const bool done = call({s("new"), m_project}) && addCameras() && addRobots() && import() &&
+                          call({s("track"), m_project, s("run"), s("--json")}, "track.json") &&
+                          exportTracks();
+        m_out.wallS = double(clock.elapsed()) / 1000;
+        if (done)
+            call({s("show"), m_project, s("run"), s("--json")}, "show.json");
+        return m_out;
+    }
+
+private:
+    static QString s(const char *text) { return QString::fromLatin1(text); }
+    const SimulatedScene &scene() const { return m_out.scene.scene; }
+
+    /// Calls the program; keeps its answer in a file where one is named.
+    bool call(const QStringList &arguments, const std::string &answer = {}, ProgramRun *result = nullptr)
+    {
+        const ProgramRun run = runCommand(m_program, arguments);
+        if (result)
+            *result = run;
+        if (run.exitStatus != 0) {
+            m_out.problem = arguments.first() + s(": ") + QString::fromUtf8(run.err).trimmed();
+            return false;
+        }
+        if (!answer.empty()) {
+            QFile file(q(m_media.folder / answer));
+            if (!file.open(QIODevice::WriteOnly) || file.write(run.out) != run.out.size()) {
+                m_out.problem = file.fileName() + s(": ") + file.errorString();
+                return false;
+            }
+        }
+        return true;
+    }
+
+    bool addCameras()
+    {
+        if (!call({s("layout"), s("add"), m_project, s("floor"), q(m_media.layout())}))
+            return false;
+        for (const SimulatedCamera &camera : scene().cameras) {
+            const QString name = q(camera.name);
+            QStringList calibrate{s("calibrate"), m_project, name};
+            for (int i = 0; i < boardPictures; ++i)
+                calibrate << q(m_media.board(camera, i));
+            calibrate << s("--board") << s("9x6") << s("--square") << s("25mm") << s("--json");
+            const bool done = call({s("camera"), s("add"), m_project, name}) &&
+                              call(calibrate, "calibrate_" + camera.name + ".json") &&
+                              call({s("register"), m_project, s("--camera"), name, s("--layout"), s("floor"),
+                                    s("--pixels"), q(m_media.pixels(camera)), s("--json")},
+                                   "register_" + camera.name + ".json");
+            if (!done)
+                return false;
+        }
+        return true;
+    }
+
+    bool addRobots()
+    {
+        for (const ToldRobot &robot : m_out.scene.told) {
+            QStringList arguments{s("robot"),    s("add"),      m_project,
+                                  q(robot.name), s("--colour"), q(robot.colour)};
+            if (!robot.height.empty())
+                arguments << s("--height") << q(robot.height);
+            if (!robot.size.empty())
+                arguments << s("--size") << q(robot.size);
+            if (!call(arguments))
+                return false;
+        }
+        return true;
+    }
+
+    bool import()
+    {
+        QStringList arguments{s("import"), m_project, s("--trial"), s("run")};
+        for (const SimulatedCamera &camera : scene().cameras)
+            arguments << s("--video") << q(camera.name) + s("=") + q(m_media.video(camera));
+        for (const ToldRobot &robot : m_out.scene.told)
+            arguments << s("--robot") << q(robot.name);
+        const bool several = scene().cameras.size() > 1;
+        const double offsetS = several ? frameSceneTime(scene(), 1, 0) - frameSceneTime(scene(), 0, 0) : 0;
+        arguments << s("--sync")
+                  << (m_out.scene.findsOffset ? s("auto")
+                      : several               ? QString::number(offsetS, 'f', 6)
+                                              : s("none"))
+                  << s("--json");
+        ProgramRun run;
+        if (!call(arguments, "import.json", &run))
+            return false;
+        if (m_out.scene.findsOffset)
+            m_out.offsetErrorS =
+                run.json().value(s("sync")).toObject().value(s("offset_s")).toDouble() - offsetS;
+        return true;
+    }
+
+    bool exportTracks()
+    {
+        for (std::size_t robot = 0; robot < scene().robots.size(); ++robot) {
+            const QString name = q(scene().robots[robot].name),
+                          file = q(m_media.folder) + s("/track_") + name + s(".csv");
+            if (!call({s("export"), m_project, s("run"), s("-o"), file, s("--format"), s("csv"), s("--robot"),
+                       name}))
+                return false;
+            QFile csv(file);
+            const auto sums = csv.open(QIODevice::ReadOnly)
+                                  ? compareWithTruth(csv.readAll(), m_out.scene, robot)
+                                  : std::nullopt;
+            if (!sums) {
+                m_out.problem = file + s(": not the table that is promised");
+                return false;
+            }
+            m_out.robots.push_back(*sums);
+        }
+        return true;
+    }
+
+    const QString m_program;
+    const SceneMedia m_media;
+    const QString m_project;
+    MeasuredScene m_out;
+};
+
+} // namespace
+
+AccuracySums MeasuredScene::sums() const
+{
+    AccuracySums total;
+    for (const AccuracySums &robot : robots)
+        total += robot;
+    return total;
+}
+
+MeasuredScene measureScene(const QString &program, const AccuracyScene &scene, const SceneMedia &media)
+{
+    return ProjectMaker(program, scene, media).measure();
+}
+
+} // namespace odo::test
