@@ -17,6 +17,9 @@ public:
     /// chroma that was never seen at all has against it.
     ChromaTable(const ChromaDensity &robot, const ChromaDensity &background, float doubt);
 
+    /// Takes what either table takes.
+    void add(const ChromaTable &other);
+
     std::uint8_t weight(std::uint8_t u, std::uint8_t v) const
     {
         return m_weights[ChromaDensity::binOf(u, v)];

@@ -33,6 +33,11 @@ ChromaDensity ColourModel::density() const
     return now;
 }
 
+ChromaDensity ColourModel::densityUnderOtherLight() const
+{
+    return m_learned ? m_smeared.transformed(m_scale, m_turnRad) : m_density;
+}
+
 ChromaTable ColourModel::toldTable(const ChromaDensity *background) const
 {
     const ChromaDensity told = densityOfToldColour(m_told);

@@ -21,6 +21,9 @@ public:
     /// from.
     ChromaDensity density() const;
 
+    /// The same, once learned, with what dimmer and brighter light makes of it: not of sum one.
+    ChromaDensity densityUnderOtherLight() const;
+
     /// A table from the told colour. Without regard to the background it finds more, and more that is wrong.
     ChromaTable toldTable(const ChromaDensity *background) const;
 

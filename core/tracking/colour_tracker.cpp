@@ -2,8 +2,9 @@
 #include "core/tracking/colour_tracker.h"
 
 #include "core/tracking/duplicate_detector.h"
-#include "core/tracking/robot_follower.h"
+#include "core/tracking/similar_robots.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace odo {
@@ -26,31 +27,53 @@ struct ColourTracker::Impl
 {
     std::vector<TrackTarget> targets;
     std::vector<RobotFollower> followers;
+    SimilarRobots similar;
     std::vector<Observation> last;
     DuplicateDetector duplicates;
     FrameFormat format{.width = -1};
+    std::vector<std::uint8_t>
+        alikes; ///< robots × robots: whether colour does not tell samples of the two apart
 
+    bool areAlike(std::size_t a, std::size_t b) const { return alikes[a * followers.size() + b] != 0; }
+    void compareColours(std::size_t robot);
     ChromaDensity backgroundOf(std::size_t robot, TrackedFrame &frame, const ChromaRect &rect) const;
     bool isTaken(const Candidate &candidate, std::size_t robot) const;
+    bool isHidden(std::size_t robot, const TrackedFrame &frame) const;
+    std::vector<std::vector<std::size_t>> groupsOf(const TrackedFrame &frame) const;
+    void noteTouching();
     void followAll(const TrackedFrame &frame);
+    void followByItself(const TrackedFrame &frame, std::size_t robot);
     void findMissing(TrackedFrame &frame);
     void rebuildTables(TrackedFrame &frame);
 };
+
+void ColourTracker::Impl::compareColours(std::size_t robot)
+{
+    alikes.resize(followers.size() * followers.size());
+    if (followers.size() == 1)
+        return;
+    const ColourModel &own = followers[robot].model();
+    for (std::size_t other = 0; other < followers.size(); ++other) {
+        const ColourModel &theirs = followers[other].model();
+        // What was learned of one says nothing against what was only told of the other.
+        const bool learned = own.isLearned() && theirs.isLearned();
+        const double overlap =
+            learned ? own.density().overlap(theirs.density())
+                    : densityOfToldColour(own.told()).overlap(densityOfToldColour(theirs.told()));
+        const bool same = other != robot && overlap > alike;
+        alikes[robot * followers.size() + other] = alikes[other * followers.size() + robot] = same;
+    }
+}
 
 /// What there is in the picture but the robot, which takes up the rectangle; and the other robots' colours.
 ChromaDensity ColourTracker::Impl::backgroundOf(std::size_t robot, TrackedFrame &frame,
                                                 const ChromaRect &rect) const
 {
     ChromaDensity background = frame.backgroundWithout(rect);
-    if (followers.size() == 1)
-        return background;
-    const ChromaDensity own = followers[robot].model().density();
     for (std::size_t other = 0; other < followers.size(); ++other) {
-        if (other == robot)
+        if (other == robot || areAlike(robot, other))
             continue;
-        const ChromaDensity theirs = followers[other].model().density();
-        if (own.overlap(theirs) > alike)
-            continue;
+        const ChromaDensity theirs = followers[other].model().densityUnderOtherLight();
         for (std::size_t bin = 0; bin < ChromaDensity::binCount; ++bin)
             background[bin] += theirs[bin];
     }
@@ -69,29 +92,78 @@ bool ColourTracker::Impl::isTaken(const Candidate &candidate, std::size_t robot)
     return false;
 }
 
-/// Gives the candidates to the robots, the surest first; no region is given to two.
+/// Whether another robot is seen where this one should be.
+bool ColourTracker::Impl::isHidden(std::size_t robot, const TrackedFrame &frame) const
+{
+    const Eigen::Vector2d place = frame.grid().fromLuma(followers[robot].predictedPx(frame));
+    for (std::size_t other = 0; other < followers.size(); ++other) {
+        if (other != robot && last[other].found &&
+            followers[other].occupied().contains(static_cast<int>(place.x()), static_cast<int>(place.y())))
+            return true;
+    }
+    return false;
+}
+
+void ColourTracker::Impl::noteTouching()
+{
+    for (std::size_t a = 0; a < followers.size(); ++a) {
+        bool touched = false;
+        for (std::size_t b = 0; b < followers.size(); ++b)
+            touched |= a != b && !followers[a].occupied().clippedTo(followers[b].occupied()).isEmpty();
+        followers[a].setTouched(touched);
+    }
+}
+
+/// The robots that are followed, those together that are near one another and of a like colour.
+std::vector<std::vector<std::size_t>> ColourTracker::Impl::groupsOf(const TrackedFrame &frame) const
+{
+    std::vector<std::vector<std::size_t>> groups;
+    std::vector<ChromaRect> windows(followers.size());
+    for (std::size_t robot = 0; robot < followers.size(); ++robot) {
+        if (!followers[robot].isFollowing())
+            continue;
+        windows[robot] = followers.size() > 1 ? followers[robot].windowOf(frame) : ChromaRect();
+        std::vector<std::size_t> group{robot};
+        const auto isNear = [&](std::size_t other) {
+            return areAlike(robot, other) && !windows[robot].clippedTo(windows[other]).isEmpty();
+        };
+        std::erase_if(groups, [&](const std::vector<std::size_t> &earlier) {
+            if (std::none_of(earlier.begin(), earlier.end(), isNear))
+                return false;
+            group.insert(group.end(), earlier.begin(), earlier.end());
+            return true;
+        });
+        groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
+void ColourTracker::Impl::followByItself(const TrackedFrame &frame, std::size_t robot)
+{
+    followers[robot].propose(frame);
+    for (const Candidate &candidate : followers[robot].candidates()) {
+        if (!isTaken(candidate, robot)) {
+            followers[robot].accept(frame, candidate, last[robot]);
+            return;
+        }
+    }
+}
+
 void ColourTracker::Impl::followAll(const TrackedFrame &frame)
 {
-    for (RobotFollower &follower : followers) {
-        if (follower.isFollowing())
-            follower.propose(frame);
-    }
-    while (true) {
-        std::size_t bestRobot = followers.size();
-        const Candidate *best = nullptr;
-        for (std::size_t robot = 0; robot < followers.size(); ++robot) {
-            if (!followers[robot].isFollowing() || last[robot].found)
-                continue;
-            for (const Candidate &candidate : followers[robot].candidates()) {
-                if ((!best || candidate.score > best->score) && !isTaken(candidate, robot)) {
-                    best = &candidate;
-                    bestRobot = robot;
-                }
-            }
+    noteTouching();
+    for (const std::vector<std::size_t> &group : groupsOf(frame)) {
+        if (group.size() == 1) {
+            followByItself(frame, group.front());
+            continue;
         }
-        if (!best)
-            break;
-        followers[bestRobot].accept(frame, *best, last[bestRobot]);
+        std::vector<RobotFollower *> robots;
+        std::vector<Observation *> observations;
+        for (const std::size_t robot : group) {
+            robots.push_back(&followers[robot]);
+            observations.push_back(&last[robot]);
+        }
+        similar.follow(frame, robots, observations);
     }
 }
 
@@ -101,14 +173,20 @@ void ColourTracker::Impl::findMissing(TrackedFrame &frame)
         RobotFollower &follower = followers[robot];
         if (last[robot].found)
             continue;
-        follower.miss();
+        follower.miss(isHidden(robot, frame));
         if (follower.isFollowing())
             continue;
         follower.search(frame, backgroundOf(robot, frame, {}));
         for (const Candidate &candidate : follower.candidates()) {
             const ChromaDensity background = backgroundOf(robot, frame, candidate.blob.box.grownBy(3));
-            if (!isTaken(candidate, robot) && follower.acceptFound(frame, candidate, background, last[robot]))
-                break;
+            if (isTaken(candidate, robot) || !follower.acceptFound(frame, candidate, background, last[robot]))
+                continue;
+            compareColours(robot);
+            for (std::size_t other = 0; other < followers.size(); ++other) {
+                if (other != robot)
+                    followers[other].askForTable();
+            }
+            break;
         }
     }
 }
@@ -116,8 +194,10 @@ void ColourTracker::Impl::findMissing(TrackedFrame &frame)
 void ColourTracker::Impl::rebuildTables(TrackedFrame &frame)
 {
     for (std::size_t robot = 0; robot < followers.size(); ++robot) {
-        if (followers[robot].wantsTable())
-            followers[robot].buildTable(backgroundOf(robot, frame, followers[robot].occupied()));
+        if (!followers[robot].wantsTable())
+            continue;
+        compareColours(robot);
+        followers[robot].buildTable(backgroundOf(robot, frame, followers[robot].occupied()));
     }
 }
 
@@ -153,6 +233,8 @@ std::vector<Observation> ColourTracker::track(const Frame &frame)
         d.format = frame.format;
         for (RobotFollower &follower : d.followers)
             follower.reset(frame.format);
+        for (std::size_t robot = 0; robot < d.followers.size(); ++robot)
+            d.compareColours(robot);
     }
     if (!repeats) {
         TrackedFrame tracked(frame);

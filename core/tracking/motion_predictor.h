@@ -14,6 +14,8 @@ public:
     /// A new measured position; the velocity follows by exponential smoothing. A time that does not advance
     /// only moves the position.
     void update(const Eigen::Vector2d &position, double timeS);
+    /// A position that is known only coarsely: moves the prediction towards it, and hardly the velocity.
+    void nudge(const Eigen::Vector2d &position, double timeS);
     /// After a quarter of a second without a measurement the prediction stands still: who is hidden does not
     /// run on for ever.
     Eigen::Vector2d at(double timeS) const;

@@ -14,12 +14,20 @@ namespace {
 constexpr int mostSearchSamples = 160'000; ///< per plane and frame, in a whole-frame search
 constexpr int mostCountedSamples = 20'000;
 constexpr int framesPerTable = 64;
-constexpr int missesUntilLost = 1;
+constexpr int missesUntilLost = 1, missesWhileHidden = 30;
 constexpr double relearnAfterS = 1.5; ///< lost for so long, the told colour is believed again
 constexpr int missesPerRelearning = 8;
 constexpr double leastRankInWindow = 0.02, leastRankInPicture = 0.15, leastFirstScore = 0.25;
 constexpr double sizeSigma = 0.2; ///< of the logarithm of the area, from one frame to the next
 constexpr std::size_t mostCandidates = 6;
+constexpr double leastColourSigma = 3.0, relativeColourSigma = 0.06; ///< of a region's mean, in code values
+constexpr double mostSizeCost = 12.0, mostColourCost = 16.0;
+constexpr double doubtPerFrameTogether = 0.04; ///< of the place, in radii
+constexpr double scoreTogether = 0.1;          ///< below what is used where another view is surer
+constexpr double sigmaTogether = 0.3;          ///< of the place, in radii
+/// Of a touched robot's area: what may always be hidden unnoticed, and what may be without a doubt of its
+/// place.
+constexpr double leastPartHidden = 0.02, mostPartHidden = 0.05;
 
 } // namespace
 
@@ -55,6 +63,8 @@ void RobotFollower::reset(const FrameFormat &format)
     m_model = ColourModel(chromaOf(m_told, format));
     m_candidates.clear();
     m_missed = 0;
+    m_touched = false;
+    m_framesTogether = 0;
 }
 
 ChromaRect RobotFollower::windowOf(const TrackedFrame &frame) const
@@ -133,6 +143,26 @@ void RobotFollower::propose(const TrackedFrame &frame)
     sortCandidates();
 }
 
+void RobotFollower::lookAt(const TrackedFrame &frame, const ChromaRect &window, const ChromaTable &table)
+{
+    m_finder.find(frame.grid(), table, window, 1);
+}
+
+double RobotFollower::costOf(const TrackedFrame &frame, const Blob &region) const
+{
+    const double sinceS = std::max(0.0, frame.timeS() - m_predictor.lastTimeS());
+    const double doubtful = std::min(1.0, doubtPerFrameTogether * (m_framesTogether + 2 * m_missed));
+    const double reach = (0.35 + doubtful) * m_radiusPx + 3.0 + 0.5 * sinceS * m_predictor.velocity().norm();
+    const double away = (frame.grid().toLuma(region.centre()) - predictedPx(frame)).norm() / reach;
+    const double size =
+        std::log(region.area() * frame.lumaPerSample() / m_areaPx) / (m_atBorder ? 1.0 : sizeSigma);
+    const Chroma expected = m_model.expected();
+    const double colour =
+        (region.meanChroma() - expected).norm() / (leastColourSigma + relativeColourSigma * expected.norm());
+    return 0.5 *
+           (away * away + std::min(size * size, mostSizeCost) + std::min(colour * colour, mostColourCost));
+}
+
 void RobotFollower::search(const TrackedFrame &frame, const ChromaDensity &background)
 {
     m_candidates.clear();
@@ -208,6 +238,47 @@ bool RobotFollower::learnFrom(const TrackedFrame &frame, const Candidate &candid
 void RobotFollower::accept(const TrackedFrame &frame, const Candidate &candidate, Observation &observation)
 {
     observe(frame, candidate.blob, observation);
+    if (m_touched)
+        doubtWhenTouched(observation);
+    else
+        keepSilhouette(frame, observation);
+}
+
+void RobotFollower::keepSilhouette(const TrackedFrame &frame, const Observation &observation)
+{
+    std::swap(m_mask, m_silhouette);
+    m_silhouetteCentre = frame.grid().fromLuma(observation.ellipse.centrePx);
+}
+
+/// Another robot may hide a part of this one, which shifts the centre; or has lent it a part of its own.
+void RobotFollower::doubtWhenTouched(Observation &observation) const
+{
+    const double off = std::abs(1 - observation.areaPx / m_areaPx);
+    const double shift = std::clamp(off, leastPartHidden, 1.0) * m_radiusPx;
+    observation.centreCovariancePx2 += Eigen::Matrix2d::Identity() * shift * shift;
+    if (off > mostPartHidden)
+        observation.score = std::min(observation.score, scoreTogether);
+}
+
+void RobotFollower::acceptTogether(const TrackedFrame &frame, const Eigen::Vector2d &centrePx,
+                                   Observation &observation)
+{
+    const Eigen::Vector2d moved = centrePx - frame.grid().toLuma(m_silhouetteCentre);
+    observation.found = true;
+    observation.ellipse = m_ellipse;
+    observation.ellipse.centrePx = centrePx;
+    const double sigma = sigmaTogether * m_radiusPx;
+    observation.centreCovariancePx2 = Eigen::Matrix2d::Identity() * sigma * sigma;
+    observation.areaPx = m_areaPx;
+    observation.score = scoreTogether;
+    m_predictor.nudge(centrePx, frame.timeS());
+    const Eigen::Vector2d samples = moved.cwiseQuotient(frame.grid().scale);
+    const int dx = static_cast<int>(std::lround(samples.x())),
+              dy = static_cast<int>(std::lround(samples.y()));
+    const ChromaRect &area = m_silhouette.area;
+    m_occupied = {area.left + dx, area.top + dy, area.right + dx, area.bottom + dy};
+    m_missed = 0;
+    ++m_framesTogether;
 }
 
 bool RobotFollower::acceptFound(const TrackedFrame &frame, const Candidate &candidate,
@@ -221,6 +292,7 @@ bool RobotFollower::acceptFound(const TrackedFrame &frame, const Candidate &cand
     m_areaRate = 0;
     m_predictor.start(frame.grid().toLuma(blob.centre()), frame.timeS());
     observe(frame, blob, observation);
+    keepSilhouette(frame, observation);
     return true;
 }
 
@@ -256,6 +328,8 @@ double RobotFollower::scoreOf(const TrackedFrame &frame, const Blob &blob, const
 /// growth tells of the whole.
 void RobotFollower::followArea(double seenPx)
 {
+    if (m_touched)
+        return;
     if (m_atBorder) {
         m_areaPx = std::max(m_areaPx, seenPx);
         m_areaRate = 0;
@@ -274,6 +348,8 @@ void RobotFollower::update(const TrackedFrame &frame, const Blob &blob, const Re
     const bool wasFollowing = isFollowing();
     m_phase = Phase::Following;
     m_missed = 0;
+    m_framesTogether = 0;
+    m_ellipse = observation.ellipse;
     m_predictor.update(observation.ellipse.centrePx, frame.timeS());
     const bool trusted = observation.score > 0.4;
     if (wasFollowing)
@@ -288,10 +364,10 @@ void RobotFollower::update(const TrackedFrame &frame, const Blob &blob, const Re
         m_wantsTable = true;
 }
 
-void RobotFollower::miss()
+void RobotFollower::miss(bool hidden)
 {
     ++m_missed;
-    if (m_phase == Phase::Following && m_missed >= missesUntilLost)
+    if (m_phase == Phase::Following && m_missed >= (hidden ? missesWhileHidden : missesUntilLost))
         m_phase = Phase::Lost;
 }
 
