@@ -21,7 +21,7 @@ void print(const QString &text)
 struct Order
 {
     QStringList scenes, seeds;
-    QString folder, program, json;
+    QString folder, work, program, json;
     bool renderOnly = false;
 };
 
@@ -39,8 +39,10 @@ Order orderFrom(const QCoreApplication &app)
     };
     option("scenes", "Scenes by name, with commas; all of them.", known.join(u','));
     option("seeds", "Seeds, with commas.", QStringLiteral("1,2,3"));
-    option("folder", "Where the media and answers are kept; media of an earlier run is used again.",
+    option("folder", "Where the media are kept; those of an earlier run are used again.",
            QStringLiteral("scenes"));
+    option("work", "Where the projects and answers go; by default answers/ in the media's folder.",
+           QString());
     option("program", "The odograph to measure.",
            qEnvironmentVariable("ODOGRAPH_PROGRAM", QStringLiteral("odograph")));
     option("json", "A file for the figures.", QString());
@@ -53,9 +55,12 @@ Order orderFrom(const QCoreApplication &app)
     Order order{list("scenes"),
                 list("seeds"),
                 parser.value(QStringLiteral("folder")),
+                parser.value(QStringLiteral("work")),
                 parser.value(QStringLiteral("program")),
                 parser.value(QStringLiteral("json")),
                 parser.isSet(QStringLiteral("render-only"))};
+    if (order.work.isEmpty())
+        order.work = order.folder + QStringLiteral("/answers");
     for (const QString &scene : order.scenes) {
         if (!known.contains(scene)) {
             std::fprintf(stderr, "'%s' is no scene; choose from: %s\n", qPrintable(scene),
@@ -64,6 +69,22 @@ Order orderFrom(const QCoreApplication &app)
         }
     }
     return order;
+}
+
+/// The bars' table, and the file where one is asked for. The exit status.
+int report(const Order &order, const std::vector<MeasuredScene> &measured)
+{
+    const std::vector<BarResult> bars = judge(measured);
+    print(u'\n' + barsTable(bars));
+    if (!order.json.isEmpty()) {
+        QFile file(order.json);
+        if (!file.open(QIODevice::WriteOnly) ||
+            file.write(QJsonDocument(reportJson(measured, bars)).toJson()) < 0) {
+            std::fprintf(stderr, "%s: %s\n", qPrintable(order.json), qPrintable(file.errorString()));
+            return 1;
+        }
+    }
+    return std::all_of(bars.begin(), bars.end(), [](const BarResult &bar) { return bar.isMet(); }) ? 0 : 1;
 }
 
 } // namespace
@@ -78,29 +99,18 @@ int main(int argc, char *argv[])
     for (const QString &name : order.scenes) {
         for (const QString &seed : order.seeds) {
             const AccuracyScene scene = makeScene(name.toStdString(), seed.toUInt());
-            const auto media = provideMedia(scene, std::filesystem::path(order.folder.toStdString()) /
-                                                       (scene.name + "-" + std::to_string(scene.seed)));
+            const std::string own = scene.name + "-" + std::to_string(scene.seed);
+            const auto media = provideMedia(scene, std::filesystem::path(order.folder.toStdString()) / own);
             if (!media) {
                 std::fprintf(stderr, "%s\n", media.error().message().c_str());
                 return 1;
             }
             if (order.renderOnly)
                 continue;
-            measured.push_back(measureScene(order.program, scene, *media));
+            measured.push_back(measureScene(order.program, scene, *media,
+                                            std::filesystem::path(order.work.toStdString()) / own));
             print(tableLine(measured.back()));
         }
     }
-    if (order.renderOnly)
-        return 0;
-    const std::vector<BarResult> bars = judge(measured);
-    print(u'\n' + barsTable(bars));
-    if (!order.json.isEmpty()) {
-        QFile file(order.json);
-        if (!file.open(QIODevice::WriteOnly) ||
-            file.write(QJsonDocument(reportJson(measured, bars)).toJson()) < 0) {
-            std::fprintf(stderr, "%s: %s\n", qPrintable(order.json), qPrintable(file.errorString()));
-            return 1;
-        }
-    }
-    return std::all_of(bars.begin(), bars.end(), [](const BarResult &bar) { return bar.isMet(); }) ? 0 : 1;
+    return order.renderOnly ? 0 : report(order, measured);
 }

@@ -25,16 +25,17 @@ QString q(const fs::path &path)
 class ProjectMaker
 {
 public:
-    ProjectMaker(QString program, const AccuracyScene &scene, const SceneMedia &media)
-        : m_program(std::move(program)), m_media(media),
-          m_project(q(media.folder / "scene.odo")), m_out{scene, {}, {}, 0, {}}
+    ProjectMaker(QString program, const AccuracyScene &scene, const SceneMedia &media, const fs::path &folder)
+        : m_program(std::move(program)), m_media(media), m_folder(folder),
+          m_project(q(folder / "scene.odo")), m_out{scene, {}, {}, 0, {}}
     {
     }
 
     MeasuredScene measure()
     {
-        fs::remove(m_media.folder / "scene.odo");
-        fs::remove_all(m_media.folder / "scene.media");
+        fs::create_directories(m_folder);
+        fs::remove(m_folder / "scene.odo");
+        fs::remove_all(m_folder / "scene.media");
         QElapsedTimer clock;
         clock.start();
         const bool done = call({s("new"), m_project}) && addCameras() && addRobots() && import() &&
@@ -43,6 +44,7 @@ public:
         m_out.wallS = double(clock.elapsed()) / 1000;
         if (done)
             call({s("show"), m_project, s("run"), s("--json")}, "show.json");
+        fs::remove_all(m_folder / "scene.media");
         return m_out;
     }
 
@@ -61,7 +63,7 @@ private:
             return false;
         }
         if (!answer.empty()) {
-            QFile file(q(m_media.folder / answer));
+            QFile file(q(m_folder / answer));
             if (!file.open(QIODevice::WriteOnly) || file.write(run.out) != run.out.size()) {
                 m_out.problem = file.fileName() + s(": ") + file.errorString();
                 return false;
@@ -133,7 +135,7 @@ private:
     {
         for (std::size_t robot = 0; robot < scene().robots.size(); ++robot) {
             const QString name = q(scene().robots[robot].name),
-                          file = q(m_media.folder) + s("/track_") + name + s(".csv");
+                          file = q(m_folder) + s("/track_") + name + s(".csv");
             if (!call({s("export"), m_project, s("run"), s("-o"), file, s("--format"), s("csv"), s("--robot"),
                        name}))
                 return false;
@@ -152,6 +154,7 @@ private:
 
     const QString m_program;
     const SceneMedia m_media;
+    const fs::path m_folder;
     const QString m_project;
     MeasuredScene m_out;
 };
@@ -166,9 +169,10 @@ AccuracySums MeasuredScene::sums() const
     return total;
 }
 
-MeasuredScene measureScene(const QString &program, const AccuracyScene &scene, const SceneMedia &media)
+MeasuredScene measureScene(const QString &program, const AccuracyScene &scene, const SceneMedia &media,
+                           const fs::path &folder)
 {
-    return ProjectMaker(program, scene, media).measure();
+    return ProjectMaker(program, scene, media, folder).measure();
 }
 
 } // namespace odo::test

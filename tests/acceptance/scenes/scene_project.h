@@ -23,8 +23,9 @@ struct MeasuredScene
 };
 
 /// Makes a project from a scene's media by the command line alone, as a user would: cameras, calibration,
-/// layout, registration, robots, import, track, export; keeps the answers (*.json, *.csv) beside the media. A
-/// project that an earlier run left there is made anew.
-MeasuredScene measureScene(const QString &program, const AccuracyScene &scene, const SceneMedia &media);
+/// layout, registration, robots, import, track, export; keeps the project and the answers (*.json, *.csv) in
+/// the folder, where an earlier run's make room, but not the project's copies of the videos.
+MeasuredScene measureScene(const QString &program, const AccuracyScene &scene, const SceneMedia &media,
+                           const std::filesystem::path &folder);
 
 } // namespace odo::test
