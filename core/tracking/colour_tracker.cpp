@@ -45,6 +45,8 @@ struct ColourTracker::Impl
     void followByItself(const TrackedFrame &frame, std::size_t robot);
     void findMissing(TrackedFrame &frame);
     void rebuildTables(TrackedFrame &frame);
+    std::optional<PixelRect> neededRegion(double timeS) const;
+    bool holdsNeeded(const Frame &frame) const;
 };
 
 void ColourTracker::Impl::compareColours(std::size_t robot)
@@ -174,7 +176,7 @@ void ColourTracker::Impl::findMissing(TrackedFrame &frame)
         if (last[robot].found)
             continue;
         follower.miss(isHidden(robot, frame));
-        if (follower.isFollowing())
+        if (follower.isFollowing() || !frame.complete())
             continue;
         follower.search(frame, backgroundOf(robot, frame, {}));
         for (const Candidate &candidate : follower.candidates()) {
@@ -194,11 +196,35 @@ void ColourTracker::Impl::findMissing(TrackedFrame &frame)
 void ColourTracker::Impl::rebuildTables(TrackedFrame &frame)
 {
     for (std::size_t robot = 0; robot < followers.size(); ++robot) {
-        if (!followers[robot].wantsTable())
+        if (!followers[robot].wantsTable() || !frame.complete())
             continue;
         compareColours(robot);
         followers[robot].buildTable(backgroundOf(robot, frame, followers[robot].occupied()));
     }
+}
+
+std::optional<PixelRect> ColourTracker::Impl::neededRegion(double timeS) const
+{
+    if (format.width < 0)
+        return std::nullopt;
+    PixelRect needed;
+    for (const RobotFollower &follower : followers) {
+        const auto own = follower.neededRegion(format, timeS);
+        if (!own)
+            return std::nullopt;
+        needed = needed.united(*own);
+    }
+    return needed;
+}
+
+/// Whether following can begin on the part of the picture that there is.
+bool ColourTracker::Impl::holdsNeeded(const Frame &frame) const
+{
+    if (!frame.validRegion)
+        return true;
+    const auto needed = neededRegion(toSeconds(frame.time));
+    return needed &&
+           frame.validRegion->contains(needed->clipped({0, 0, frame.format.width, frame.format.height}));
 }
 
 Result<std::unique_ptr<ColourTracker>> ColourTracker::create(std::vector<TrackTarget> targets)
@@ -224,6 +250,11 @@ ColourTracker::ColourTracker(std::unique_ptr<Impl> impl) : m_impl(std::move(impl
 
 ColourTracker::~ColourTracker() = default;
 
+std::optional<PixelRect> ColourTracker::neededRegion(Nanoseconds time) const
+{
+    return m_impl->neededRegion(toSeconds(time));
+}
+
 std::vector<Observation> ColourTracker::track(const Frame &frame)
 {
     Impl &d = *m_impl;
@@ -239,9 +270,11 @@ std::vector<Observation> ColourTracker::track(const Frame &frame)
     if (!repeats) {
         TrackedFrame tracked(frame);
         d.last.assign(d.followers.size(), Observation());
-        d.followAll(tracked);
-        d.findMissing(tracked);
-        d.rebuildTables(tracked);
+        if (d.holdsNeeded(frame) || tracked.complete()) {
+            d.followAll(tracked);
+            d.findMissing(tracked);
+            d.rebuildTables(tracked);
+        }
     }
     for (Observation &observation : d.last) {
         observation.frame = frame.index;

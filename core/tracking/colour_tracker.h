@@ -6,6 +6,7 @@
 #include "core/video/frame.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,15 @@ public:
     ColourTracker(const ColourTracker &) = delete;
     ColourTracker &operator=(const ColourTracker &) = delete;
 
-    /// One observation a target, in the order given. A frame that repeats the one before it gives the same
-    /// observations again, marked as such. A frame of another size or format than the one before it starts
-    /// anew.
+    /// The part of the next frame, if it is shown at this time, that track() expects to look at; nullopt for
+    /// all of it (while a robot is searched, and now and then to learn the background). It may reach beyond
+    /// the picture.
+    std::optional<PixelRect> neededRegion(Nanoseconds time) const;
+
+    /// One observation a target, in the order given. Of a frame that holds only a part of its picture the
+    /// rest is decoded when it is needed, so that the observations are those of the whole frame. A frame that
+    /// repeats the one before it gives the same observations again, marked as such. A frame of another size
+    /// or format than the one before it starts anew.
     std::vector<Observation> track(const Frame &frame);
 
 private:

@@ -7,29 +7,56 @@ namespace odo {
 
 namespace {
 
-bool rowsEqual(const PlaneView &a, const PlaneView &b, int step)
+bool rowsEqual(const PlaneView &a, const PlaneView &b, const PixelRect &part, int step)
 {
-    if (a.width != b.width || a.height != b.height)
-        return false;
-    for (int y = 0; y < a.height; y += step) {
-        if (std::memcmp(a.row(y), b.row(y), static_cast<std::size_t>(a.width)) != 0)
+    for (int y = part.y0; y < part.y1; y += step) {
+        if (std::memcmp(a.row(y) + part.x0, b.row(y) + part.x0, static_cast<std::size_t>(part.width())) != 0)
             return false;
     }
     return true;
 }
 
+PixelRect partOf(const Frame &frame)
+{
+    return frame.validRegion.value_or(PixelRect{0, 0, frame.y.width, frame.y.height});
+}
+
+/// Whether two frames of one layout are equal where both have a picture.
 bool framesEqual(const Frame &a, const Frame &b, int step)
 {
-    return rowsEqual(a.u, b.u, step) && rowsEqual(a.v, b.v, step) && rowsEqual(a.y, b.y, step);
+    const PixelRect part = partOf(a).clipped(partOf(b));
+    if (part.isEmpty())
+        return true;
+    const int shiftX = a.format.chromaShiftX, shiftY = a.format.chromaShiftY;
+    const PixelRect chroma{part.x0 >> shiftX, part.y0 >> shiftY, (part.x1 + (1 << shiftX) - 1) >> shiftX,
+                           (part.y1 + (1 << shiftY) - 1) >> shiftY};
+    return rowsEqual(a.u, b.u, chroma, step) && rowsEqual(a.v, b.v, chroma, step) &&
+           rowsEqual(a.y, b.y, part, step);
+}
+
+bool sameSize(const Frame &a, const Frame &b)
+{
+    return a.y.width == b.y.width && a.y.height == b.y.height && a.u.width == b.u.width &&
+           a.u.height == b.u.height;
+}
+
+bool repeats(const Frame &last, const Frame &frame)
+{
+    if (!sameSize(last, frame) || !framesEqual(last, frame, 16) || !framesEqual(last, frame, 1))
+        return false;
+    if (!last.validRegion && !frame.validRegion)
+        return true;
+    const auto wholeLast = wholeFrame(last), whole = wholeFrame(frame);
+    return wholeLast && whole && framesEqual(*wholeLast, *whole, 1);
 }
 
 } // namespace
 
 bool DuplicateDetector::repeatsTheLast(const Frame &frame)
 {
-    const bool repeats = m_last && framesEqual(*m_last, frame, 16) && framesEqual(*m_last, frame, 1);
+    const bool again = m_last && repeats(*m_last, frame);
     m_last = frame;
-    return repeats;
+    return again;
 }
 
 } // namespace odo

@@ -8,8 +8,9 @@
 namespace odo {
 
 /// Recognises a picture that is the one before it again, byte for byte: what a camera or a recorder delivers
-/// that was late. Looks at every 16th row first, so that a new picture costs next to nothing. Keeps a share
-/// in the last frame.
+/// that was late. Looks at every 16th row first, so that a new picture costs next to nothing. Of frames that
+/// hold a part of their picture, the common part is compared first and, if that is equal, the whole pictures.
+/// Keeps a share in the last frame.
 class DuplicateDetector
 {
 public:

@@ -30,6 +30,9 @@ class RegionMeasure
 {
 public:
     static constexpr int margin = 4; ///< that the mask must have around the blob
+    /// Samples around the blob's box that are looked at: edge samples lie up to 2 outside of it, and their
+    /// reference up to 7 from there.
+    static constexpr int reach = 10;
 
     /// The mask must have been painted from the blob. `expected` stands in where the region is too small to
     /// have a sample that is wholly inside.

@@ -38,6 +38,19 @@ TrackedFrame::TrackedFrame(const Frame &frame) : m_frame(&frame), m_grid(frame)
     m_countStep = std::max(1, static_cast<int>(std::ceil(std::sqrt(samples / mostCountedSamples))));
 }
 
+bool TrackedFrame::complete()
+{
+    if (!m_frame->validRegion)
+        return true;
+    auto whole = wholeFrame(*m_frame);
+    if (!whole)
+        return false;
+    m_whole = std::move(*whole);
+    m_frame = &*m_whole;
+    m_grid = ChromaGrid(*m_frame);
+    return true;
+}
+
 ChromaDensity TrackedFrame::backgroundWithout(const ChromaRect &rect)
 {
     if (!m_counted) {
@@ -67,19 +80,39 @@ void RobotFollower::reset(const FrameFormat &format)
     m_framesTogether = 0;
 }
 
-ChromaRect RobotFollower::windowOf(const TrackedFrame &frame) const
+/// Luma pixels in which the robot is looked for at this time.
+Eigen::AlignedBox2d RobotFollower::expectedBox(double timeS) const
 {
-    const double sinceS = std::max(0.0, frame.timeS() - m_predictor.lastTimeS());
+    const double sinceS = std::max(0.0, timeS - m_predictor.lastTimeS());
     const double doubt =
         6.0 + 0.5 * m_radiusPx + 0.5 * sinceS * m_predictor.velocity().norm() + 0.5 * m_missed * m_radiusPx;
-    const Eigen::Vector2d centre = m_predictor.at(frame.timeS());
+    const Eigen::Vector2d centre = m_predictor.at(timeS);
     const Eigen::Vector2d half = 1.3 * m_halfSizePx + Eigen::Vector2d::Constant(doubt);
-    const Eigen::Vector2d low = frame.grid().fromLuma(centre - half),
-                          high = frame.grid().fromLuma(centre + half);
+    return {centre - half, centre + half};
+}
+
+ChromaRect RobotFollower::windowOf(const TrackedFrame &frame) const
+{
+    const Eigen::AlignedBox2d box = expectedBox(frame.timeS());
+    const Eigen::Vector2d low = frame.grid().fromLuma(box.min()), high = frame.grid().fromLuma(box.max());
     const ChromaRect window{static_cast<int>(std::floor(low.x())), static_cast<int>(std::floor(low.y())),
                             static_cast<int>(std::ceil(high.x())) + 1,
                             static_cast<int>(std::ceil(high.y())) + 1};
     return window.clippedTo(frame.grid().bounds());
+}
+
+std::optional<PixelRect> RobotFollower::neededRegion(const FrameFormat &format, double timeS) const
+{
+    if (!isFollowing() || m_wantsTable || m_framesSinceTable + 1 >= framesPerTable)
+        return std::nullopt;
+    const Eigen::AlignedBox2d box = expectedBox(timeS);
+    // Two samples more for rounding and for where chroma lies among the pixels.
+    const int beyondX = (RegionMeasure::reach + 2) << format.chromaShiftX,
+              beyondY = (RegionMeasure::reach + 2) << format.chromaShiftY;
+    return PixelRect{static_cast<int>(std::floor(box.min().x())) - beyondX,
+                     static_cast<int>(std::floor(box.min().y())) - beyondY,
+                     static_cast<int>(std::ceil(box.max().x())) + beyondX,
+                     static_cast<int>(std::ceil(box.max().y())) + beyondY};
 }
 
 double RobotFollower::rankInWindow(const TrackedFrame &frame, const Blob &blob) const

@@ -5,6 +5,8 @@
 #include "core/tracking/motion_predictor.h"
 #include "core/tracking/region_measure.h"
 
+#include <Eigen/Geometry>
+
 namespace odo {
 
 /// A frame as all followers share it; what several need is made once.
@@ -12,6 +14,8 @@ class TrackedFrame
 {
 public:
     explicit TrackedFrame(const Frame &frame);
+    TrackedFrame(const TrackedFrame &) = delete;
+    TrackedFrame &operator=(const TrackedFrame &) = delete;
 
     const Frame &frame() const { return *m_frame; }
     const ChromaGrid &grid() const { return m_grid; }
@@ -22,11 +26,16 @@ public:
         return static_cast<double>(m_frame->format.width) * m_frame->format.height;
     }
     double lumaPerSample() const { return m_grid.scale.prod(); }
-    /// Density of all chroma of the picture outside a rectangle (empty: of the whole picture).
+    /// Makes sure that all of the picture can be looked at, not only the part that was decoded. False when
+    /// the rest is damaged.
+    bool complete();
+    /// Density of all chroma of the picture outside a rectangle (empty: of the whole picture). Wants a
+    /// complete frame.
     ChromaDensity backgroundWithout(const ChromaRect &rect);
 
 private:
     const Frame *m_frame;
+    std::optional<Frame> m_whole; ///< where a part was given and more was needed
     ChromaGrid m_grid;
     int m_searchStep = 1, m_countStep = 1;
     bool m_counted = false;
@@ -61,6 +70,9 @@ public:
 
     /// Where in the frame the robot is looked for while it is followed, in chroma samples.
     ChromaRect windowOf(const TrackedFrame &frame) const;
+    /// Following: all that propose() and accept() may look at in a frame of this format and time, and perhaps
+    /// some beyond the picture; nullopt when the whole picture will be needed.
+    std::optional<PixelRect> neededRegion(const FrameFormat &format, double timeS) const;
     /// Following: looks for candidates in the window about the predicted place, best first.
     void propose(const TrackedFrame &frame);
     /// Following, near robots of a like colour: finds the regions of a window and a table that they share.
@@ -110,6 +122,7 @@ public:
 private:
     enum class Phase { Unseen, Following, Lost };
 
+    Eigen::AlignedBox2d expectedBox(double timeS) const;
     double rankInWindow(const TrackedFrame &frame, const Blob &blob) const;
     double rankUnseen(const TrackedFrame &frame, const Blob &blob) const;
     double rankLost(const TrackedFrame &frame, const Blob &blob) const;

@@ -26,37 +26,50 @@ struct FrameStream::Impl
 {
     Impl(std::unique_ptr<VideoReader> opened, std::size_t ahead) : reader(std::move(opened)), queue(ahead)
     {
-        thread = std::thread([this] { readAll(); });
+        if (ahead > 0)
+            thread = std::thread([this] { readAll(); });
     }
     ~Impl()
     {
         queue.close();
-        thread.join();
+        if (thread.joinable())
+            thread.join();
     }
+    std::optional<Frame> readOne(const std::optional<PixelRect> &region);
     void readAll();
 
-    std::unique_ptr<VideoReader> reader; ///< used by `thread` alone, but for its info, which never changes
+    std::unique_ptr<VideoReader> reader; ///< used by one thread alone, but for its info, which never changes
     BoundedQueue<Frame> queue;
     std::atomic<std::int64_t> damaged = 0;
     std::atomic<std::int64_t> cpuNs = 0;
     std::thread thread;
 };
 
-void FrameStream::Impl::readAll()
+/// The next frame that is not damaged.
+std::optional<Frame> FrameStream::Impl::readOne(const std::optional<PixelRect> &region)
 {
     const Nanoseconds begin = threadCpuTime();
-    for (;;) {
-        auto frame = reader->next();
-        cpuNs = (threadCpuTime() - begin).count();
-        if (!frame)
-            ++damaged; // the reader has stepped over it
-        else if (!*frame || !queue.push(std::move(**frame)))
+    auto frame = reader->next(region);
+    for (; !frame; frame = reader->next(region))
+        ++damaged; // the reader has stepped over it
+    cpuNs += (threadCpuTime() - begin).count();
+    return std::move(*frame);
+}
+
+void FrameStream::Impl::readAll()
+{
+    while (auto frame = readOne(std::nullopt)) {
+        if (!queue.push(std::move(*frame)))
             break;
     }
     queue.close();
 }
 
-FrameStream::FrameStream(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+FrameStream::FrameStream(std::unique_ptr<VideoReader> reader, std::size_t ahead)
+    : m_impl(std::make_unique<Impl>(std::move(reader), ahead))
+{
+}
+
 FrameStream::~FrameStream() = default;
 
 Result<std::unique_ptr<FrameStream>> FrameStream::open(const std::filesystem::path &file, std::size_t ahead)
@@ -64,8 +77,7 @@ Result<std::unique_ptr<FrameStream>> FrameStream::open(const std::filesystem::pa
     auto reader = VideoReader::open(file);
     if (!reader)
         return tl::unexpected(reader.error());
-    auto impl = std::make_unique<Impl>(std::move(*reader), std::max<std::size_t>(ahead, 1));
-    return std::unique_ptr<FrameStream>(new FrameStream(std::move(impl)));
+    return std::make_unique<FrameStream>(std::move(*reader), std::max<std::size_t>(ahead, 1));
 }
 
 const VideoInfo &FrameStream::info() const
@@ -73,9 +85,9 @@ const VideoInfo &FrameStream::info() const
     return m_impl->reader->info();
 }
 
-Result<std::optional<Frame>> FrameStream::pop()
+Result<std::optional<Frame>> FrameStream::pop(const std::optional<PixelRect> &region)
 {
-    return m_impl->queue.pop();
+    return m_impl->thread.joinable() ? m_impl->queue.pop() : m_impl->readOne(region);
 }
 
 std::int64_t FrameStream::damagedFrames() const

@@ -9,28 +9,31 @@
 namespace odo {
 
 /// Reads one video from its first frame to its last on its own thread, a few frames ahead of the consumer,
-/// through a bounded queue. Destroying it stops the thread. pop() is called from one thread.
+/// through a bounded queue; or, when the consumer knows which part of the next frame it needs, on demand in
+/// the consumer's own. Destroying it stops the thread. pop() is called from one thread.
 class FrameStream
 {
 public:
     /// `ahead`: frames kept ready at most. Errors: those of VideoReader::open.
     static Result<std::unique_ptr<FrameStream>> open(const std::filesystem::path &file,
                                                      std::size_t ahead = 8);
+    /// Takes over a reader. With `ahead` 0 there is no thread: pop() decodes, and only the region that it is
+    /// told.
+    explicit FrameStream(std::unique_ptr<VideoReader> reader, std::size_t ahead);
     ~FrameStream();
     FrameStream(const FrameStream &) = delete;
     FrameStream &operator=(const FrameStream &) = delete;
 
     const VideoInfo &info() const;
     /// The next frame; nullopt at the end. Waits for the reading thread. Damaged frames are skipped and
-    /// counted.
-    Result<std::optional<Frame>> pop();
+    /// counted. A stream that reads ahead cannot heed the region: its frames are whole.
+    Result<std::optional<Frame>> pop(const std::optional<PixelRect> &region = std::nullopt);
     std::int64_t damagedFrames() const;
-    /// CPU time that the reading thread has spent so far.
+    /// CPU time that reading has taken so far, on whatever thread.
     Nanoseconds decodeCpuTime() const;
 
 private:
     struct Impl;
-    explicit FrameStream(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> m_impl;
 };
 

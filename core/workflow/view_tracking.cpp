@@ -14,6 +14,7 @@ namespace odo {
 namespace {
 
 constexpr const char *trackerVersion = "colour-ellipse 1";
+constexpr std::size_t framesAhead = 8;
 
 /// Counts the pictures of all views and reports now and then; any thread.
 class SharedProgress
@@ -47,33 +48,39 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     const auto tracker = ColourTracker::create(std::move(targets));
     if (!tracker)
         return tl::unexpected(tracker.error());
-    auto stream = FrameStream::open(view.file);
-    if (!stream)
-        return tl::unexpected(stream.error());
+    auto reader = VideoReader::open(view.file);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    // Decoding only what the tracker will look at is so much cheaper that a thread that decodes ahead, and cannot know
+    // it, would be slower.
+    const bool byRegion = (*reader)->decodesRegions();
+    FrameStream stream(std::move(*reader), byRegion ? 0 : framesAhead);
 
     TrackedView tracked;
     for (const RobotRecord &robot : robots)
         tracked.series.push_back({view.recording.id, robot.id, trackerVersion, {}});
-    for (;;) {
+    const std::vector<Nanoseconds> &times = view.recording.frameTimes;
+    for (std::size_t next = 0;;) {
         if (control.isCancelled())
             return cancelled("tracking");
-        auto frame = (*stream)->pop();
+        auto frame = stream.pop(next < times.size() ? (*tracker)->neededRegion(times[next]) : std::nullopt);
         if (!frame)
             return tl::unexpected(frame.error());
         if (!*frame)
             break;
         // The times kept in the project are the truth, whatever becomes of the file.
         const auto index = static_cast<std::size_t>((*frame)->index);
-        if (index < view.recording.frameTimes.size())
-            (*frame)->time = view.recording.frameTimes[index];
+        if (index < times.size())
+            (*frame)->time = times[index];
+        next = index + 1;
         const std::vector<Observation> observations = (*tracker)->track(**frame);
         for (std::size_t r = 0; r < observations.size(); ++r)
             tracked.series[r].observations.push_back(observations[r]);
         ++tracked.frames;
         progress.countPicture();
     }
-    tracked.damagedFrames = (*stream)->damagedFrames();
-    tracked.decodeCpuTime = (*stream)->decodeCpuTime();
+    tracked.damagedFrames = stream.damagedFrames();
+    tracked.decodeCpuTime = stream.decodeCpuTime();
     return tracked;
 }
 

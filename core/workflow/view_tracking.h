@@ -18,7 +18,8 @@ struct TrackedView
     Nanoseconds decodeCpuTime{0};
 };
 
-/// Decodes and tracks all views at once, a thread to track and a thread to decode for each. Touches no project.
+/// Decodes and tracks all views at once, a thread to track and a thread to decode for each; MJPEG is decoded by the
+/// thread that tracks, which alone knows what part of the next picture it needs. Touches no project.
 /// Errors: a recording that is missing or is no video; cancelled.
 Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
                                             const std::vector<RobotRecord> &robots, const JobControl &control);

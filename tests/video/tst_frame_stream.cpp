@@ -14,6 +14,7 @@ class TestFrameStream : public QObject
     Q_OBJECT
 private Q_SLOTS:
     void givesEveryFrameAndThenTheEnd();
+    void decodesPartsOnDemand();
     void canBeDroppedAtAnyTime();
     void skipsAndCountsDamagedFrames();
     void refusesWhatTheReaderRefuses();
@@ -45,6 +46,28 @@ void TestFrameStream::givesEveryFrameAndThenTheEnd()
     QCOMPARE((*stream)->damagedFrames(), std::int64_t(0));
     QVERIFY((*stream)->decodeCpuTime() > Nanoseconds(0));
     QVERIFY((*stream)->decodeCpuTime() < std::chrono::seconds(60));
+}
+
+void TestFrameStream::decodesPartsOnDemand()
+{
+    VideoWriterOptions options;
+    options.codec = VideoCodec::Mjpeg;
+    QCOMPARE(writeCoded(path("parts.mkv"), evenTimes(20, 30), options), QString());
+    auto reader = VideoReader::open(path("parts.mkv"));
+    QVERIFY(reader.has_value());
+    FrameStream stream(std::move(*reader), 0);
+    for (int i = 0; i < 20; ++i) {
+        // A different part of every second frame; the numbers are in the other.
+        const bool part = i % 2 == 0;
+        const auto frame =
+            stream.pop(part ? std::optional(PixelRect{32, 4 * i, 64, 4 * i + 5}) : std::nullopt).value();
+        QVERIFY(frame.has_value());
+        QCOMPARE(frame->index, std::int64_t(i));
+        QCOMPARE(frame->validRegion.has_value(), part);
+        QCOMPARE(numberIn(wholeFrame(*frame).value()), i);
+    }
+    QVERIFY(!stream.pop().value().has_value());
+    QVERIFY(stream.decodeCpuTime() > Nanoseconds(0));
 }
 
 void TestFrameStream::canBeDroppedAtAnyTime()
