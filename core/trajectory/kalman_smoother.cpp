@@ -11,9 +11,6 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr double startSpeedSigma = 10; // m/s: faster than any robot on a class-room floor
-constexpr double startAccelSigma = 50; // m/s²
-
 Matrix6 transition(double dt)
 {
     Matrix6 f = Matrix6::Identity();
@@ -63,16 +60,33 @@ double MotionFilter::distanceSquared(const TrackNode &measurement, double *logDe
     return innovation.dot(s.inverse() * innovation);
 }
 
-void MotionFilter::restart(const TrackNode &measurement)
+void MotionFilter::restart(const TrackNode &measurement, double sigmaSpeedMps, double sigmaAccelMps2)
 {
     m_estimate.mean.setZero();
     m_estimate.mean.head<2>() = measurement.position;
     m_estimate.covariance.setZero();
     m_estimate.covariance.topLeftCorner<2, 2>() = m_noise.measurementScale * measurement.covariance;
-    m_estimate.covariance.diagonal().segment<2>(2).setConstant(startSpeedSigma * startSpeedSigma);
-    m_estimate.covariance.diagonal().tail<2>().setConstant(startAccelSigma * startAccelSigma);
+    m_estimate.covariance.diagonal().segment<2>(2).setConstant(sigmaSpeedMps * sigmaSpeedMps);
+    m_estimate.covariance.diagonal().tail<2>().setConstant(sigmaAccelMps2 * sigmaAccelMps2);
     m_timeS = measurement.timeS;
     m_started = true;
+}
+
+void MotionFilter::disturb(double sigmaSpeedMps, double sigmaAccelMps2, double sinceS)
+{
+    // A change u before now has moved the position by Δv·u and Δa·u²/2 and the velocity by Δa·u; u is even in
+    // [0, T], so that E[uⁿ] = Tⁿ/(n + 1).
+    const double t = sinceS, t2 = t * t;
+    Eigen::Matrix3d axis;
+    axis << t2 / 3, t / 2, 0, t / 2, 1, 0, 0, 0, 0;
+    axis *= sigmaSpeedMps * sigmaSpeedMps;
+    Eigen::Matrix3d ofAccel;
+    ofAccel << t2 * t2 / 20, t2 * t / 8, t2 / 6, t2 * t / 8, t2 / 3, t / 2, t2 / 6, t / 2, 1;
+    axis += sigmaAccelMps2 * sigmaAccelMps2 * ofAccel;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            m_estimate.covariance.block<2, 2>(2 * i, 2 * j).diagonal().array() += axis(i, j);
+    }
 }
 
 void MotionFilter::update(const TrackNode &measurement)

@@ -51,8 +51,11 @@ public:
     double distanceSquared(const TrackNode &measurement, double *logDeterminant = nullptr) const;
     /// Takes a measurement in (Joseph's form); the first one starts the filter.
     void update(const TrackNode &measurement);
-    /// Forgets the past: begins again at this measurement.
-    void restart(const TrackNode &measurement);
+    /// Forgets the past: begins again at this measurement, with this much ignorance of the motion.
+    void restart(const TrackNode &measurement, double sigmaSpeedMps = 10, double sigmaAccelMps2 = 50);
+    /// Allows for one abrupt change of velocity and of acceleration at an unknown moment of the last sinceS
+    /// seconds, all moments alike; call it after predict.
+    void disturb(double sigmaSpeedMps, double sigmaAccelMps2, double sinceS);
 
     const MotionEstimate &estimate() const { return m_estimate; }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/spike_flags.h"
 
+#include "core/trajectory/hampel.h"
+#include "core/trajectory/spike_search.h"
 #include "core/trajectory/track_segments.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,113 +13,106 @@ namespace odo {
 
 namespace {
 
-constexpr int learningUpdates = 3; // until then the velocity is unknown and nothing can be refused
-constexpr double longestRefusalS = 0.7;
-// The gate must stand a hard start after a long rest, of which the noise estimated from the whole run knows
-// little: an acceleration that changes by 2 m/s² within 0.1 s.
-constexpr double leastGateJerkDensity = 40;
-constexpr int mostPasses = 5;
+constexpr int mostPasses = 6;
+// Between rest and a hard start the noise estimated from a whole run knows little of either; and a run with
+// many faults must not teach that everything is possible.
+constexpr double leastJerkDensity = 1, largestJerkDensity = 1000;
+constexpr double firstJerkDensity = 10;
+constexpr double leastScale = 0.25;
 
-enum class Verdict { Unknown, Accepted, Refused };
-
-std::vector<Verdict> verdicts(std::span<const TrackNode> track, MotionNoise noise)
+/// One round of searching in all segments of open samples.
+struct Round
 {
-    MotionFilter filter(noise);
-    std::vector<Verdict> result(track.size(), Verdict::Unknown);
-    int updates = 0;
-    double lastUpdateS = 0;
-    for (std::size_t i = 0; i < track.size(); ++i) {
-        if (!track[i].measured)
-            continue;
-        filter.predict(track[i].timeS);
-        const bool learning = updates < learningUpdates;
-        const bool refused = !learning && filter.distanceSquared(track[i]) > refusalGate;
-        if (refused && track[i].timeS - lastUpdateS <= longestRefusalS) {
-            result[i] = Verdict::Refused;
-            continue;
-        }
-        if (refused) {
-            filter.restart(track[i]);
-            updates = 0;
-        } else {
-            filter.update(track[i]);
-        }
-        result[i] = learning || refused ? Verdict::Unknown : Verdict::Accepted;
-        ++updates;
-        lastUpdateS = track[i].timeS;
-    }
-    return result;
-}
+    std::vector<bool> spike; ///< of each sample
+    std::vector<bool> abrupt;
+};
 
-} // namespace
-
-std::vector<bool> refusedFromBothSides(std::span<const TrackNode> track, MotionNoise noise)
+Round searchAll(const std::vector<Sample> &samples, const std::vector<bool> &open, MotionNoise noise,
+                const AnalysisOptions &options)
 {
-    noise.jerkDensity = std::max(noise.jerkDensity, leastGateJerkDensity);
-    std::vector<TrackNode> mirrored(track.rbegin(), track.rend());
-    for (TrackNode &node : mirrored)
-        node.timeS = -node.timeS;
-    const auto forward = verdicts(track, noise);
-    const auto backward = verdicts(mirrored, noise);
-    std::vector<bool> refused(track.size());
-    for (std::size_t i = 0; i < track.size(); ++i) {
-        const Verdict past = forward[i], future = backward[track.size() - 1 - i];
-        refused[i] = (past == Verdict::Refused && future != Verdict::Accepted) ||
-                     (future == Verdict::Refused && past != Verdict::Accepted);
-    }
-    return refused;
-}
-
-namespace {
-
-/// One round of the two-sided gate over all samples that are open to judgement; true when a flag changed.
-bool flagJumps(std::vector<Sample> &samples, const std::vector<bool> &open, MotionNoise noise,
-               Nanoseconds longestGap)
-{
-    const auto segments = cutIntoSegments(samples, longestGap, [&](const Sample &sample) {
+    noise.jerkDensity = std::clamp(noise.jerkDensity, leastJerkDensity, largestJerkDensity);
+    noise.measurementScale = std::max(noise.measurementScale, leastScale);
+    Round round{std::vector<bool>(samples.size()), std::vector<bool>(samples.size())};
+    const auto isOpen = [&](const Sample &sample) {
         return open[static_cast<std::size_t>(&sample - samples.data())];
-    });
-    bool changed = false;
-    for (const TrackSegment &segment : segments) {
-        const auto refused = refusedFromBothSides(segment.nodes, noise);
-        for (std::size_t i = 0; i < refused.size(); ++i) {
-            Sample &sample = samples[segment.first + i];
-            if (!segment.nodes[i].measured)
-                continue;
-            const bool was = hasFlag(sample.flags, SampleFlag::Jump);
-            if (was == refused[i])
-                continue;
-            sample.flags ^= flagBit(SampleFlag::Jump);
-            changed = true;
+    };
+    for (const TrackSegment &segment : cutIntoSegments(samples, options.longestBridgedGap, isOpen)) {
+        const SpikeSearch found = searchSpikes(segment.nodes, noise, options.maxSpeedMps);
+        for (std::size_t i = 0; i < segment.nodes.size(); ++i) {
+            round.spike[segment.first + i] = found.spike[i];
+            round.abrupt[segment.first + i] = found.abrupt[i];
         }
     }
-    return changed;
+    return round;
 }
 
-/// Lifts flags from samples that lie where the smoothed track without them says they should; true when there
-/// are any.
-bool restoreFitting(std::vector<Sample> &samples, const std::vector<bool> &open, MotionNoise noise,
-                    Nanoseconds longestGap)
+/// The noise of the stretches between abrupt changes, spikes left out.
+MotionNoise noiseBetweenChanges(const std::vector<Sample> &samples, const std::vector<bool> &open,
+                                const Round &round, const AnalysisOptions &options)
 {
-    bool restored = false;
-    for (const TrackSegment &segment : cutIntoSegments(samples, longestGap)) {
-        if (segment.measured < 3)
-            continue;
-        const auto estimates = smoothMotion(segment.nodes, noise);
-        for (std::size_t i = 0; i < estimates.size(); ++i) {
-            Sample &sample = samples[segment.first + i];
-            if (segment.nodes[i].measured || !open[segment.first + i])
+    const auto isUsed = [&](const Sample &sample) {
+        const auto i = static_cast<std::size_t>(&sample - samples.data());
+        return open[i] && !round.spike[i];
+    };
+    const auto segments = cutIntoSegments(samples, options.longestBridgedGap, isUsed);
+    std::vector<std::span<const TrackNode>> stretches;
+    for (const TrackSegment &segment : segments) {
+        const std::span<const TrackNode> nodes(segment.nodes);
+        std::size_t begin = 0;
+        for (std::size_t i = 1; i <= nodes.size(); ++i) {
+            if (i < nodes.size() && !round.abrupt[segment.first + i])
                 continue;
-            const Eigen::Matrix2d s =
-                estimates[i].covariance.topLeftCorner<2, 2>() + noise.measurementScale * sample.covariance;
-            const Eigen::Vector2d d = *sample.position - estimates[i].position();
-            if (d.dot(s.inverse() * d) > refusalGate)
-                continue;
-            sample.flags &= ~flagBit(SampleFlag::Jump);
-            restored = true;
+            stretches.push_back(nodes.subspan(begin, i - begin));
+            begin = i;
         }
     }
-    return restored;
+    return estimateMotionNoise(stretches, false);
+}
+
+/// The noise before anything is known of the motion. Third differences of positions see the noise and hardly
+/// the motion (of a jerk of 30 m/s³ a millimetre at 30 frames/s), and their median deviation hardly the
+/// faults.
+MotionNoise firstNoise(const std::vector<Sample> &samples, const std::vector<bool> &open, const Round &round,
+                       const AnalysisOptions &options)
+{
+    constexpr double sumOfSquares = 20; // of the weights 1, −3, 3, −1
+    const auto isUsed = [&](const Sample &sample) {
+        const auto i = static_cast<std::size_t>(&sample - samples.data());
+        return open[i] && !round.spike[i];
+    };
+    std::vector<double> differences; // in standard deviations
+    for (const TrackSegment &segment : cutIntoSegments(samples, options.longestBridgedGap, isUsed)) {
+        const auto &nodes = segment.nodes;
+        for (std::size_t i = 3; i < nodes.size(); ++i) {
+            if (!nodes[i - 3].measured || !nodes[i - 2].measured || !nodes[i - 1].measured ||
+                !nodes[i].measured)
+                continue;
+            const Eigen::Vector2d third = nodes[i].position - 3 * nodes[i - 1].position +
+                                          3 * nodes[i - 2].position - nodes[i - 3].position;
+            for (int axis : {0, 1})
+                differences.push_back(third[axis] /
+                                      std::sqrt(sumOfSquares * nodes[i].covariance(axis, axis)));
+        }
+    }
+    const double deviation = differences.empty() ? 1 : medianDeviation(differences);
+    return {firstJerkDensity, deviation * deviation};
+}
+
+/// A first guess of which samples stand out, by Hampel's identifier on position and speed. Only the first
+/// estimate of the noise leaves them out; whether they are spikes is for the search to say.
+Round standingOut(const std::vector<Sample> &samples, const std::vector<bool> &open,
+                  const AnalysisOptions &options)
+{
+    Round round{std::vector<bool>(samples.size()), std::vector<bool>(samples.size())};
+    const auto isOpen = [&](const Sample &sample) {
+        return open[static_cast<std::size_t>(&sample - samples.data())];
+    };
+    for (const TrackSegment &segment : cutIntoSegments(samples, options.longestBridgedGap, isOpen)) {
+        const auto outliers = hampelSpikes(segment.nodes);
+        for (std::size_t i = 0; i < outliers.size(); ++i)
+            round.spike[segment.first + i] = outliers[i];
+    }
+    return round;
 }
 
 /// Adds to refused samples which physical limit they would break.
@@ -158,18 +152,22 @@ MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &opti
     std::vector<bool> open(samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i)
         open[i] = samples[i].position && !isRejected(samples[i].flags);
-    const auto used = [&] { return cutIntoSegments(samples, options.longestBridgedGap); };
-    MotionNoise noise = estimateMotionNoise(nodesOf(used()), true);
+    Round round = standingOut(samples, open, options);
     for (int pass = 0; pass < mostPasses; ++pass) {
-        const bool changed = flagJumps(samples, open, noise, options.longestBridgedGap);
-        if (pass > 0 && !changed)
+        const MotionNoise noise = pass == 0 ? firstNoise(samples, open, round, options)
+                                            : noiseBetweenChanges(samples, open, round, options);
+        Round next = searchAll(samples, open, noise, options);
+        const bool settled = next.spike == round.spike && next.abrupt == round.abrupt;
+        round = std::move(next);
+        if (settled)
             break;
-        noise = estimateMotionNoise(nodesOf(used()), false);
     }
-    if (restoreFitting(samples, open, noise, options.longestBridgedGap))
-        noise = estimateMotionNoise(nodesOf(used()), false);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (round.spike[i])
+            samples[i].flags |= flagBit(SampleFlag::Jump);
+    }
     nameLimits(samples, options);
-    return noise;
+    return estimateMotionNoise(nodesOf(cutIntoSegments(samples, options.longestBridgedGap)), false);
 }
 
 namespace {
@@ -187,8 +185,7 @@ std::string reasonOf(const Sample &sample, const SampleEvidence &evidence, const
     const auto add = [&](const std::string &more) { reason += (reason.empty() ? "" : "; ") + more; };
     if (hasFlag(sample.flags, SampleFlag::ViewsDisagree)) {
         add(words("views disagree by %.0f mm", toMillimetres(sample.viewDisagreementM.value_or(0))));
-        add(hasFlag(sample.flags, SampleFlag::Jump) ? "none could be trusted"
-                                                    : "one left out");
+        add(hasFlag(sample.flags, SampleFlag::Jump) ? "none could be trusted" : "one left out");
     } else if (hasFlag(sample.flags, SampleFlag::Jump)) {
         add(point.valid ? words("jump of %.0f mm", toMillimetres((*sample.position - point.position).norm()))
                         : std::string("jump"));

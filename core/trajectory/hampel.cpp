@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/hampel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+double median(std::vector<double> values)
+{
+    if (values.empty())
+        return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1)
+        return *middle;
+    return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+double medianDeviation(const std::vector<double> &values)
+{
+    constexpr double toStandardDeviation = 1.4826;
+    const double centre = median(values);
+    std::vector<double> deviations;
+    deviations.reserve(values.size());
+    for (const double value : values)
+        deviations.push_back(std::abs(value - centre));
+    return toStandardDeviation * median(std::move(deviations));
+}
+
+std::vector<bool> hampelOutliers(std::span<const double> values, const HampelSettings &settings)
+{
+    std::vector<bool> outliers(values.size());
+    const auto half = static_cast<std::size_t>(std::max(0, settings.halfWindow));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::size_t first = i > half ? i - half : 0, end = std::min(values.size(), i + half + 1);
+        const std::vector<double> window(values.begin() + static_cast<std::ptrdiff_t>(first),
+                                         values.begin() + static_cast<std::ptrdiff_t>(end));
+        const double deviation = std::max(settings.leastDeviation, medianDeviation(window));
+        outliers[i] = std::abs(values[i] - median(window)) > settings.threshold * deviation;
+    }
+    return outliers;
+}
+
+std::vector<bool> hampelSpikes(std::span<const TrackNode> track)
+{
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < track.size(); ++i) {
+        if (track[i].measured)
+            indices.push_back(i);
+    }
+    constexpr int halfWindow = 3;
+    constexpr double threshold = 5;
+    std::vector<bool> spikes(track.size());
+    for (int axis : {0, 1}) {
+        std::vector<double> positions, speeds; // speeds[i]: from measurement i to the next
+        double sigma = 0, speedSigma = 0;
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+            const TrackNode &node = track[indices[i]];
+            positions.push_back(node.position[axis]);
+            sigma = std::max(sigma, std::sqrt(node.covariance(axis, axis)));
+            if (i == 0)
+                continue;
+            const double step = node.timeS - track[indices[i - 1]].timeS;
+            speeds.push_back((positions[i] - positions[i - 1]) / step);
+            speedSigma = std::max(speedSigma, sigma / step);
+        }
+        const auto far = hampelOutliers(positions, {halfWindow, threshold, sigma});
+        const auto fast = hampelOutliers(speeds, {halfWindow, threshold, speedSigma});
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+            const bool both = i > 0 && i < speeds.size() && fast[i - 1] && fast[i];
+            if (far[i] || both)
+                spikes[indices[i]] = true;
+        }
+    }
+    return spikes;
+}
+
+} // namespace odo
