@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/analyser.h"
 
+#include "core/trajectory/axis_track.h"
 #include "core/trajectory/coloured_part.h"
 #include "core/trajectory/floor_positions.h"
 #include "core/trajectory/free_height.h"
 #include "core/trajectory/fused_track.h"
 #include "core/trajectory/height_estimation.h"
 #include "core/trajectory/metrics.h"
+#include "core/trajectory/outline_noise.h"
 #include "core/trajectory/profile_points.h"
+#include "core/trajectory/shape_estimation.h"
 #include "core/trajectory/spike_flags.h"
 #include "core/trajectory/view_alignment.h"
 #include "core/trajectory/view_interpolation.h"
@@ -21,6 +24,7 @@ namespace {
 
 // A told height is that of the top; where the colour ends is known less well.
 constexpr double toldPlaneSigmaM = 0.002;
+constexpr double toldHeightSigmaM = 0.001; // a ruler's
 // A robot of unknown height seen by one view is taken to lie on the floor; most are less than 120 mm high.
 constexpr double unknownPlaneSigmaM = 0.03;
 // Pixel noise alone moves the height of a frame by some millimetres.
@@ -105,15 +109,16 @@ std::vector<std::vector<Sighting>> lookFromAllViews(const std::vector<ViewTrack>
 struct PlacedRobot
 {
     std::vector<std::vector<Sighting>> views;
-    double planeSigmaM = 0;  ///< of the plane used
-    double heightM = 0;      ///< of the robot's top
+    double planeSigmaM = 0; ///< of the plane used
+    double heightM = 0;     ///< of the robot's top
     bool estimated = false;
 };
 
-/// Sightings on one plane. Where the views show that the point strays from it (a person's head, a wrong height told),
-/// each ray is trusted less along its own direction: two views then fix the place by their bearings.
-std::vector<std::vector<Sighting>> lookAtPlane(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
-                                               double planeM)
+/// Sightings on one plane. Where the views show that the point strays from it (a person's head, a wrong
+/// height told), each ray is trusted less along its own direction: two views then fix the place by their
+/// bearings.
+std::vector<std::vector<Sighting>> lookAtPlane(const std::vector<ViewTrack> &views,
+                                               const std::vector<Nanoseconds> &times, double planeM)
 {
     auto sightings = lookFromAllViews(views, times, planeM);
     const double scatterM = heightScatterM(lookFromAllViews(views, times, 0), planeM);
@@ -129,12 +134,37 @@ std::vector<std::vector<Sighting>> lookAtPlane(const std::vector<ViewTrack> &vie
     return sightings;
 }
 
+/// The outlines are a solid's silhouettes: each is laid where that solid must stand.
+std::optional<PlacedRobot> placeSolid(const std::vector<ViewTrack> &views,
+                                      const std::vector<Nanoseconds> &times, const RobotShape &told)
+{
+    const auto estimate = estimateShape(views, told);
+    if (!estimate)
+        return std::nullopt;
+    const SolidShape &shape = estimate->shape;
+    const auto axes = trackAxis(views, shape);
+    PlacedRobot placed;
+    for (std::size_t v = 0; v < views.size(); ++v)
+        placed.views.push_back(views[v].floorView ? sightingsAt(times, placeBody(views[v], shape, axes[v]))
+                                                  : std::vector<Sighting>(times.size()));
+    const double sigmaTopM = estimate->heightEstimated ? estimate->sigmaTopM : toldHeightSigmaM;
+    placed.planeSigmaM = sigmaTopM * middleHeightM(shape) / shape.topM;
+    placed.heightM = shape.topM;
+    placed.estimated = estimate->heightEstimated;
+    return placed;
+}
+
 /// One height for the whole run: told, or estimated from the views, or (from one view alone) unknown.
 PlacedRobot placeAtOneHeight(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
                              const RobotShape &shape)
 {
+    const bool markTold = shape.heightM && isMarkAtTop(views, *shape.heightM);
+    if (!markTold) {
+        if (auto solid = placeSolid(views, times, shape))
+            return std::move(*solid);
+    }
     if (shape.heightM) {
-        const double planeM = isMarkAtTop(views, *shape.heightM) ? *shape.heightM : silhouettePlaneM(*shape.heightM);
+        const double planeM = markTold ? *shape.heightM : silhouettePlaneM(*shape.heightM);
         return {lookAtPlane(views, times, planeM), toldPlaneSigmaM, *shape.heightM, false};
     }
     if (const auto estimate = estimatePlane(lookFromAllViews(views, times, 0))) {
@@ -206,11 +236,14 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
     const auto placed = place(views, times, shape);
     if (!placed)
         return tl::unexpected(placed.error());
-    const FusionSettings settings{placed->planeSigmaM};
+    const MeasurementNoise measurement = estimateOutlineNoise(placed->views);
+    FusionSettings settings;
+    settings.planeSigmaM = placed->planeSigmaM;
+    settings.measurement = measurement;
     FusedTrack track = fuseViews(times, frames, placed->views, settings);
     chooseByMotion(track, settings, options.longestBridgedGap);
     alignSingleViews(track, placed->views);
-    const MotionNoise noise = flagSpikes(track.samples, options);
+    const MotionNoise noise = flagSpikes(track.samples, options, measurement);
 
     Profile profile;
     profile.points = makePoints(track.samples, options, noise);

@@ -26,9 +26,10 @@ std::string_view smootherName(Smoother smoother);
 /// One view's part of a trial for one robot.
 struct ViewTrack
 {
-    std::string view;                      ///< camera's name
-    std::optional<FloorView> floorView;    ///< empty: the camera is not registered; its observations are left out
-    Nanoseconds startOffset{0};            ///< how much later this view's first frame was taken than the first view's
+    std::string view; ///< camera's name
+    std::optional<FloorView>
+        floorView;              ///< empty: the camera is not registered; its observations are left out
+    Nanoseconds startOffset{0}; ///< how much later this view's first frame was taken than the first view's
     std::vector<Observation> observations; ///< in order of time
 };
 
@@ -43,13 +44,15 @@ struct RobotShape
 struct AnalysisOptions
 {
     Smoother smoother = Smoother::Rts;
-    double maxSpeedMps = 10;  ///< physical limit, for flags
+    double maxSpeedMps = 10; ///< physical limit, for flags
     double maxAccelMps2 = 50;
     Nanoseconds longestBridgedGap = std::chrono::milliseconds(1500);
 };
 
-/// Observations of all views → samples → spikes → profile → metrics. Times of the samples are the first view's frame
-/// times; other views are interpolated to them. Pure and thread-safe. Errors: no view registered, robot never found.
-Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &shape, const AnalysisOptions &options);
+/// Observations of all views → samples → spikes → profile → metrics. Times of the samples are the first
+/// view's frame times; other views are interpolated to them. Pure and thread-safe. Errors: no view
+/// registered, robot never found.
+Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &shape,
+                        const AnalysisOptions &options);
 
 } // namespace odo

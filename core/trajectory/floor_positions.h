@@ -3,6 +3,7 @@
 
 #include "core/geometry/floor_view.h"
 #include "core/trajectory/analyser.h"
+#include "core/trajectory/body_outline.h"
 
 #include <vector>
 
@@ -24,6 +25,13 @@ struct Sighting
 /// height h is, to first order, the picture of its centre: planeM = h/2). The view must be registered.
 /// Observations without a usable covariance are given half a pixel.
 std::vector<Sighting> placeObservations(const ViewTrack &view, double planeM);
+
+/// One view's observations, each laid where the solid must stand, turned as `axes` says at its time, that its
+/// silhouette has the centroid that was seen: positions of the footprint's centre. The axis's σ goes into the
+/// pixels' part. An outline whose area is not what this view sees of the solid elsewhere in the run shows a
+/// part of the robot, or more than the robot: its score becomes 0.
+std::vector<Sighting> placeBody(const ViewTrack &view, const SolidShape &shape,
+                                const std::vector<BodyAxis> &axes);
 
 /// The median distance between successive sightings' times, seen or not; 0 for fewer than two.
 Nanoseconds typicalInterval(const std::vector<Sighting> &sightings);

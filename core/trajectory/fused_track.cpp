@@ -156,7 +156,7 @@ void chooseByMotion(FusedTrack &track, const FusionSettings &settings, Nanosecon
     if (!hasContenders(track))
         return;
     auto segments = cutIntoSegments(track.samples, longestGap);
-    const MotionNoise noise = estimateMotionNoise(nodesOf(segments), true);
+    const MotionNoise noise = estimateMotionNoise(nodesOf(segments), true, settings.measurement);
     for (int pass = 0; pass < mostPasses && hasContenders(track); ++pass) {
         if (!decideOnce(track, settings, segments, noise))
             break;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/trajectory/fusion.h"
+#include "core/trajectory/kalman_smoother.h"
 #include "core/trajectory/profile.h"
 
 #include <vector>
@@ -28,6 +29,7 @@ struct FusionSettings
 {
     double planeSigmaM = 0;  ///< uncertainty of the height of the plane used; goes into the common part
     double leastScore = 0.2; ///< views below are left out, or the sample is flagged where there is no better
+    MeasurementNoise measurement = {}; ///< for the decisions by motion
 };
 
 /// Joins the views at each time. Flags set: Lost, DuplicateFrame, LowScore, ViewsDisagree, and Jump with it

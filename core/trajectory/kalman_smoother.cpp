@@ -9,52 +9,71 @@ namespace odo {
 
 namespace {
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector8 = Eigen::Matrix<double, 8, 1>;
+using Matrix8 = Eigen::Matrix<double, 8, 8>;
+using Matrix28 = Eigen::Matrix<double, 2, 8>;
 
-Matrix6 transition(double dt)
+/// The way from one node to the next: the transition and what it adds.
+struct Step
 {
-    Matrix6 f = Matrix6::Identity();
-    f.block<2, 2>(0, 2).diagonal().setConstant(dt);
-    f.block<2, 2>(2, 4).diagonal().setConstant(dt);
-    f.block<2, 2>(0, 4).diagonal().setConstant(dt * dt / 2);
-    return f;
-}
+    Matrix8 transition = Matrix8::Identity(), noise = Matrix8::Zero();
 
-Matrix6 processCovariance(double dt, double jerkDensity)
-{
-    const double t2 = dt * dt, t3 = t2 * dt;
-    Eigen::Matrix3d axis;
-    axis << t3 * t2 / 20, t2 * t2 / 8, t3 / 6, //
-        t2 * t2 / 8, t3 / 3, t2 / 2,           //
-        t3 / 6, t2 / 2, dt;
-    axis *= jerkDensity;
-    Matrix6 q = Matrix6::Zero();
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j)
-            q.block<2, 2>(2 * i, 2 * j).diagonal().setConstant(axis(i, j));
+    Step(double dt, double wayM, const MotionNoise &motion)
+    {
+        transition.block<2, 2>(0, 2).diagonal().setConstant(dt);
+        transition.block<2, 2>(2, 4).diagonal().setConstant(dt);
+        transition.block<2, 2>(0, 4).diagonal().setConstant(dt * dt / 2);
+        const double t2 = dt * dt, t3 = t2 * dt;
+        Eigen::Matrix3d axis;
+        axis << t3 * t2 / 20, t2 * t2 / 8, t3 / 6, //
+            t2 * t2 / 8, t3 / 3, t2 / 2,           //
+            t3 / 6, t2 / 2, dt;
+        axis *= motion.jerkDensity;
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j)
+                noise.block<2, 2>(2 * i, 2 * j).diagonal().setConstant(axis(i, j));
+        }
+        const double kept = std::exp(-std::abs(wayM) / motion.slowLengthM);
+        transition.block<2, 2>(6, 6).diagonal().setConstant(kept);
+        noise.block<2, 2>(6, 6).diagonal().setConstant(1 - kept * kept);
     }
-    return q;
-}
+};
+
+/// How a measurement follows from the state.
+struct Sight
+{
+    Matrix28 design = Matrix28::Zero();
+    Eigen::Matrix2d noise;
+
+    Sight(const TrackNode &node, const MotionNoise &motion)
+    {
+        const Eigen::Matrix2d covariance = motion.measurementScale * node.covariance;
+        design.leftCols<2>().setIdentity();
+        design.rightCols<2>() = (motion.slowShare * covariance).llt().matrixL();
+        if (!(motion.slowShare > 0))
+            design.rightCols<2>().setZero();
+        noise = (1 - motion.slowShare) * covariance;
+    }
+};
 
 } // namespace
 
-void MotionFilter::predict(double timeS)
+void MotionFilter::predict(const TrackNode &node)
 {
     if (!m_started)
         return;
-    const double dt = timeS - m_timeS;
-    const Matrix6 f = transition(dt);
-    m_estimate.mean = f * m_estimate.mean;
-    m_estimate.covariance =
-        f * m_estimate.covariance * f.transpose() + processCovariance(dt, m_noise.jerkDensity);
-    m_timeS = timeS;
+    const Step step(node.timeS - m_timeS, node.travelM - m_travelM, m_noise);
+    m_state.mean = step.transition * m_state.mean;
+    m_state.covariance = step.transition * m_state.covariance * step.transition.transpose() + step.noise;
+    m_timeS = node.timeS;
+    m_travelM = node.travelM;
 }
 
 double MotionFilter::distanceSquared(const TrackNode &measurement, double *logDeterminant) const
 {
-    const Eigen::Matrix2d s =
-        m_estimate.covariance.topLeftCorner<2, 2>() + m_noise.measurementScale * measurement.covariance;
-    const Eigen::Vector2d innovation = measurement.position - m_estimate.position();
+    const Sight sight(measurement, m_noise);
+    const Eigen::Matrix2d s = sight.design * m_state.covariance * sight.design.transpose() + sight.noise;
+    const Eigen::Vector2d innovation = measurement.position - sight.design * m_state.mean;
     if (logDeterminant)
         *logDeterminant = std::log(s.determinant());
     return innovation.dot(s.inverse() * innovation);
@@ -62,13 +81,19 @@ double MotionFilter::distanceSquared(const TrackNode &measurement, double *logDe
 
 void MotionFilter::restart(const TrackNode &measurement, double sigmaSpeedMps, double sigmaAccelMps2)
 {
-    m_estimate.mean.setZero();
-    m_estimate.mean.head<2>() = measurement.position;
-    m_estimate.covariance.setZero();
-    m_estimate.covariance.topLeftCorner<2, 2>() = m_noise.measurementScale * measurement.covariance;
-    m_estimate.covariance.diagonal().segment<2>(2).setConstant(sigmaSpeedMps * sigmaSpeedMps);
-    m_estimate.covariance.diagonal().tail<2>().setConstant(sigmaAccelMps2 * sigmaAccelMps2);
+    const Eigen::Matrix2d covariance = m_noise.measurementScale * measurement.covariance;
+    const Eigen::Matrix2d slow = Sight(measurement, m_noise).design.rightCols<2>();
+    m_state = State();
+    m_state.mean.head<2>() = measurement.position;
+    m_state.covariance.topLeftCorner<2, 2>() = covariance;
+    m_state.covariance.diagonal().segment<2>(2).setConstant(sigmaSpeedMps * sigmaSpeedMps);
+    m_state.covariance.diagonal().segment<2>(4).setConstant(sigmaAccelMps2 * sigmaAccelMps2);
+    // What is measured too far is the slow error's sum with the place: the two are anticorrelated.
+    m_state.covariance.bottomRightCorner<2, 2>().setIdentity();
+    m_state.covariance.topRightCorner<2, 2>() = -slow;
+    m_state.covariance.bottomLeftCorner<2, 2>() = -slow.transpose();
     m_timeS = measurement.timeS;
+    m_travelM = measurement.travelM;
     m_started = true;
 }
 
@@ -85,7 +110,7 @@ void MotionFilter::disturb(double sigmaSpeedMps, double sigmaAccelMps2, double s
     axis += sigmaAccelMps2 * sigmaAccelMps2 * ofAccel;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j)
-            m_estimate.covariance.block<2, 2>(2 * i, 2 * j).diagonal().array() += axis(i, j);
+            m_state.covariance.block<2, 2>(2 * i, 2 * j).diagonal().array() += axis(i, j);
     }
 }
 
@@ -95,38 +120,40 @@ void MotionFilter::update(const TrackNode &measurement)
         restart(measurement);
         return;
     }
-    const Eigen::Matrix2d r = m_noise.measurementScale * measurement.covariance;
-    const Eigen::Matrix2d s = m_estimate.covariance.topLeftCorner<2, 2>() + r;
-    const Eigen::Matrix<double, 6, 2> gain = m_estimate.covariance.leftCols<2>() * s.inverse();
-    m_estimate.mean += gain * (measurement.position - m_estimate.position());
-    Matrix6 keep = Matrix6::Identity();
-    keep.leftCols<2>() -= gain;
-    m_estimate.covariance = keep * m_estimate.covariance * keep.transpose() + gain * r * gain.transpose();
+    const Sight sight(measurement, m_noise);
+    const Eigen::Matrix<double, 8, 2> crossed = m_state.covariance * sight.design.transpose();
+    const Eigen::Matrix2d s = sight.design * crossed + sight.noise;
+    const Eigen::Matrix<double, 8, 2> gain = crossed * s.inverse();
+    m_state.mean += gain * (measurement.position - sight.design * m_state.mean);
+    const Matrix8 keep = Matrix8::Identity() - gain * sight.design;
+    m_state.covariance = keep * m_state.covariance * keep.transpose() + gain * sight.noise * gain.transpose();
 }
 
 std::vector<MotionEstimate> smoothMotion(std::span<const TrackNode> track, MotionNoise noise)
 {
-    std::vector<MotionEstimate> estimates;
-    estimates.reserve(track.size());
+    std::vector<MotionFilter::State> states;
+    states.reserve(track.size());
     MotionFilter filter(noise);
     for (const TrackNode &node : track) {
-        filter.predict(node.timeS);
+        filter.predict(node);
         if (node.measured)
             filter.update(node);
-        estimates.push_back(filter.estimate());
+        states.push_back(filter.state());
     }
-    for (std::size_t i = estimates.size(); i-- > 1;) {
-        const MotionEstimate &next = estimates[i];
-        MotionEstimate &now = estimates[i - 1];
-        const double dt = track[i].timeS - track[i - 1].timeS;
-        const Matrix6 f = transition(dt);
-        const Matrix6 predicted =
-            f * now.covariance * f.transpose() + processCovariance(dt, noise.jerkDensity);
-        const Matrix6 gain = predicted.ldlt().solve(f * now.covariance).transpose();
-        now.mean += gain * (next.mean - f * now.mean);
-        const Matrix6 change = gain * (next.covariance - predicted) * gain.transpose();
+    for (std::size_t i = states.size(); i-- > 1;) {
+        const MotionFilter::State &next = states[i];
+        MotionFilter::State &now = states[i - 1];
+        const Step step(track[i].timeS - track[i - 1].timeS, track[i].travelM - track[i - 1].travelM, noise);
+        const Matrix8 predicted = step.transition * now.covariance * step.transition.transpose() + step.noise;
+        const Matrix8 gain = predicted.ldlt().solve(step.transition * now.covariance).transpose();
+        now.mean += gain * (next.mean - step.transition * now.mean);
+        const Matrix8 change = gain * (next.covariance - predicted) * gain.transpose();
         now.covariance += (change + change.transpose()) / 2;
     }
+    std::vector<MotionEstimate> estimates;
+    estimates.reserve(states.size());
+    for (const MotionFilter::State &state : states)
+        estimates.push_back({state.mean.head<6>(), state.covariance.topLeftCorner<6, 6>()});
     return estimates;
 }
 
@@ -139,7 +166,6 @@ struct Likelihood
     double scale = 1;
 };
 
-constexpr double priorInnovations = 10;
 constexpr int startingInnovations = 2; // velocity and acceleration: still all ignorance, no information
 constexpr std::size_t blockLength = 500, mostSamples = 20000;
 
@@ -148,14 +174,14 @@ struct Sums
     double distances = 0, logDeterminants = 0, count = 0;
 };
 
-void addInnovations(std::span<const TrackNode> track, double jerkDensity, bool robust, Sums &sums)
+void addInnovations(std::span<const TrackNode> track, const MotionNoise &noise, bool robust, Sums &sums)
 {
-    MotionFilter filter({jerkDensity, 1});
+    MotionFilter filter(noise);
     int taken = 0;
     for (const TrackNode &node : track) {
         if (!node.measured)
             continue;
-        filter.predict(node.timeS);
+        filter.predict(node);
         double distance = 0, logDeterminant = 0;
         if (filter.started())
             distance = filter.distanceSquared(node, &logDeterminant);
@@ -171,15 +197,18 @@ void addInnovations(std::span<const TrackNode> track, double jerkDensity, bool r
     }
 }
 
-Likelihood likelihood(std::span<const std::span<const TrackNode>> blocks, double jerkDensity, bool robust)
+Likelihood likelihood(std::span<const std::span<const TrackNode>> blocks, double jerkDensity, bool robust,
+                      const MeasurementNoise &measurement)
 {
     Sums sums;
     for (const auto &block : blocks)
-        addInnovations(block, jerkDensity, robust, sums);
+        addInnovations(block,
+                       {jerkDensity, measurement.scale, measurement.slowShare, measurement.slowLengthM},
+                       robust, sums);
     if (robust)
         return {sums.logDeterminants + sums.distances, 1};
-    const double weight = 2 * (sums.count + priorInnovations);
-    const double scale = (sums.distances + 2 * priorInnovations) / weight;
+    const double weight = 2 * (sums.count + measurement.trust);
+    const double scale = (sums.distances + 2 * measurement.trust) / weight;
     return {sums.logDeterminants + weight * std::log(scale), scale};
 }
 
@@ -204,11 +233,12 @@ std::vector<std::span<const TrackNode>> chooseBlocks(const std::vector<std::span
 
 } // namespace
 
-MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &segments, bool robust)
+MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &segments, bool robust,
+                                const MeasurementNoise &measurement)
 {
     const auto blocks = chooseBlocks(segments);
     const auto costAt = [&](double exponent) {
-        return likelihood(blocks, std::pow(10.0, exponent), robust).cost;
+        return likelihood(blocks, std::pow(10.0, exponent), robust, measurement).cost;
     };
     constexpr double lowest = -5, highest = 6;
     double best = lowest, bestCost = costAt(lowest);
@@ -238,8 +268,8 @@ MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &s
         }
     }
     const double ratio = std::pow(10.0, (left + right) / 2);
-    const double scale = likelihood(blocks, ratio, robust).scale;
-    return {ratio * scale, scale};
+    const double scale = likelihood(blocks, ratio, robust, measurement).scale;
+    return {ratio * scale, measurement.scale * scale, measurement.slowShare, measurement.slowLengthM};
 }
 
 } // namespace odo

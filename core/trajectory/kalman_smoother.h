@@ -15,13 +15,27 @@ struct TrackNode
     bool measured = false;
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< m², positive definite where measured
+    double travelM = 0; ///< length of the way up to here, which makes the slow part of the noise change
+};
+
+/// How the errors of the measurements hang together. A part of them changes only as the robot moves and turns
+/// before the camera (its edges lie otherwise among the pixels, its sides are lit otherwise): standing still
+/// does not average it out, and over a short way it looks like motion. Correlation exp(−way / slowLengthM),
+/// an Ornstein–Uhlenbeck process.
+struct MeasurementNoise
+{
+    double scale = 1;     ///< factor on the stated covariances
+    double slowShare = 0; ///< part of the scaled variance that is slow; the rest is independent
+    double slowLengthM = 0.1;
+    double trust = 10; ///< how many innovations the scale counts as, against those of the data
 };
 
 /// What moves the robot and blurs the measurement.
 struct MotionNoise
 {
     double jerkDensity = 1;      ///< spectral density of the white jerk of each axis, m²/s⁵
-    double measurementScale = 1; ///< factor on the stated covariances of the measurements
+    double measurementScale = 1; ///< as of MeasurementNoise
+    double slowShare = 0, slowLengthM = 0.1;
 };
 
 /// Position, velocity and acceleration (x, y, vx, vy, ax, ay) at one time. SI.
@@ -36,16 +50,17 @@ struct MotionEstimate
 };
 
 /// Kalman filter over a model of constant acceleration driven by white jerk (Bar-Shalom, Li, Kirubarajan
-/// 2001, eq. 6.2.3-4..9), exact for irregular intervals. Starts at the first measurement with 10 m/s and 50
-/// m/s² of ignorance.
+/// 2001, eq. 6.2.3-4..9), exact for irregular intervals, with the slow error of the measurements as two more
+/// states (the same, § 8.2: coloured measurement noise by augmentation). Starts at the first measurement with
+/// 10 m/s and 50 m/s² of ignorance.
 class MotionFilter
 {
 public:
     explicit MotionFilter(MotionNoise noise) : m_noise(noise) {}
 
     bool started() const { return m_started; }
-    /// Moves the estimate on to a time (no-op before the start).
-    void predict(double timeS);
+    /// Moves the estimate on to a node's time (no-op before the start).
+    void predict(const TrackNode &node);
     /// Squared Mahalanobis distance of a measurement from the prediction; logDeterminant of its covariance if
     /// wanted.
     double distanceSquared(const TrackNode &measurement, double *logDeterminant = nullptr) const;
@@ -57,12 +72,23 @@ public:
     /// seconds, all moments alike; call it after predict.
     void disturb(double sigmaSpeedMps, double sigmaAccelMps2, double sinceS);
 
-    const MotionEstimate &estimate() const { return m_estimate; }
+    MotionEstimate estimate() const
+    {
+        return {m_state.mean.head<6>(), m_state.covariance.topLeftCorner<6, 6>()};
+    }
+
+    /// The whole state: motion, and the slow error in units of its standard deviation along two axes.
+    struct State
+    {
+        Eigen::Matrix<double, 8, 1> mean = Eigen::Matrix<double, 8, 1>::Zero();
+        Eigen::Matrix<double, 8, 8> covariance = Eigen::Matrix<double, 8, 8>::Zero();
+    };
+    const State &state() const { return m_state; }
 
 private:
     MotionNoise m_noise;
-    MotionEstimate m_estimate;
-    double m_timeS = 0;
+    State m_state;
+    double m_timeS = 0, m_travelM = 0;
     bool m_started = false;
 };
 
@@ -72,9 +98,11 @@ std::vector<MotionEstimate> smoothMotion(std::span<const TrackNode> track, Motio
 
 /// Noise by maximum likelihood of the innovations (prediction error decomposition: Harvey 1989, § 3.4) over
 /// all segments: the measurement scale in closed form, the jerk density by a logarithmic grid and a golden
-/// section. The scale is drawn to 1 as by ten more innovations, so that few samples change little. robust: an
-/// innovation beyond refusalGate counts as the gate and is not taken in (for data with spikes), scale 1.
-MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &segments, bool robust);
+/// section. The scale is drawn to that of `measurement` as by so many more innovations as its trust, so that
+/// few samples change little; its slow part is taken over. robust: an innovation beyond refusalGate counts as
+/// the gate and is not taken in (for data with spikes), and the scale stays.
+MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &segments, bool robust,
+                                const MeasurementNoise &measurement = {});
 
 /// χ² with two degrees of freedom, 99.9 %.
 constexpr double refusalGate = 13.8155;

@@ -95,7 +95,10 @@ MotionNoise firstNoise(const std::vector<Sample> &samples, const std::vector<boo
         }
     }
     const double deviation = differences.empty() ? 1 : medianDeviation(differences);
-    return {firstJerkDensity, deviation * deviation};
+    MotionNoise noise;
+    noise.jerkDensity = firstJerkDensity;
+    noise.measurementScale = deviation * deviation;
+    return noise;
 }
 
 /// A first guess of which samples stand out, by Hampel's identifier on position and speed. Only the first
@@ -146,7 +149,8 @@ void nameLimits(std::vector<Sample> &samples, const AnalysisOptions &options)
 
 } // namespace
 
-MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options)
+MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
+                       const MeasurementNoise &measurement)
 {
     // Samples refused for another reason before are not judged again.
     std::vector<bool> open(samples.size());
@@ -167,7 +171,7 @@ MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &opti
             samples[i].flags |= flagBit(SampleFlag::Jump);
     }
     nameLimits(samples, options);
-    return estimateMotionNoise(nodesOf(cutIntoSegments(samples, options.longestBridgedGap)), false);
+    return estimateMotionNoise(nodesOf(cutIntoSegments(samples, options.longestBridgedGap)), false, measurement);
 }
 
 namespace {

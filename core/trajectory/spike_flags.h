@@ -11,8 +11,10 @@ namespace odo {
 
 /// Sets Jump, with SpeedLimit and AccelerationLimit as further reasons, on samples that no robot's motion
 /// explains (searchSpikes, with the noise learnt from the run itself; Hampel's identifier gives the first
-/// guess). A collision, a start and a bounce are motions. Returns the noise estimated from what remains.
-MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options);
+/// guess). A collision, a start and a bounce are motions. Returns the noise estimated from what remains,
+/// with the slow part of `measurement`.
+MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
+                       const MeasurementNoise &measurement = {});
 
 /// The flagged measurements in words with figures, e.g. "jump of 212 mm". Times without a measurement (lost,
 /// repeated pictures) are gaps, not spikes, and are not listed. points: the profile of the same samples.

@@ -88,12 +88,14 @@ private:
     /// until then, an abrupt change or a gap does not cost more than in an ordinary one.
     void learnWhatIsUsual()
     {
-        MotionFilter filter({std::max(m_noise.jerkDensity, usualJerkDensity), m_noise.measurementScale});
+        MotionNoise usual = m_noise;
+        usual.jerkDensity = std::max(usual.jerkDensity, usualJerkDensity);
+        MotionFilter filter(usual);
         std::vector<double> widenings, volumes;
         for (const TrackNode &node : m_track) {
             if (!node.measured)
                 continue;
-            filter.predict(node.timeS);
+            filter.predict(node);
             double logDeterminant = 0;
             if (filter.started()) {
                 filter.distanceSquared(node, &logDeterminant);
@@ -204,7 +206,7 @@ private:
             return;
         }
         Hypothesis moved = hypothesis;
-        moved.filter.predict(node.timeS);
+        moved.filter.predict(node);
         double distance = 0;
         const double price = priceOf(moved.filter, node, &distance);
         const bool possible = !isTooFast(hypothesis, node);

@@ -1,7 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/track_segments.h"
 
+#include <algorithm>
+
 namespace odo {
+
+namespace {
+
+constexpr std::size_t reach = 2; // measured nodes to either side that a step of the way is measured over
+
+/// Fills the way up to each node: over five measured nodes each, so that pixel noise is no way.
+void measureTravel(std::vector<TrackNode> &nodes)
+{
+    std::vector<std::size_t> measured;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (nodes[i].measured)
+            measured.push_back(i);
+    }
+    double travelM = 0;
+    for (std::size_t m = 1; m < measured.size(); ++m) {
+        const TrackNode &before = nodes[measured[m - std::min(m, reach)]];
+        const TrackNode &behind = nodes[measured[std::min(measured.size() - 1, m + reach)]];
+        const double speed = (behind.position - before.position).norm() / (behind.timeS - before.timeS);
+        const std::size_t from = measured[m - 1], to = measured[m];
+        for (std::size_t i = from + 1; i <= to; ++i)
+            nodes[i].travelM = travelM + speed * (nodes[i].timeS - nodes[from].timeS);
+        travelM = nodes[to].travelM;
+    }
+}
+
+} // namespace
 
 std::vector<TrackSegment> cutIntoSegments(const std::vector<Sample> &samples, Nanoseconds longestGap,
                                           const std::function<bool(const Sample &)> &isUsed)
@@ -28,6 +56,8 @@ std::vector<TrackSegment> cutIntoSegments(const std::vector<Sample> &samples, Na
         ++segments.back().measured;
         last = i;
     }
+    for (TrackSegment &segment : segments)
+        measureTravel(segment.nodes);
     return segments;
 }
 

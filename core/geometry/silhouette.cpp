@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/silhouette.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace odo {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int circleCorners = 24;
+
+double cross(const Vector2d &a, const Vector2d &b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Corners of the footprint about its centre, in the world's axes.
+std::vector<Vector2d> footprint(const SolidShape &shape, double headingRad)
+{
+    std::vector<Vector2d> corners;
+    if (shape.form == SolidShape::Form::Cylinder) {
+        // The polygon of the circle's area.
+        const double step = 2 * std::numbers::pi / circleCorners;
+        const double radius = shape.lengthM / 2 * std::sqrt(step / std::sin(step));
+        for (int i = 0; i < circleCorners; ++i)
+            corners.emplace_back(radius * std::cos(i * step), radius * std::sin(i * step));
+        return corners;
+    }
+    const Vector2d along = shape.lengthM / 2 * Vector2d(std::cos(headingRad), std::sin(headingRad));
+    const Vector2d across = shape.widthM / 2 * Vector2d(-std::sin(headingRad), std::cos(headingRad));
+    return {along + across, along - across, -along - across, -along + across};
+}
+
+/// Convex hull by Andrew's monotone chain (1979).
+std::vector<Vector2d> convexHull(std::vector<Vector2d> points)
+{
+    std::sort(points.begin(), points.end(), [](const Vector2d &a, const Vector2d &b) {
+        return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+    });
+    std::vector<Vector2d> hull;
+    const auto addChain = [&hull](auto begin, auto end) {
+        const std::size_t first = hull.size();
+        for (auto point = begin; point != end; ++point) {
+            while (hull.size() >= first + 2 &&
+                   cross(hull.back() - hull[hull.size() - 2], *point - hull.back()) <= 0)
+                hull.pop_back();
+            hull.push_back(*point);
+        }
+        hull.pop_back(); // it begins the other chain
+    };
+    addChain(points.begin(), points.end());
+    addChain(points.rbegin(), points.rend());
+    return hull;
+}
+
+} // namespace
+
+RegionMoments polygonMoments(const std::vector<Vector2d> &corners)
+{
+    RegionMoments moments;
+    if (corners.size() < 3)
+        return moments;
+    // About the first corner, which keeps the sums well conditioned.
+    const Vector2d origin = corners.front();
+    double area = 0;
+    Vector2d first = Vector2d::Zero();
+    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        const Vector2d a = corners[i] - origin, b = corners[i + 1] - origin, sum = a + b;
+        const double twice = cross(a, b);
+        area += twice / 2;
+        first += twice / 6 * sum;
+        second += twice / 24 * (a * a.transpose() + b * b.transpose() + sum * sum.transpose());
+    }
+    if (area == 0)
+        return moments;
+    const Vector2d mean = first / area;
+    moments.areaPx2 = std::abs(area);
+    moments.centrePx = origin + mean;
+    moments.covariancePx2 = second / area - mean * mean.transpose();
+    return moments;
+}
+
+std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const SolidShape &shape,
+                                               const Vector2d &positionInWorld, double headingRad)
+{
+    std::vector<Vector2d> pixels;
+    for (const Vector2d &corner : footprint(shape, headingRad)) {
+        const Vector2d place = positionInWorld + corner;
+        for (const double height : {shape.baseM, shape.topM}) {
+            const auto pixel = view.pixelFromWorld({place.x(), place.y(), height});
+            if (!pixel)
+                return std::nullopt;
+            pixels.push_back(*pixel);
+            if (shape.baseM == shape.topM)
+                break;
+        }
+    }
+    return polygonMoments(convexHull(std::move(pixels)));
+}
+
+} // namespace odo

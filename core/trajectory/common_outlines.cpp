@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/common_outlines.h"
+
+#include "core/trajectory/body_outline.h"
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+constexpr double sureScore = 0.5;
+constexpr std::size_t leastTimes = 5;
+constexpr Nanoseconds longestStep = std::chrono::milliseconds(120);
+
+bool isClear(const Observation &observation)
+{
+    return observation.found && !observation.duplicateFrame && !observation.touchesBorder &&
+           observation.score >= sureScore;
+}
+
+std::optional<RegionMoments> outlineAt(const ViewTrack &view, Nanoseconds time)
+{
+    const auto after = std::lower_bound(view.observations.begin(), view.observations.end(), time,
+                                        [&view](const Observation &observation, Nanoseconds t) {
+                                            return observation.time + view.startOffset < t;
+                                        });
+    if (after == view.observations.end() || !isClear(*after))
+        return std::nullopt;
+    const Nanoseconds behind = after->time + view.startOffset;
+    if (behind == time)
+        return outlineMoments(*after);
+    if (after == view.observations.begin() || !isClear(*(after - 1)))
+        return std::nullopt;
+    const Nanoseconds before = (after - 1)->time + view.startOffset;
+    if (behind - before > longestStep)
+        return std::nullopt;
+    const double fraction = toSeconds(time - before) / toSeconds(behind - before);
+    const RegionMoments a = outlineMoments(*(after - 1)), b = outlineMoments(*after);
+    return RegionMoments{(1 - fraction) * a.areaPx2 + fraction * b.areaPx2,
+                         (1 - fraction) * a.centrePx + fraction * b.centrePx,
+                         (1 - fraction) * a.covariancePx2 + fraction * b.covariancePx2};
+}
+
+CommonOutlines outlinesAt(const std::vector<ViewTrack> &views, Nanoseconds time)
+{
+    CommonOutlines common;
+    for (const ViewTrack &view : views) {
+        if (!view.floorView)
+            continue;
+        if (const auto moments = outlineAt(view, time))
+            common.outlines.push_back({&*view.floorView, *moments});
+    }
+    return common;
+}
+
+std::vector<CommonOutlines> spread(const std::vector<CommonOutlines> &all, std::size_t most)
+{
+    if (all.size() <= most)
+        return all;
+    std::vector<CommonOutlines> chosen;
+    for (std::size_t i = 0; i < most; ++i)
+        chosen.push_back(all[i * (all.size() - 1) / (most - 1)]);
+    return chosen;
+}
+
+} // namespace
+
+std::vector<CommonOutlines> commonOutlines(const std::vector<ViewTrack> &views, std::size_t most)
+{
+    std::vector<CommonOutlines> several, single;
+    for (const ViewTrack &view : views) {
+        if (!view.floorView)
+            continue;
+        for (const Observation &observation : view.observations) {
+            if (!isClear(observation))
+                continue;
+            CommonOutlines common = outlinesAt(views, observation.time + view.startOffset);
+            if (common.outlines.size() > 1)
+                several.push_back(std::move(common));
+            else if (!common.outlines.empty())
+                single.push_back(std::move(common));
+        }
+        // The other views' times add little to those of the first that saw it together with others.
+        if (several.size() >= leastTimes)
+            return spread(several, most);
+    }
+    return spread(single, most);
+}
+
+} // namespace odo

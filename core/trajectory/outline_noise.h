@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/floor_positions.h"
+#include "core/trajectory/kalman_smoother.h"
+
+#include <vector>
+
+namespace odo {
+
+/// Length of the way up to each sighting's time, from the first view that saw the robot there: metres, over
+/// five sightings each, so that pixel noise is no way. Times without a sighting continue from the last.
+std::vector<double> travelOf(const std::vector<std::vector<Sighting>> &views);
+
+/// How large the errors of the outlines are, and how they hang together, from the disagreement of the views,
+/// in which the robot's motion cancels: half the mean squared change of the whitened disagreement over a way
+/// s is σ²w + σ²s (1 − exp(−s/ℓ)) (the variogram of an Ornstein–Uhlenbeck process beside white noise:
+/// Matheron 1963), fitted over the ways up to 0.4 m; longer ones show the calibration's change over the
+/// floor. The slow part is never taken for less than a half: what both views share (the light) does not show.
+/// views: sightings at the same times. With too few that two views share, or too short a way, what is usual.
+MeasurementNoise estimateOutlineNoise(const std::vector<std::vector<Sighting>> &views);
+
+} // namespace odo

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/shape_estimation.h"
+
+#include "core/trajectory/body_outline.h"
+#include "core/trajectory/common_outlines.h"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr std::size_t mostTimes = 40, leastTimes = 5;
+constexpr double independentTimes =
+    4; // the outlines' errors repeat wherever the robot is seen from the same side
+constexpr double placeSigmaPx =
+    0.7; // of a centroid against the other views', the registration's error being in it
+constexpr double worstMisfit = 4;
+constexpr double guessM = 0.2, guessHeightM = 0.1;
+// A simpler solid is taken unless another explains the outlines so much better.
+constexpr double clearlyBetter = 0.8;
+constexpr double roundEnough = 1.1; // length over width of a told size up to which it may be a cylinder's
+
+using Pose = std::array<double, 3>; // x, y, angle
+
+/// What is varied: logarithms of length, width and top; the base as a share of the top.
+using Form = std::array<double, 4>;
+enum : int { LogLength, LogWidth, LogTop, BaseShare };
+
+SolidShape solidOf(const double *form, SolidShape::Form kind)
+{
+    SolidShape solid;
+    solid.form = kind;
+    solid.lengthM = std::exp(form[LogLength]);
+    solid.widthM = kind == SolidShape::Form::Cylinder ? solid.lengthM : std::exp(form[LogWidth]);
+    solid.topM = std::exp(form[LogTop]);
+    solid.baseM = solid.topM * std::clamp(form[BaseShare], 0.0, 1.0);
+    return solid;
+}
+
+/// One view's outline against the solid's silhouette: two differences of the centroid, of the area's
+/// logarithm, three of the second moments, each over its σ.
+struct OutlineResidual
+{
+    const CommonOutlines::Outline &outline;
+    SolidShape::Form kind;
+
+    bool operator()(const double *pose, const double *form, double *residual) const
+    {
+        const auto model = silhouetteMoments(*outline.view, solidOf(form, kind), {pose[0], pose[1]}, pose[2]);
+        if (!model || model->areaPx2 < 1)
+            return false;
+        const RegionMoments &seen = outline.moments;
+        const OutlineSigma sigma = sigmaOfOutline(seen);
+        const Eigen::Vector2d place = (seen.centrePx - model->centrePx) / placeSigmaPx;
+        const Eigen::Matrix2d spread = (seen.covariancePx2 - model->covariancePx2) / sigma.covariancePx2;
+        residual[0] = place.x();
+        residual[1] = place.y();
+        residual[2] = std::log(seen.areaPx2 / model->areaPx2) / sigma.areaShare;
+        residual[3] = spread(0, 0);
+        residual[4] = spread(1, 1);
+        residual[5] = spread(0, 1);
+        return true;
+    }
+};
+
+/// Keeps what nothing determines near what robots are like.
+struct FormPrior
+{
+    Form expected;
+    bool operator()(const double *form, double *residual) const
+    {
+        for (int i : {LogLength, LogWidth, LogTop})
+            residual[i] = form[i] - expected[static_cast<std::size_t>(i)];
+        return true;
+    }
+};
+
+struct Candidate
+{
+    SolidShape::Form kind = SolidShape::Form::Box;
+    Form form{};
+    std::vector<int> constant; ///< indices of the form that stay
+    int complexity = 0;
+};
+
+struct Fit
+{
+    SolidShape solid;
+    double misfit = HUGE_VAL, sigmaTopM = 0;
+    int complexity = 0;
+};
+
+/// The size a solid of the guessed height must have for its silhouette's area to be the one seen.
+double guessedSizeM(const CommonOutlines::Outline &outline, double heightM)
+{
+    const SolidShape solid{SolidShape::Form::Box, guessM, guessM, 0, heightM};
+    const auto place = outline.view->floorFromPixel(outline.moments.centrePx, heightM / 2);
+    const auto model = place ? silhouetteMoments(*outline.view, solid, *place, 0) : std::nullopt;
+    return model && model->areaPx2 > 0 ? guessM * std::sqrt(outline.moments.areaPx2 / model->areaPx2)
+                                       : guessM;
+}
+
+Pose firstPose(const CommonOutlines &common, const SolidShape &solid)
+{
+    const CommonOutlines::Outline &outline = common.outlines.front();
+    const auto place = outline.view->floorFromPixel(outline.moments.centrePx, middleHeightM(solid));
+    const double angle = place ? bestAxis(*outline.view, solid, outline.moments, *place).value_or(0) : 0;
+    return place ? Pose{place->x(), place->y(), angle} : Pose{0, 0, 0};
+}
+
+std::optional<Fit> fitSolid(const std::vector<CommonOutlines> &times, const Candidate &candidate)
+{
+    Form form = candidate.form;
+    std::vector<Pose> poses;
+    for (const CommonOutlines &common : times)
+        poses.push_back(firstPose(common, solidOf(form.data(), candidate.kind)));
+
+    ceres::Problem problem;
+    std::size_t outlines = 0;
+    for (const CommonOutlines &common : times)
+        outlines += common.outlines.size();
+    const double share = std::min(1.0, independentTimes / static_cast<double>(times.size()));
+    std::vector<ceres::ResidualBlockId> blocks;
+    for (std::size_t t = 0; t < times.size(); ++t) {
+        for (const CommonOutlines::Outline &outline : times[t].outlines) {
+            auto *cost = new ceres::NumericDiffCostFunction<OutlineResidual, ceres::CENTRAL, 6, 3, 4>(
+                new OutlineResidual{outline, candidate.kind});
+            auto *loss = new ceres::ScaledLoss(new ceres::CauchyLoss(5), share, ceres::TAKE_OWNERSHIP);
+            blocks.push_back(problem.AddResidualBlock(cost, loss, poses[t].data(), form.data()));
+        }
+        if (candidate.kind == SolidShape::Form::Cylinder)
+            problem.SetManifold(poses[t].data(),
+                                new ceres::SubsetManifold(3, {2})); // it looks alike from all sides
+    }
+    problem.AddResidualBlock(
+        new ceres::NumericDiffCostFunction<FormPrior, ceres::CENTRAL, 3, 4>(new FormPrior{candidate.form}),
+        nullptr, form.data());
+    if (candidate.constant.size() == form.size())
+        problem.SetParameterBlockConstant(form.data());
+    else if (!candidate.constant.empty())
+        problem.SetManifold(form.data(), new ceres::SubsetManifold(4, candidate.constant));
+    if (std::find(candidate.constant.begin(), candidate.constant.end(), int(BaseShare)) ==
+        candidate.constant.end()) {
+        problem.SetParameterLowerBound(form.data(), BaseShare, 0);
+        problem.SetParameterUpperBound(form.data(), BaseShare, 1);
+    }
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_SCHUR;
+    options.max_num_iterations = 40;
+    options.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem, &summary);
+    if (!summary.IsSolutionUsable())
+        return std::nullopt;
+
+    Fit fit;
+    fit.solid = solidOf(form.data(), candidate.kind);
+    fit.complexity = candidate.complexity;
+    double cost = 0;
+    ceres::Problem::EvaluateOptions evaluated;
+    evaluated.residual_blocks = blocks;
+    problem.Evaluate(evaluated, &cost, nullptr, nullptr, nullptr);
+    const double freedom = 6.0 * static_cast<double>(outlines) - 3.0 * static_cast<double>(times.size());
+    fit.misfit = std::sqrt(2 * cost / share / std::max(1.0, freedom));
+    if (problem.IsParameterBlockConstant(form.data()))
+        return fit;
+    ceres::Covariance covariance({});
+    std::array<double, 16> block{};
+    const std::vector<std::pair<const double *, const double *>> wanted{{form.data(), form.data()}};
+    if (covariance.Compute(wanted, &problem) &&
+        covariance.GetCovarianceBlock(form.data(), form.data(), block.data()))
+        fit.sigmaTopM =
+            fit.solid.topM * std::sqrt(std::max(0.0, block[4 * LogTop + LogTop])) * std::max(1.0, fit.misfit);
+    else
+        return std::nullopt;
+    return fit;
+}
+
+/// All solids that what was told allows.
+std::vector<Candidate> candidatesFor(const std::vector<CommonOutlines> &times, const RobotShape &told)
+{
+    std::vector<Candidate> candidates;
+    const bool sizeTold = told.lengthM && told.widthM;
+    const double heightM = told.heightM.value_or(guessHeightM);
+    const double sizeM = guessedSizeM(times.front().outlines.front(), heightM);
+    const double lengthM = sizeTold ? *told.lengthM : 1.15 * sizeM,
+                 widthM = sizeTold ? *told.widthM : sizeM / 1.15;
+    const bool maybeRound = !sizeTold || std::max(lengthM, widthM) <= roundEnough * std::min(lengthM, widthM);
+    for (const auto kind : {SolidShape::Form::Box, SolidShape::Form::Cylinder}) {
+        if (kind == SolidShape::Form::Cylinder && !maybeRound)
+            continue;
+        const double round = sizeTold ? (lengthM + widthM) / 2 : sizeM;
+        const bool box = kind == SolidShape::Form::Box;
+        std::vector<int> constant;
+        if (sizeTold)
+            constant = {LogLength, LogWidth};
+        else if (!box)
+            constant = {LogWidth};
+        if (told.heightM)
+            constant.push_back(LogTop);
+        const Form form{std::log(box ? lengthM : round), std::log(box ? widthM : round), std::log(heightM),
+                        0};
+        for (const double base : {0.0, 1.0, 0.3}) {
+            Candidate candidate{kind, form, constant, 0};
+            candidate.form[BaseShare] = base;
+            if (base == 0 || base == 1)
+                candidate.constant.push_back(BaseShare);
+            else
+                candidate.complexity = 1;
+            candidates.push_back(candidate);
+        }
+    }
+    return candidates;
+}
+
+} // namespace
+
+std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, const RobotShape &told)
+{
+    const std::vector<CommonOutlines> times = commonOutlines(views, mostTimes);
+    if (times.size() < leastTimes)
+        return std::nullopt;
+    std::optional<Fit> best;
+    for (const Candidate &candidate : candidatesFor(times, told)) {
+        const auto fit = fitSolid(times, candidate);
+        if (!fit)
+            continue;
+        const double handicap = best && fit->complexity > best->complexity ? clearlyBetter : 1.0;
+        if (!best || fit->misfit < handicap * best->misfit)
+            best = fit;
+    }
+    if (!best || best->misfit > worstMisfit)
+        return std::nullopt;
+    return ShapeEstimate{best->solid, best->sigmaTopM, !told.heightM, best->misfit};
+}
+
+} // namespace odo
