@@ -4,6 +4,7 @@
 #include "core/trajectory/body_outline.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace odo {
 
@@ -15,8 +16,11 @@ constexpr Nanoseconds longestStep = std::chrono::milliseconds(120);
 
 bool isClear(const Observation &observation)
 {
+    const Ellipse &ellipse = observation.ellipse;
     return observation.found && !observation.duplicateFrame && !observation.touchesBorder &&
-           observation.score >= sureScore;
+           observation.score >= sureScore && ellipse.centrePx.allFinite() &&
+           std::isfinite(ellipse.angleRad) && ellipse.semiMinorPx > 0 && std::isfinite(ellipse.semiMajorPx) &&
+           observation.areaPx > 0 && std::isfinite(observation.areaPx);
 }
 
 std::optional<RegionMoments> outlineAt(const ViewTrack &view, Nanoseconds time)

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double sureScore = 0.3;
 constexpr double usualSlowShare = 0.8, usualSlowLengthM = 0.1;
-constexpr double leastSlowShare = 0.5, leastScale = 0.1, mostScale = 100;
+constexpr double mostSlowShare = 0.98, leastScale = 0.1, mostScale = 100;
 constexpr std::size_t binCount = 16;
 constexpr double longestWayM = 0.4;
 constexpr std::size_t longestLag = 60; // sightings
@@ -156,7 +156,7 @@ MeasurementNoise estimateOutlineNoise(const std::vector<std::vector<Sighting>> &
     if (!(total > 0) || best.cost == HUGE_VAL)
         return noise;
     noise.scale = std::clamp(total, leastScale, mostScale);
-    noise.slowShare = std::clamp(best.slow / total, leastSlowShare, 0.98);
+    noise.slowShare = std::min(best.slow / total, mostSlowShare);
     noise.slowLengthM = best.lengthM;
     noise.trust = trust;
     return noise;

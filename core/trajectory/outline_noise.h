@@ -16,7 +16,7 @@ std::vector<double> travelOf(const std::vector<std::vector<Sighting>> &views);
 /// in which the robot's motion cancels: half the mean squared change of the whitened disagreement over a way
 /// s is σ²w + σ²s (1 − exp(−s/ℓ)) (the variogram of an Ornstein–Uhlenbeck process beside white noise:
 /// Matheron 1963), fitted over the ways up to 0.4 m; longer ones show the calibration's change over the
-/// floor. The slow part is never taken for less than a half: what both views share (the light) does not show.
+/// floor.
 /// views: sightings at the same times. With too few that two views share, or too short a way, what is usual.
 MeasurementNoise estimateOutlineNoise(const std::vector<std::vector<Sighting>> &views);
 

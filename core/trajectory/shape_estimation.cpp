@@ -14,15 +14,18 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t mostTimes = 40, leastTimes = 5;
+constexpr std::size_t mostTimes = 30, leastTimes = 5;
 constexpr double independentTimes =
     4; // the outlines' errors repeat wherever the robot is seen from the same side
 constexpr double placeSigmaPx =
     0.7; // of a centroid against the other views', the registration's error being in it
-constexpr double worstMisfit = 4;
+constexpr double worstMisfit = 4, goodMisfit = 1.5;
+constexpr double impossible = 1e3; // a residual, where the solid would lie behind the camera
 constexpr double guessM = 0.2, guessHeightM = 0.1;
 // A simpler solid is taken unless another explains the outlines so much better.
-constexpr double clearlyBetter = 0.8;
+constexpr double clearlyBetter = 0.7;
+constexpr double leastKnownSigmaM = 0.02; // of the top: else the solid is one of many that look alike
+constexpr double leastSizeM = 0.01, mostSizeM = 3;
 constexpr double roundEnough = 1.1; // length over width of a told size up to which it may be a cylinder's
 
 using Pose = std::array<double, 3>; // x, y, angle
@@ -35,9 +38,10 @@ SolidShape solidOf(const double *form, SolidShape::Form kind)
 {
     SolidShape solid;
     solid.form = kind;
-    solid.lengthM = std::exp(form[LogLength]);
-    solid.widthM = kind == SolidShape::Form::Cylinder ? solid.lengthM : std::exp(form[LogWidth]);
-    solid.topM = std::exp(form[LogTop]);
+    const auto sizeM = [form](int index) { return std::clamp(std::exp(form[index]), leastSizeM, mostSizeM); };
+    solid.lengthM = sizeM(LogLength);
+    solid.widthM = kind == SolidShape::Form::Cylinder ? solid.lengthM : sizeM(LogWidth);
+    solid.topM = sizeM(LogTop);
     solid.baseM = solid.topM * std::clamp(form[BaseShare], 0.0, 1.0);
     return solid;
 }
@@ -52,8 +56,10 @@ struct OutlineResidual
     bool operator()(const double *pose, const double *form, double *residual) const
     {
         const auto model = silhouetteMoments(*outline.view, solidOf(form, kind), {pose[0], pose[1]}, pose[2]);
-        if (!model || model->areaPx2 < 1)
-            return false;
+        if (!model || model->areaPx2 < 1) {
+            std::fill_n(residual, 6, impossible);
+            return true;
+        }
         const RegionMoments &seen = outline.moments;
         const OutlineSigma sigma = sigmaOfOutline(seen);
         const Eigen::Vector2d place = (seen.centrePx - model->centrePx) / placeSigmaPx;
@@ -85,14 +91,12 @@ struct Candidate
     SolidShape::Form kind = SolidShape::Form::Box;
     Form form{};
     std::vector<int> constant; ///< indices of the form that stay
-    int complexity = 0;
 };
 
 struct Fit
 {
     SolidShape solid;
     double misfit = HUGE_VAL, sigmaTopM = 0;
-    int complexity = 0;
 };
 
 /// The size a solid of the guessed height must have for its silhouette's area to be the one seen.
@@ -160,7 +164,6 @@ std::optional<Fit> fitSolid(const std::vector<CommonOutlines> &times, const Cand
 
     Fit fit;
     fit.solid = solidOf(form.data(), candidate.kind);
-    fit.complexity = candidate.complexity;
     double cost = 0;
     ceres::Problem::EvaluateOptions evaluated;
     evaluated.residual_blocks = blocks;
@@ -181,39 +184,34 @@ std::optional<Fit> fitSolid(const std::vector<CommonOutlines> &times, const Cand
     return fit;
 }
 
-/// All solids that what was told allows.
+/// The solids that what was told allows: first those that stand on the floor, which most robots are.
 std::vector<Candidate> candidatesFor(const std::vector<CommonOutlines> &times, const RobotShape &told)
 {
-    std::vector<Candidate> candidates;
     const bool sizeTold = told.lengthM && told.widthM;
     const double heightM = told.heightM.value_or(guessHeightM);
     const double sizeM = guessedSizeM(times.front().outlines.front(), heightM);
     const double lengthM = sizeTold ? *told.lengthM : 1.15 * sizeM,
                  widthM = sizeTold ? *told.widthM : sizeM / 1.15;
     const bool maybeRound = !sizeTold || std::max(lengthM, widthM) <= roundEnough * std::min(lengthM, widthM);
-    for (const auto kind : {SolidShape::Form::Box, SolidShape::Form::Cylinder}) {
-        if (kind == SolidShape::Form::Cylinder && !maybeRound)
-            continue;
-        const double round = sizeTold ? (lengthM + widthM) / 2 : sizeM;
-        const bool box = kind == SolidShape::Form::Box;
-        std::vector<int> constant;
+    std::vector<Candidate> candidates;
+    for (const double base : {0.0, 1.0, 0.3}) {
+        Candidate box{
+            SolidShape::Form::Box, {std::log(lengthM), std::log(widthM), std::log(heightM), base}, {}};
         if (sizeTold)
-            constant = {LogLength, LogWidth};
-        else if (!box)
-            constant = {LogWidth};
+            box.constant = {LogLength, LogWidth};
         if (told.heightM)
-            constant.push_back(LogTop);
-        const Form form{std::log(box ? lengthM : round), std::log(box ? widthM : round), std::log(heightM),
-                        0};
-        for (const double base : {0.0, 1.0, 0.3}) {
-            Candidate candidate{kind, form, constant, 0};
-            candidate.form[BaseShare] = base;
-            if (base == 0 || base == 1)
-                candidate.constant.push_back(BaseShare);
-            else
-                candidate.complexity = 1;
-            candidates.push_back(candidate);
-        }
+            box.constant.push_back(LogTop);
+        if (base == 0 || base == 1)
+            box.constant.push_back(BaseShare);
+        candidates.push_back(box);
+        if (!maybeRound)
+            continue;
+        Candidate cylinder = box;
+        cylinder.kind = SolidShape::Form::Cylinder;
+        cylinder.form[LogLength] = std::log(sizeTold ? (lengthM + widthM) / 2 : sizeM);
+        if (!sizeTold)
+            cylinder.constant.insert(cylinder.constant.begin(), LogWidth);
+        candidates.push_back(cylinder);
     }
     return candidates;
 }
@@ -227,10 +225,15 @@ std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, 
         return std::nullopt;
     std::optional<Fit> best;
     for (const Candidate &candidate : candidatesFor(times, told)) {
+        if (best && best->misfit < goodMisfit && candidate.form[BaseShare] > 0)
+            break;
         const auto fit = fitSolid(times, candidate);
         if (!fit)
             continue;
-        const double handicap = best && fit->complexity > best->complexity ? clearlyBetter : 1.0;
+        const bool stands = candidate.form[BaseShare] == 0;
+        if (!stands && fit->sigmaTopM > leastKnownSigmaM)
+            continue;
+        const double handicap = stands ? 1.0 : clearlyBetter;
         if (!best || fit->misfit < handicap * best->misfit)
             best = fit;
     }
