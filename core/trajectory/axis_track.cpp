@@ -95,7 +95,7 @@ std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views
             segments.back().push_back(all[i].node);
     }
     const std::vector<std::span<const TrackNode>> spans(segments.begin(), segments.end());
-    const MotionNoise noise = estimateMotionNoise(spans, true);
+    const MotionNoise noise = estimateMotionNoise(spans, false);
     for (std::size_t s = 0; s < segments.size(); ++s) {
         const auto estimates = smoothMotion(segments[s], noise);
         double sigmaRad = 0;

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/trajectory/synthetic_trial.h"
+
+#include "core/trajectory/axis_track.h"
+#include "core/trajectory/floor_positions.h"
+#include "core/trajectory/shape_estimation.h"
+
+#include <Eigen/Eigenvalues>
+#include <QTest>
+#include <numbers>
+
+using namespace odo;
+using namespace odo::test;
+
+namespace {
+
+Ellipse ellipseOf(const RegionMoments &moments)
+{
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(moments.covariancePx2);
+    const Eigen::Vector2d axis = solver.eigenvectors().col(1);
+    return {moments.centrePx, 2 * std::sqrt(solver.eigenvalues()[1]), 2 * std::sqrt(solver.eigenvalues()[0]),
+            std::atan2(axis.y(), axis.x())};
+}
+
+double headingOf(const Truth &truth)
+{
+    return std::atan2(truth.velocity.y(), truth.velocity.x());
+}
+
+/// What a view sees of a solid that runs a course with its length ahead.
+ViewTrack filmSolid(const std::string &name, const FloorView &view, const SolidShape &shape,
+                    const Course &course, double noisePx, std::mt19937 &random)
+{
+    FilmSettings settings;
+    settings.noisePx = noisePx;
+    ViewTrack track = film(name, view, course, settings, random);
+    std::normal_distribution<double> noise(0, noisePx);
+    for (Observation &observation : track.observations) {
+        const Truth truth = course(toSeconds(observation.time));
+        const auto moments = silhouetteMoments(view, shape, truth.position, headingOf(truth));
+        observation.ellipse = ellipseOf(*moments);
+        observation.ellipse.centrePx += Eigen::Vector2d(noise(random), noise(random));
+        observation.ellipse.semiMajorPx += noise(random);
+        observation.ellipse.semiMinorPx += noise(random);
+        observation.areaPx = moments->areaPx2 * (1 + 0.02 * noise(random));
+    }
+    return track;
+}
+
+double turnBetween(double a, double b)
+{
+    const double turn = std::remainder(a - b, std::numbers::pi);
+    return std::abs(turn);
+}
+
+const Course eight = figureEight(0.9, 0.6, 7);
+
+} // namespace
+
+class TestBodyOutline : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theAxisIsThatOfTheSolid()
+    {
+        const SolidShape box{SolidShape::Form::Box, 0.26, 0.19, 0, 0.06};
+        std::mt19937 random(1);
+        const ViewTrack track = filmSolid("A", cameraA(), box, eight, 0.02, random);
+        for (std::size_t i = 0; i < track.observations.size(); i += 10) {
+            const auto axis = axisFromOutline(*track.floorView, box, track.observations[i], std::nullopt);
+            QVERIFY(axis.has_value());
+            const double truth = headingOf(eight(toSeconds(track.observations[i].time)));
+            QVERIFY2(turnBetween(axis->angleRad, truth) < 0.02, qPrintable(QString::number(int(i))));
+            QVERIFY(axis->sigmaRad < 0.1);
+        }
+    }
+
+    void aCylinderHasNoAxisAndOddOutlinesNone()
+    {
+        const SolidShape round{SolidShape::Form::Cylinder, 0.2, 0.2, 0, 0.1};
+        const SolidShape box{SolidShape::Form::Box, 0.26, 0.19, 0, 0.06};
+        std::mt19937 random(2);
+        ViewTrack track = filmSolid("A", cameraA(), box, eight, 0.02, random);
+        QVERIFY(!axisFromOutline(*track.floorView, round, track.observations[0], std::nullopt));
+        track.observations[0].ellipse.semiMajorPx *= 1.5; // merged with something
+        QVERIFY(!axisFromOutline(*track.floorView, box, track.observations[0], std::nullopt));
+    }
+
+    void theAxisIsBridgedWhereOutlinesTellNothing()
+    {
+        const SolidShape box{SolidShape::Form::Box, 0.26, 0.19, 0, 0.06};
+        std::mt19937 random(3);
+        ViewTrack track = filmSolid("A", cameraA(), box, eight, 0.05, random);
+        for (std::size_t i = 100; i < 110; ++i)
+            track.observations[i].found = false;
+        const auto axes = trackAxis({track}, box);
+        QCOMPARE(axes.front().size(), track.observations.size());
+        for (std::size_t i = 0; i < track.observations.size(); ++i) {
+            const double truth = headingOf(eight(toSeconds(track.observations[i].time)));
+            const double error = turnBetween(axes.front()[i].angleRad, truth);
+            QVERIFY2(error < 0.08, qPrintable(QStringLiteral("frame %1: %2 rad").arg(i).arg(error)));
+        }
+    }
+
+    void withoutASightingNothingIsKnownOfTheAxis()
+    {
+        const SolidShape box{SolidShape::Form::Box, 0.26, 0.19, 0, 0.06};
+        std::mt19937 random(4);
+        ViewTrack track = filmSolid("A", cameraA(), box, eight, 0.05, random);
+        for (Observation &observation : track.observations)
+            observation.found = false;
+        for (const BodyAxis &axis : trackAxis({track}, box).front())
+            QVERIFY(axis.sigmaRad > unknownAxisSigmaRad);
+    }
+
+    void theFootprintsCentreIsFound()
+    {
+        const SolidShape box{SolidShape::Form::Box, 0.26, 0.19, 0, 0.2};
+        std::mt19937 random(5);
+        const ViewTrack track = filmSolid("A", cameraA(), box, eight, 1e-6, random);
+        const auto axes = trackAxis({track}, box);
+        const auto sightings = placeBody(track, box, axes.front());
+        double worst = 0;
+        for (const Sighting &sighting : sightings)
+            worst = std::max(worst,
+                             (sighting.place.pointInWorld - eight(toSeconds(sighting.time)).position).norm());
+        QVERIFY2(worst < 0.0005, qPrintable(QString::number(worst)));
+        // Half the height alone leaves millimetres.
+        double plain = 0;
+        for (const Sighting &sighting : placeObservations(track, 0.1))
+            plain = std::max(plain,
+                             (sighting.place.pointInWorld - eight(toSeconds(sighting.time)).position).norm());
+        QVERIFY(plain > 0.004);
+    }
+
+    void anOutlineOfOddSizeLosesItsScore()
+    {
+        const SolidShape box{SolidShape::Form::Box, 0.26, 0.19, 0, 0.06};
+        std::mt19937 random(6);
+        ViewTrack track = filmSolid("A", cameraA(), box, eight, 0.05, random);
+        track.observations[50].areaPx *= 0.8;
+        const auto sightings = placeBody(track, box, trackAxis({track}, box).front());
+        QCOMPARE(sightings[50].score, 0.0);
+        QVERIFY(sightings[49].score > 0.5);
+        QVERIFY(sightings[51].score > 0.5);
+    }
+
+    void theShapeIsEstimated_data()
+    {
+        QTest::addColumn<bool>("round");
+        QTest::addColumn<double>("base");
+        QTest::addColumn<bool>("heightTold");
+        QTest::addColumn<bool>("sizeTold");
+        QTest::addColumn<bool>("oneView");
+        QTest::newRow("box, all told") << false << 0.0 << true << true << false;
+        QTest::newRow("box, size told") << false << 0.0 << false << true << false;
+        QTest::newRow("box, height told") << false << 0.0 << true << false << false;
+        QTest::newRow("box, nothing told") << false << 0.0 << false << false << false;
+        QTest::newRow("box, nothing told, one view") << false << 0.0 << false << false << true;
+        QTest::newRow("plate, all told") << false << 0.12 << true << true << false;
+        QTest::newRow("plate, nothing told") << false << 0.12 << false << false << false;
+        QTest::newRow("cylinder, nothing told") << true << 0.0 << false << false << false;
+    }
+
+    void theShapeIsEstimated()
+    {
+        QFETCH(bool, round);
+        QFETCH(double, base);
+        QFETCH(bool, heightTold);
+        QFETCH(bool, sizeTold);
+        QFETCH(bool, oneView);
+        const SolidShape shape{round ? SolidShape::Form::Cylinder : SolidShape::Form::Box, 0.24,
+                               round ? 0.24 : 0.16, base, 0.12};
+        std::mt19937 random(7);
+        std::vector<ViewTrack> views{filmSolid("A", cameraA(), shape, eight, 0.05, random)};
+        if (!oneView)
+            views.push_back(filmSolid("B", cameraB(), shape, eight, 0.05, random));
+        RobotShape told;
+        if (heightTold)
+            told.heightM = 0.12;
+        if (sizeTold) {
+            told.lengthM = 0.24;
+            told.widthM = shape.widthM;
+        }
+        const auto estimate = estimateShape(views, told);
+        QVERIFY(estimate.has_value());
+        QCOMPARE(estimate->heightEstimated, !heightTold);
+        QCOMPARE(int(estimate->shape.form), int(shape.form));
+        // 0.05 px of noise on axes of 30 px, over 30 times: tenths of a millimetre; one view is weaker.
+        const double bound = oneView ? 0.006 : 0.003;
+        QVERIFY2(std::abs(estimate->shape.topM - 0.12) < bound,
+                 qPrintable(QString::number(estimate->shape.topM)));
+        QVERIFY(std::abs(estimate->shape.lengthM - 0.24) < bound);
+        QVERIFY(std::abs(estimate->shape.baseM - base) < bound);
+        QVERIFY(estimate->misfit < 1);
+        if (!heightTold)
+            QVERIFY(std::abs(estimate->shape.topM - 0.12) < 4 * estimate->sigmaTopM);
+    }
+
+    void tooFewOrImpossibleOutlinesGiveNoShape()
+    {
+        const SolidShape box{SolidShape::Form::Box, 0.26, 0.19, 0, 0.06};
+        std::mt19937 random(8);
+        ViewTrack track = filmSolid("A", cameraA(), box, eight, 0.05, random);
+        ViewTrack few = track;
+        few.observations.resize(4);
+        QVERIFY(!estimateShape({few}, {}));
+        for (std::size_t i = 0; i < track.observations.size(); ++i)
+            track.observations[i].ellipse.semiMajorPx *= i % 2 == 0 ? 1.6 : 0.8; // no solid does that
+        QVERIFY(!estimateShape({track}, {}));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestBodyOutline)
+#include "tst_body_outline.moc"
