@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/axis_track.h"
 
+#include "core/trajectory/axis_path.h"
 #include "core/trajectory/kalman_smoother.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ constexpr double commonShare = 0.5; // of an outline's doubt that all frames sha
 struct AxisNode
 {
     std::size_t view = 0, observation = 0;
+    std::optional<OutlineMisfit> misfit;
     TrackNode node;
     double sigmaRad = 0;
 };
@@ -26,27 +28,56 @@ std::vector<AxisNode> look(const std::vector<ViewTrack> &views, const SolidShape
 {
     std::vector<AxisNode> nodes;
     for (std::size_t v = 0; v < views.size(); ++v) {
-        std::optional<double> guess;
         for (std::size_t i = 0; i < views[v].observations.size(); ++i) {
             const Observation &observation = views[v].observations[i];
-            AxisNode one{v, i, {toSeconds(observation.time + views[v].startOffset), false, {}, {}}, 0};
+            AxisNode one{v, i, {}, {toSeconds(observation.time + views[v].startOffset), false, {}, {}}, 0};
             const bool clear = views[v].floorView && observation.found && !observation.duplicateFrame &&
                                !observation.touchesBorder && observation.score >= sureScore;
-            const auto axis =
-                clear ? axisFromOutline(*views[v].floorView, shape, observation, guess) : std::nullopt;
-            guess = axis ? std::optional(axis->angleRad) : std::nullopt;
-            if (axis && axis->sigmaRad < unknownAxisSigmaRad) {
-                one.node.measured = true;
-                one.node.position = {std::cos(2 * axis->angleRad), std::sin(2 * axis->angleRad)};
-                one.node.covariance = Eigen::Matrix2d::Identity() * (4 * axis->sigmaRad * axis->sigmaRad);
-                one.sigmaRad = axis->sigmaRad;
-            }
+            if (clear)
+                one.misfit = OutlineMisfit::create(*views[v].floorView, shape, outlineMoments(observation));
             nodes.push_back(one);
         }
     }
     std::stable_sort(nodes.begin(), nodes.end(),
                      [](const AxisNode &a, const AxisNode &b) { return a.node.timeS < b.node.timeS; });
     return nodes;
+}
+
+std::optional<AxisCosts> costsOf(const OutlineMisfit &misfit)
+{
+    AxisCosts costs;
+    for (std::size_t bin = 0; bin < axisBins; ++bin) {
+        const auto residual = misfit.at(angleOfBin(bin));
+        if (!residual)
+            return std::nullopt;
+        costs[bin] = static_cast<float>(residual->squaredNorm());
+    }
+    return costs;
+}
+
+void measure(AxisNode &one, const BodyAxis &axis)
+{
+    one.node.measured = true;
+    one.node.position = {std::cos(2 * axis.angleRad), std::sin(2 * axis.angleRad)};
+    one.node.covariance = Eigen::Matrix2d::Identity() * (4 * axis.sigmaRad * axis.sigmaRad);
+    one.sigmaRad = axis.sigmaRad;
+}
+
+/// Gives each node the axis near the likeliest turning.
+void measureAxes(std::vector<AxisNode> &nodes)
+{
+    std::vector<AxisEvidence> evidence;
+    for (const AxisNode &one : nodes)
+        evidence.push_back({one.node.timeS, one.misfit ? costsOf(*one.misfit) : std::nullopt});
+    const std::vector<std::size_t> path = likeliestPath(evidence);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (!evidence[i].costs)
+            continue;
+        const auto axis = axisAbout(*nodes[i].misfit, angleOfBin(path[i]));
+        if (!axis || axis->sigmaRad > unknownAxisSigmaRad)
+            continue;
+        measure(nodes[i], *axis);
+    }
 }
 
 /// Stretches [first, end) from a measured node to a measured one without a long gap.
@@ -78,21 +109,16 @@ BodyAxis axisOf(const MotionEstimate &estimate, double outlineSigmaRad)
             std::hypot(std::sqrt(std::max(0.0, variance)), commonShare * outlineSigmaRad)};
 }
 
-} // namespace
-
-std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views, const SolidShape &shape)
+/// The axis at every node's time, smoothed; with σ above unknownAxisSigmaRad where there is none.
+std::vector<BodyAxis> smooth(const std::vector<AxisNode> &nodes)
 {
-    std::vector<std::vector<BodyAxis>> axes;
-    for (const ViewTrack &view : views)
-        axes.emplace_back(view.observations.size(), BodyAxis{0, 2 * unknownAxisSigmaRad});
-    const std::vector<AxisNode> all = look(views, shape);
-
+    std::vector<BodyAxis> axes(nodes.size(), BodyAxis{0, 2 * unknownAxisSigmaRad});
     std::vector<std::vector<TrackNode>> segments;
-    const auto parts = stretches(all);
+    const auto parts = stretches(nodes);
     for (const auto &[first, end] : parts) {
         segments.emplace_back();
         for (std::size_t i = first; i < end; ++i)
-            segments.back().push_back(all[i].node);
+            segments.back().push_back(nodes[i].node);
     }
     const std::vector<std::span<const TrackNode>> spans(segments.begin(), segments.end());
     const MotionNoise noise = estimateMotionNoise(spans, false);
@@ -100,12 +126,43 @@ std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views
         const auto estimates = smoothMotion(segments[s], noise);
         double sigmaRad = 0;
         for (std::size_t i = 0; i < estimates.size(); ++i) {
-            const AxisNode &one = all[parts[s].first + i];
+            const AxisNode &one = nodes[parts[s].first + i];
             if (one.node.measured)
                 sigmaRad = one.sigmaRad;
-            axes[one.view][one.observation] = axisOf(estimates[i], sigmaRad);
+            axes[parts[s].first + i] = axisOf(estimates[i], sigmaRad);
         }
     }
+    return axes;
+}
+
+/// Once the turning is known, the outlines can be asked more finely: each for the fit next to it.
+void refineAxes(std::vector<AxisNode> &nodes, const std::vector<BodyAxis> &smoothed)
+{
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (!nodes[i].node.measured || smoothed[i].sigmaRad > unknownAxisSigmaRad)
+            continue;
+        const auto axis = axisNear(*nodes[i].misfit, smoothed[i].angleRad);
+        if (axis && axis->sigmaRad < unknownAxisSigmaRad &&
+            std::abs(axis->angleRad - smoothed[i].angleRad) < 3 * smoothed[i].sigmaRad)
+            measure(nodes[i], *axis);
+    }
+}
+
+} // namespace
+
+std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views, const SolidShape &shape)
+{
+    std::vector<std::vector<BodyAxis>> axes;
+    for (const ViewTrack &view : views)
+        axes.emplace_back(view.observations.size(), BodyAxis{0, 2 * unknownAxisSigmaRad});
+    if (shape.form == SolidShape::Form::Cylinder)
+        return axes;
+    std::vector<AxisNode> all = look(views, shape);
+    measureAxes(all);
+    refineAxes(all, smooth(all));
+    const std::vector<BodyAxis> smoothed = smooth(all);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        axes[all[i].view][all[i].observation] = smoothed[i];
     return axes;
 }
 

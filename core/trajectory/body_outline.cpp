@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/body_outline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,23 +9,13 @@ namespace odo {
 
 namespace {
 
-constexpr int searchedAngles = 12;
 constexpr double angleStepRad = 0.01; // of the numerical derivative
-constexpr double worstMisfit = 4;     // σ of each of the three second moments: not this solid's silhouette
+constexpr double longestStepRad = 0.05, leastInformation = 1;
+constexpr int mostIterations = 3;
+constexpr int aboutSteps = 8;
+constexpr double aboutStepRad = 0.025;
+constexpr double worstMisfit = 4; // σ of each of the three second moments: not this solid's silhouette
 constexpr int placeIterations = 4;
-
-/// The three second moments' differences in units of their σ.
-std::optional<Eigen::Vector3d> misfitAt(const FloorView &view, const SolidShape &shape,
-                                        const RegionMoments &seen, const Eigen::Vector2d &position,
-                                        double angleRad)
-{
-    const auto model = silhouetteMoments(view, shape, position, angleRad);
-    if (!model)
-        return std::nullopt;
-    const Eigen::Matrix2d difference = seen.covariancePx2 - model->covariancePx2;
-    return Eigen::Vector3d(difference(0, 0), difference(1, 1), difference(0, 1)) /
-           sigmaOfOutline(seen).covariancePx2;
-}
 
 } // namespace
 
@@ -50,58 +41,73 @@ OutlineSigma sigmaOfOutline(const RegionMoments &outline)
     return {share, share * outline.covariancePx2.trace() / 2};
 }
 
-std::optional<double> bestAxis(const FloorView &view, const SolidShape &shape, const RegionMoments &seen,
-                               const Eigen::Vector2d &position)
+OutlineMisfit::OutlineMisfit(const FloorView &view, const SolidShape &shape, const RegionMoments &seen,
+                             const Eigen::Vector2d &position)
+    : m_view(&view), m_shape(&shape), m_seen(seen), m_position(position),
+      m_sigmaPx2(sigmaOfOutline(seen).covariancePx2)
 {
-    std::optional<double> best;
-    double bestCost = HUGE_VAL;
-    for (int i = 0; i < searchedAngles; ++i) {
-        const double angle = i * std::numbers::pi / searchedAngles;
-        const auto residual = misfitAt(view, shape, seen, position, angle);
-        if (residual && residual->squaredNorm() < bestCost) {
-            best = angle;
-            bestCost = residual->squaredNorm();
-        }
-    }
-    return best;
 }
 
-std::optional<BodyAxis> axisFromOutline(const FloorView &view, const SolidShape &shape,
-                                        const Observation &observation, std::optional<double> guessRad)
+std::optional<OutlineMisfit> OutlineMisfit::create(const FloorView &view, const SolidShape &shape,
+                                                   const RegionMoments &seen)
 {
-    if (shape.form == SolidShape::Form::Cylinder)
-        return std::nullopt;
-    const RegionMoments seen = outlineMoments(observation);
     const auto position = view.floorFromPixel(seen.centrePx, middleHeightM(shape));
     if (!position)
         return std::nullopt;
-    const auto misfit = [&](double angle) { return misfitAt(view, shape, seen, *position, angle); };
+    return OutlineMisfit(view, shape, seen, *position);
+}
 
-    const auto guessed = guessRad ? misfit(*guessRad) : std::nullopt;
-    const auto start = guessed && guessed->squaredNorm() < 3 * worstMisfit
-                           ? guessRad
-                           : bestAxis(view, shape, seen, *position);
-    if (!start)
+std::optional<Eigen::Vector3d> OutlineMisfit::at(double angleRad) const
+{
+    const auto model = silhouetteMoments(*m_view, *m_shape, m_position, angleRad);
+    if (!model)
         return std::nullopt;
-    double best = *start, bestCost = HUGE_VAL, information = 0;
-    for (int iteration = 0; iteration < 4; ++iteration) {
-        const auto here = misfit(best), before = misfit(best - angleStepRad),
-                   behind = misfit(best + angleStepRad);
+    const Eigen::Matrix2d difference = m_seen.covariancePx2 - model->covariancePx2;
+    return Eigen::Vector3d(difference(0, 0), difference(1, 1), difference(0, 1)) / m_sigmaPx2;
+}
+
+std::optional<BodyAxis> axisAbout(const OutlineMisfit &misfit, double angleRad)
+{
+    double weights = 0, mean = 0, squares = 0, leastCost = HUGE_VAL;
+    for (int i = -aboutSteps; i <= aboutSteps; ++i) {
+        const double turn = i * aboutStepRad;
+        const auto residual = misfit.at(angleRad + turn);
+        if (!residual)
+            return std::nullopt;
+        const double cost = residual->squaredNorm(), weight = std::exp(-cost / 2);
+        leastCost = std::min(leastCost, cost);
+        weights += weight;
+        mean += weight * turn;
+        squares += weight * turn * turn;
+    }
+    if (leastCost > 3 * worstMisfit * worstMisfit || !(weights > 0))
+        return std::nullopt;
+    mean /= weights;
+    return BodyAxis{angleRad + mean,
+                    std::sqrt(std::max(squares / weights - mean * mean, aboutStepRad * aboutStepRad / 4))};
+}
+
+std::optional<BodyAxis> axisNear(const OutlineMisfit &misfit, double angleRad)
+{
+    double information = 0, cost = 0;
+    for (int iteration = 0; iteration < mostIterations; ++iteration) {
+        const auto here = misfit.at(angleRad), before = misfit.at(angleRad - angleStepRad),
+                   behind = misfit.at(angleRad + angleStepRad);
         if (!here || !before || !behind)
             return std::nullopt;
         const Eigen::Vector3d slope = (*behind - *before) / (2 * angleStepRad);
         information = slope.squaredNorm();
-        bestCost = here->squaredNorm();
-        if (information < 1e-6)
+        cost = here->squaredNorm();
+        if (information < leastInformation)
             break;
         const double step = -slope.dot(*here) / information;
-        best += std::clamp(step, -0.15, 0.15);
+        angleRad += std::clamp(step, -longestStepRad, longestStepRad);
         if (std::abs(step) < 1e-3)
             break;
     }
-    if (bestCost > 3 * worstMisfit * worstMisfit)
+    if (cost > 3 * worstMisfit * worstMisfit)
         return std::nullopt;
-    return BodyAxis{best, 1 / std::sqrt(std::max(information, 1e-6))};
+    return BodyAxis{angleRad, 1 / std::sqrt(std::max(information, leastInformation))};
 }
 
 std::optional<Eigen::Vector2d> pixelOfBodyMiddle(const FloorView &view, const SolidShape &shape,

@@ -35,17 +35,35 @@ struct OutlineSigma
 };
 OutlineSigma sigmaOfOutline(const RegionMoments &outline);
 
-/// The angle at which the solid, standing at a place, has the silhouette whose second moments come nearest to
-/// those seen. nullopt: it would lie behind the camera.
-std::optional<double> bestAxis(const FloorView &view, const SolidShape &shape, const RegionMoments &seen,
-                               const Eigen::Vector2d &position);
+/// How badly the solid, standing where the outline's centroid is seen, explains its second moments when
+/// turned to an angle: the three differences in units of their σ. nullopt: it would lie behind the camera.
+class OutlineMisfit
+{
+public:
+    /// nullopt: the centroid lies beyond the horizon.
+    static std::optional<OutlineMisfit> create(const FloorView &view, const SolidShape &shape,
+                                               const RegionMoments &seen);
+    std::optional<Eigen::Vector3d> at(double angleRad) const;
 
-/// The axis at which the solid's silhouette has the second moments that were seen: the best of a search over
-/// the half turn, refined by Gauss–Newton; σ from the doubt about the outline. A guess near the answer saves
-/// the search. nullopt: a cylinder has no axis; the body would lie behind the camera; or no axis explains the
-/// outline (what is seen is hidden in part, or merged with something).
-std::optional<BodyAxis> axisFromOutline(const FloorView &view, const SolidShape &shape,
-                                        const Observation &observation, std::optional<double> guessRad);
+private:
+    OutlineMisfit(const FloorView &view, const SolidShape &shape, const RegionMoments &seen,
+                  const Eigen::Vector2d &position);
+
+    const FloorView *m_view;
+    const SolidShape *m_shape;
+    RegionMoments m_seen;
+    Eigen::Vector2d m_position;
+    double m_sigmaPx2;
+};
+
+/// Mean and σ of the axis over ±0.2 rad about an angle, each angle weighing exp(−misfit²/2): fair also where
+/// an outline seen nearly face on fits two angles mirrored about it alike. nullopt as of axisNear.
+std::optional<BodyAxis> axisAbout(const OutlineMisfit &misfit, double angleRad);
+
+/// The axis near an angle at which the solid's silhouette has the second moments that were seen, by
+/// Gauss–Newton; σ from the doubt about the outline. nullopt: no axis there explains the outline (what is
+/// seen is hidden in part, or merged with something).
+std::optional<BodyAxis> axisNear(const OutlineMisfit &misfit, double angleRad);
 
 /// Where the solid must stand, turned to an angle, that the centroid of its silhouette is the pixel given:
 /// the pixel that the footprint's centre, lifted to the solid's middle height, would have. nullopt: beyond

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace odo {
 
@@ -26,6 +27,7 @@ constexpr double guessM = 0.2, guessHeightM = 0.1;
 constexpr double clearlyBetter = 0.7;
 constexpr double leastKnownSigmaM = 0.02; // of the top: else the solid is one of many that look alike
 constexpr double leastSizeM = 0.01, mostSizeM = 3;
+constexpr int startAngles = 18;
 constexpr double roundEnough = 1.1; // length over width of a told size up to which it may be a cylinder's
 
 using Pose = std::array<double, 3>; // x, y, angle
@@ -109,12 +111,32 @@ double guessedSizeM(const CommonOutlines::Outline &outline, double heightM)
                                        : guessM;
 }
 
+/// Where the first view has the solid, turned as explains all views' outlines best.
 Pose firstPose(const CommonOutlines &common, const SolidShape &solid)
 {
-    const CommonOutlines::Outline &outline = common.outlines.front();
-    const auto place = outline.view->floorFromPixel(outline.moments.centrePx, middleHeightM(solid));
-    const double angle = place ? bestAxis(*outline.view, solid, outline.moments, *place).value_or(0) : 0;
-    return place ? Pose{place->x(), place->y(), angle} : Pose{0, 0, 0};
+    std::vector<OutlineMisfit> misfits;
+    for (const CommonOutlines::Outline &outline : common.outlines) {
+        if (auto misfit = OutlineMisfit::create(*outline.view, solid, outline.moments))
+            misfits.push_back(std::move(*misfit));
+    }
+    const CommonOutlines::Outline &first = common.outlines.front();
+    const Eigen::Vector2d place = first.view->floorFromPixel(first.moments.centrePx, middleHeightM(solid))
+                                      .value_or(Eigen::Vector2d::Zero());
+    Pose pose{place.x(), place.y(), 0};
+    double leastCost = HUGE_VAL;
+    for (int i = 0; i < startAngles; ++i) {
+        const double angle = i * std::numbers::pi / startAngles;
+        double cost = 0;
+        for (const OutlineMisfit &misfit : misfits) {
+            const auto residual = misfit.at(angle);
+            cost += residual ? residual->squaredNorm() : impossible;
+        }
+        if (cost < leastCost) {
+            pose[2] = angle;
+            leastCost = cost;
+        }
+    }
+    return pose;
 }
 
 std::optional<Fit> fitSolid(const std::vector<CommonOutlines> &times, const Candidate &candidate)
