@@ -93,16 +93,17 @@ SimulatedScene drawnHandOverTestbed(SeededDraw &draw)
     const Eigen::Vector2d nearMiddle(floorLengthM / 2, 0), farMiddle(floorLengthM / 2, floorWidthM);
     scene.floor.markers.markers.push_back({"M", nearMiddle});
     scene.floor.markers.markers.push_back({"N", farMiddle});
-    for (const double side : {0.0, 1.0}) {
+    for (const bool right : {false, true}) {
+        const auto mirrored = [&](double x) { return right ? floorLengthM - x : x; };
         const auto drawn = [&] {
-            const auto mirrored = [&](double x) { return side > 0 ? floorLengthM - x : x; };
-            const Eigen::Vector3d camera(mirrored(draw.between(-0.4, 0.2)), draw.between(-1.7, -1.3),
-                                         draw.between(1.9, 2.1));
-            const Eigen::Vector3d lookAt(mirrored(draw.between(0.7, 0.95)), draw.between(0.7, 1.0), 0);
-            return simulatedView(camera, lookAt, widthPx, heightPx, draw.between(940, 1080));
+            const Eigen::Vector3d camera(mirrored(draw.between(0.6, 0.9)), draw.between(-2.1, -1.7),
+                                         draw.between(1.9, 2.2));
+            const Eigen::Vector3d lookAt(mirrored(draw.between(0.7, 0.85)), draw.between(0.75, 1.0), 0);
+            return simulatedView(camera, lookAt, widthPx, heightPx, draw.between(1300, 1650));
         };
-        const double own = side * floorLengthM;
-        addCamera(scene, draw, viewThat(drawn, {{own, 0}, {own, floorWidthM}, nearMiddle, farMiddle}));
+        const double own = mirrored(0);
+        FloorView view = viewThat(drawn, {{own, 0}, {own, floorWidthM}, nearMiddle, farMiddle});
+        addCamera(scene, draw, std::move(view));
     }
     return scene;
 }

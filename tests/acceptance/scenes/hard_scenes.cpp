@@ -67,6 +67,20 @@ AccuracyScene reflections(SeededDraw &draw)
     return scene;
 }
 
+/// Large ones that touch the robot: what pulls a centre away the most. Some are seen by both cameras.
+AccuracyScene touchingReflections(SeededDraw &draw)
+{
+    AccuracyScene scene = emptyScene(draw, 9);
+    const SimulatedRobot robot = boxRobot("red", red, drawnWander(draw, 10, 0.9));
+    addRobot(scene, draw, robot);
+    for (double t = 1.5; t < 7.5; t += draw.between(0.6, 0.8)) {
+        Reflection reflection = besideRobot(draw, robot, t, draw.between(-0.05, -0.02), draw.whole(-1, 1));
+        reflection.radiusM = draw.between(0.1, 0.15);
+        scene.scene.reflections.push_back(reflection);
+    }
+    return scene;
+}
+
 AccuracyScene decoys(SeededDraw &draw)
 {
     AccuracyScene scene = emptyScene(draw, 8);
@@ -149,6 +163,7 @@ AccuracyScene threeRobots(SeededDraw &draw)
             scene, draw,
             boxRobot(robots[i].first, robots[i].second,
                      makeEllipseMotion(centre, 0.95, 0.45, period, phase + double(i) * 2 * pi / 3, 1.2)));
+    scene.recording.codec = VideoCodec::Mjpeg;
     return scene;
 }
 
@@ -170,6 +185,7 @@ AccuracyScene collision(SeededDraw &draw)
     AccuracyScene scene = emptyScene(draw, 7);
     scene.impactsS = {draw.between(3.0, 3.1)};
     addRobot(scene, draw, boxRobot("blue", blue, drawnCollision(draw, scene.impactsS.front())));
+    scene.recording.codec = VideoCodec::Mjpeg;
     return scene;
 }
 
@@ -178,9 +194,15 @@ AccuracyScene collision(SeededDraw &draw)
 const std::vector<std::pair<std::string, AccuracyScene (*)(SeededDraw &)>> &hardScenes()
 {
     static const std::vector<std::pair<std::string, AccuracyScene (*)(SeededDraw &)>> scenes{
-        {"reflections", reflections},  {"decoys", decoys},      {"occluded", occluded},
-        {"behind-board", behindBoard}, {"crossing", crossing},  {"three-robots", threeRobots},
-        {"hand-over", handOver},       {"collision", collision}};
+        {"reflections", reflections},
+        {"touching-reflections", touchingReflections},
+        {"decoys", decoys},
+        {"occluded", occluded},
+        {"behind-board", behindBoard},
+        {"crossing", crossing},
+        {"three-robots", threeRobots},
+        {"hand-over", handOver},
+        {"collision", collision}};
     return scenes;
 }
 

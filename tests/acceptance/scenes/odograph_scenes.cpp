@@ -22,6 +22,7 @@ struct Order
 {
     QStringList scenes, seeds;
     QString folder, work, program, json;
+    double markerErrorPx = 0;
     bool renderOnly = false;
 };
 
@@ -45,6 +46,7 @@ Order orderFrom(const QCoreApplication &app)
            QString());
     option("program", "The odograph to measure.",
            qEnvironmentVariable("ODOGRAPH_PROGRAM", QStringLiteral("odograph")));
+    option("marker-error", "Sigma of a picked marker's coordinate, in pixels.", QStringLiteral("0.3"));
     option("json", "A file for the figures.", QString());
     parser.addOption(
         {QStringLiteral("render-only"), QStringLiteral("Provide the media and measure nothing.")});
@@ -58,6 +60,7 @@ Order orderFrom(const QCoreApplication &app)
                 parser.value(QStringLiteral("work")),
                 parser.value(QStringLiteral("program")),
                 parser.value(QStringLiteral("json")),
+                parser.value(QStringLiteral("marker-error")).toDouble(),
                 parser.isSet(QStringLiteral("render-only"))};
     if (order.work.isEmpty())
         order.work = order.folder + QStringLiteral("/answers");
@@ -107,8 +110,9 @@ int main(int argc, char *argv[])
             }
             if (order.renderOnly)
                 continue;
-            measured.push_back(measureScene(order.program, scene, *media,
-                                            std::filesystem::path(order.work.toStdString()) / own));
+            measured.push_back(measureScene(
+                scene, *media,
+                {order.program, std::filesystem::path(order.work.toStdString()) / own, order.markerErrorPx}));
             print(tableLine(measured.back()));
         }
     }

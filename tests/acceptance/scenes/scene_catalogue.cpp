@@ -95,6 +95,7 @@ AccuracyScene oneCamera(SeededDraw &draw)
     AccuracyScene scene = withRobot(draw, {Corner::NearLeft}, 7,
                                     boxRobot("blue", blue, drawnFigureEight(draw, draw.between(1.0, 1.4))));
     scene.oneView = true;
+    scene.recording.codec = VideoCodec::Mjpeg;
     return scene;
 }
 
@@ -123,6 +124,7 @@ AccuracyScene light(SeededDraw &draw)
         camera.sensor.gainDriftPerS = (camera.name == "A" ? sign : -sign) * 0.35 / durationS;
         camera.sensor.flickerAmplitude = 0.04;
     }
+    scene.recording.codec = VideoCodec::Mjpeg;
     return scene;
 }
 

@@ -68,6 +68,7 @@ private:
     {
         const Eigen::Vector2d error = line.pair("x_mm", "y_mm") - truth.position * 1000;
         ++m_sums.withPosition;
+        m_sums.errorSumMm += error;
         m_sums.squaredMm += error.squaredNorm();
         m_sums.insideX += std::abs(error.x()) <= sigmas95 * line.number("sigma_x_mm");
         m_sums.insideY += std::abs(error.y()) <= sigmas95 * line.number("sigma_y_mm");
@@ -140,6 +141,7 @@ AccuracySums &AccuracySums::operator+=(const AccuracySums &other)
 {
     frames += other.frames;
     withPosition += other.withPosition;
+    errorSumMm += other.errorSumMm;
     squaredMm += other.squaredMm;
     curveFrames += other.curveFrames;
     squaredMmS += other.squaredMmS;

@@ -13,19 +13,22 @@ namespace odo::test {
 struct AccuracySums
 {
     long frames = 0, withPosition = 0;
-    double squaredMm = 0;                           ///< position
-    long curveFrames = 0;                           ///< those away from impacts
-    double squaredMmS = 0, squaredMmS2 = 0;         ///< velocity, acceleration
-    long insideX = 0, insideY = 0, insideSpeed = 0; ///< of withPosition: truth within 1.96 sigma
-    double sigmaSumMm = 0;                          ///< of sigma x and y, over withPosition
-    long trueSpikes = 0, foundSpikes = 0;           ///< raw place more than 20 mm off; those that are flagged
-    long flagged = 0, justlyFlagged = 0;            ///< flagged frames; those that are spikes or disturbed
-    long disturbed = 0;                             ///< frames with a reflection or a board near the robot
+    Eigen::Vector2d errorSumMm = Eigen::Vector2d::Zero(); ///< over withPosition
+    double squaredMm = 0;                                 ///< position
+    long curveFrames = 0;                                 ///< those away from impacts
+    double squaredMmS = 0, squaredMmS2 = 0;               ///< velocity, acceleration
+    long insideX = 0, insideY = 0, insideSpeed = 0;       ///< of withPosition: truth within 1.96 sigma
+    double sigmaSumMm = 0;                                ///< of sigma x and y, over withPosition
+    long trueSpikes = 0, foundSpikes = 0; ///< raw place more than 20 mm off; those that are flagged
+    long flagged = 0, justlyFlagged = 0;  ///< flagged frames; those that are spikes or disturbed
+    long disturbed = 0;                   ///< frames with a reflection or a board near the robot
     long hiddenInOneView = 0, hiddenWithPosition = 0;
     long exchanges = 0; ///< more than three frames on end nearer to another robot's truth
 
     AccuracySums &operator+=(const AccuracySums &other);
 
+    /// Length of the mean error: what all frames have in common.
+    double biasMm() const { return withPosition > 0 ? errorSumMm.norm() / double(withPosition) : 0; }
     double positionRmsMm() const;
     double velocityRmsMmS() const;
     double accelerationRmsMmS2() const;

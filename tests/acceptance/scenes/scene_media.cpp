@@ -7,7 +7,6 @@
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "tests/acceptance/scenes/scene_recipe.h"
-#include "tests/acceptance/scenes/seeded_draw.h"
 
 #include <fstream>
 #include <sstream>
@@ -19,8 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double markerErrorPx = 0.3; // of each coordinate
-constexpr double boardNoise = 1.5;    // of 255
+constexpr double boardNoise = 1.5; // of 255
 
 std::string contentOf(const fs::path &file)
 {
@@ -47,29 +45,8 @@ Result<void> writeBoards(const AccuracyScene &scene, const SceneMedia &media, st
     return {};
 }
 
-/// Those in the picture, at a little distance from its edge, as someone would pick them.
-Result<void> writePixels(const AccuracyScene &scene, const SceneMedia &media, std::size_t camera)
-{
-    const SimulatedCamera &cam = scene.scene.cameras[camera];
-    SeededDraw draw("markers of " + scene.name + cam.name, scene.seed);
-    std::string text = "label,u,v\n";
-    for (const Marker &marker : scene.scene.floor.markers.markers) {
-        const auto pixel = cam.view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
-        const Intrinsics &lens = cam.view.camera().intrinsics();
-        if (!pixel || pixel->x() < 3 || pixel->y() < 3 || pixel->x() > lens.widthPx - 4 ||
-            pixel->y() > lens.heightPx - 4)
-            continue;
-        const double u = pixel->x() + draw.gaussian(markerErrorPx),
-                     v = pixel->y() + draw.gaussian(markerErrorPx);
-        text += marker.label + "," + numberText(u) + "," + numberText(v) + "\n";
-    }
-    return writeTextFile(media.pixels(cam), text);
-}
-
 Result<void> renderCamera(const AccuracyScene &scene, const SceneMedia &media, std::size_t camera)
 {
-    if (auto written = writePixels(scene, media, camera); !written)
-        return written;
     if (auto written = writeBoards(scene, media, camera); !written)
         return written;
     return renderVideo(scene.scene, static_cast<int>(camera), media.video(scene.scene.cameras[camera]),

@@ -17,10 +17,6 @@ struct SceneMedia
     {
         return folder / (camera.name + ".mkv");
     }
-    std::filesystem::path pixels(const SimulatedCamera &camera) const
-    {
-        return folder / ("pixels_" + camera.name + ".csv");
-    }
     std::filesystem::path board(const SimulatedCamera &camera, int number) const;
     std::filesystem::path layout() const { return folder / "layout.csv"; }
 };

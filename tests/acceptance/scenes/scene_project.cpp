@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/acceptance/scenes/scene_project.h"
 
+#include "tests/acceptance/scenes/drawn_testbed.h"
+#include "tests/acceptance/scenes/seeded_draw.h"
 #include "tests/support/program.h"
 
 #include <QElapsedTimer>
@@ -25,17 +27,17 @@ QString q(const fs::path &path)
 class ProjectMaker
 {
 public:
-    ProjectMaker(QString program, const AccuracyScene &scene, const SceneMedia &media, const fs::path &folder)
-        : m_program(std::move(program)), m_media(media), m_folder(folder),
-          m_project(q(folder / "scene.odo")), m_out{scene, {}, {}, 0, {}}
+    ProjectMaker(const AccuracyScene &scene, const SceneMedia &media, const MeasureSettings &settings)
+        : m_media(media), m_settings(settings),
+          m_project(q(settings.folder / "scene.odo")), m_out{scene, {}, {}, 0, {}}
     {
     }
 
     MeasuredScene measure()
     {
-        fs::create_directories(m_folder);
-        fs::remove(m_folder / "scene.odo");
-        fs::remove_all(m_folder / "scene.media");
+        fs::create_directories(m_settings.folder);
+        fs::remove(m_settings.folder / "scene.odo");
+        fs::remove_all(m_settings.folder / "scene.media");
         QElapsedTimer clock;
         clock.start();
         const bool done = call({s("new"), m_project}) && addCameras() && addRobots() && import() &&
@@ -44,7 +46,7 @@ public:
         m_out.wallS = double(clock.elapsed()) / 1000;
         if (done)
             call({s("show"), m_project, s("run"), s("--json")}, "show.json");
-        fs::remove_all(m_folder / "scene.media");
+        fs::remove_all(m_settings.folder / "scene.media");
         return m_out;
     }
 
@@ -55,21 +57,47 @@ private:
     /// Calls the program; keeps its answer in a file where one is named.
     bool call(const QStringList &arguments, const std::string &answer = {}, ProgramRun *result = nullptr)
     {
-        const ProgramRun run = runCommand(m_program, arguments);
+        const ProgramRun run = runCommand(m_settings.program, arguments);
         if (result)
             *result = run;
         if (run.exitStatus != 0) {
             m_out.problem = arguments.first() + s(": ") + QString::fromUtf8(run.err).trimmed();
             return false;
         }
-        if (!answer.empty()) {
-            QFile file(q(m_folder / answer));
-            if (!file.open(QIODevice::WriteOnly) || file.write(run.out) != run.out.size()) {
-                m_out.problem = file.fileName() + s(": ") + file.errorString();
-                return false;
-            }
+        return answer.empty() || keep(q(m_settings.folder / answer), run.out);
+    }
+
+    bool keep(const QString &name, const QByteArray &content)
+    {
+        QFile file(name);
+        if (file.open(QIODevice::WriteOnly) && file.write(content) == content.size())
+            return true;
+        m_out.problem = name + s(": ") + file.errorString();
+        return false;
+    }
+
+    /// Writes where a camera sees the markers: those in the picture, not at its very edge, as someone would
+    /// pick them.
+    bool writePixels(const SimulatedCamera &camera)
+    {
+        SeededDraw draw("markers of " + m_out.scene.name + camera.name, m_out.scene.seed);
+        QByteArray text = "label,u,v\n";
+        for (const Marker &marker : scene().floor.markers.markers) {
+            const Eigen::Vector3d place(marker.pointInWorld.x(), marker.pointInWorld.y(), 0);
+            if (!isInPicture(camera.view, place, 3))
+                continue;
+            const Eigen::Vector2d pixel = *camera.view.pixelFromWorld(place);
+            const double du = draw.gaussian(1), dv = draw.gaussian(1);
+            text += QByteArray::fromStdString(marker.label) + ',' +
+                    QByteArray::number(pixel.x() + m_settings.markerErrorPx * du, 'f', 4) + ',' +
+                    QByteArray::number(pixel.y() + m_settings.markerErrorPx * dv, 'f', 4) + '\n';
         }
-        return true;
+        return keep(pixelsFile(camera), text);
+    }
+
+    QString pixelsFile(const SimulatedCamera &camera) const
+    {
+        return q(m_settings.folder / ("pixels_" + camera.name + ".csv"));
     }
 
     bool addCameras()
@@ -82,10 +110,10 @@ private:
             for (int i = 0; i < boardPictures; ++i)
                 calibrate << q(m_media.board(camera, i));
             calibrate << s("--board") << s("9x6") << s("--square") << s("25mm") << s("--json");
-            const bool done = call({s("camera"), s("add"), m_project, name}) &&
+            const bool done = writePixels(camera) && call({s("camera"), s("add"), m_project, name}) &&
                               call(calibrate, "calibrate_" + camera.name + ".json") &&
                               call({s("register"), m_project, s("--camera"), name, s("--layout"), s("floor"),
-                                    s("--pixels"), q(m_media.pixels(camera)), s("--json")},
+                                    s("--pixels"), pixelsFile(camera), s("--json")},
                                    "register_" + camera.name + ".json");
             if (!done)
                 return false;
@@ -135,7 +163,7 @@ private:
     {
         for (std::size_t robot = 0; robot < scene().robots.size(); ++robot) {
             const QString name = q(scene().robots[robot].name),
-                          file = q(m_folder) + s("/track_") + name + s(".csv");
+                          file = q(m_settings.folder) + s("/track_") + name + s(".csv");
             if (!call({s("export"), m_project, s("run"), s("-o"), file, s("--format"), s("csv"), s("--robot"),
                        name}))
                 return false;
@@ -152,9 +180,8 @@ private:
         return true;
     }
 
-    const QString m_program;
     const SceneMedia m_media;
-    const fs::path m_folder;
+    const MeasureSettings m_settings;
     const QString m_project;
     MeasuredScene m_out;
 };
@@ -169,10 +196,10 @@ AccuracySums MeasuredScene::sums() const
     return total;
 }
 
-MeasuredScene measureScene(const QString &program, const AccuracyScene &scene, const SceneMedia &media,
-                           const fs::path &folder)
+MeasuredScene measureScene(const AccuracyScene &scene, const SceneMedia &media,
+                           const MeasureSettings &settings)
 {
-    return ProjectMaker(program, scene, media, folder).measure();
+    return ProjectMaker(scene, media, settings).measure();
 }
 
 } // namespace odo::test

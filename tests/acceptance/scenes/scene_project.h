@@ -22,10 +22,17 @@ struct MeasuredScene
     AccuracySums sums() const;
 };
 
+struct MeasureSettings
+{
+    QString program;              ///< the odograph to measure
+    std::filesystem::path folder; ///< for the project and the answers (*.json, *.csv)
+    double markerErrorPx = 0.3;   ///< sigma of each coordinate of a picked marker
+};
+
 /// Makes a project from a scene's media by the command line alone, as a user would: cameras, calibration,
-/// layout, registration, robots, import, track, export; keeps the project and the answers (*.json, *.csv) in
-/// the folder, where an earlier run's make room, but not the project's copies of the videos.
-MeasuredScene measureScene(const QString &program, const AccuracyScene &scene, const SceneMedia &media,
-                           const std::filesystem::path &folder);
+/// layout, registration, robots, import, track, export. Keeps the project and the answers, for which an
+/// earlier run's make room, but not the project's copies of the videos.
+MeasuredScene measureScene(const AccuracyScene &scene, const SceneMedia &media,
+                           const MeasureSettings &settings);
 
 } // namespace odo::test

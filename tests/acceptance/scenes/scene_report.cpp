@@ -44,6 +44,7 @@ QJsonObject sceneJson(const MeasuredScene &measured)
             {QStringLiteral("frames"), qint64(sums.frames)},
             {QStringLiteral("with_position"), qint64(sums.withPosition)},
             {QStringLiteral("position_rms_mm"), sums.positionRmsMm()},
+            {QStringLiteral("position_bias_mm"), sums.biasMm()},
             {QStringLiteral("velocity_rms_mm_s"), sums.velocityRmsMmS()},
             {QStringLiteral("acceleration_rms_mm_s2"), sums.accelerationRmsMmS2()},
             {QStringLiteral("inside_95_x"), sums.share(sums.insideX)},
@@ -66,9 +67,10 @@ QJsonObject sceneJson(const MeasuredScene &measured)
 
 QString tableHead()
 {
-    return QStringLiteral("scene                 frames with%    pos    vel    acc  sigma  in x%  in y%  in "
-                          "v%   spikes  flagged  hidden "
-                          "swaps offset_ms  wall_s");
+    return QStringLiteral(
+        "scene                 frames with%    pos   bias    vel    acc  sigma  in x%  in y%  in "
+        "v%   spikes  flagged  hidden "
+        "swaps offset_ms  wall_s");
 }
 
 QString tableLine(const MeasuredScene &measured)
@@ -76,7 +78,7 @@ QString tableLine(const MeasuredScene &measured)
     const AccuracySums sums = measured.sums();
     const double with = sums.frames > 0 ? 100.0 * double(sums.withPosition) / double(sums.frames) : 0;
     QString line =
-        QStringLiteral("%1 %2 %3 %4 %5 %6 %7")
+        QStringLiteral("%1 %2 %3 %4 %5 %6 %7 %8")
             .arg(QStringLiteral("%1/%2")
                      .arg(QString::fromStdString(measured.scene.name))
                      .arg(measured.scene.seed),
@@ -84,6 +86,7 @@ QString tableLine(const MeasuredScene &measured)
             .arg(sums.frames, 6)
             .arg(with, 5, 'f', 1)
             .arg(sums.positionRmsMm(), 6, 'f', 2)
+            .arg(sums.biasMm(), 6, 'f', 2)
             .arg(sums.velocityRmsMmS(), 6, 'f', 1)
             .arg(sums.accelerationRmsMmS2(), 6, 'f', 0)
             .arg(sums.withPosition > 0 ? sums.sigmaSumMm / double(sums.withPosition) : 0, 6, 'f', 2);

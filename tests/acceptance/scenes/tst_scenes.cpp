@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/acceptance/scenes/scene_report.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <atomic>
+#include <thread>
+
+using namespace odo::test;
+
+/// The accuracy that is demanded, on scenes with known truth, through the command line: the seeds of the
+/// environment's ODOGRAPH_SCENE_SEEDS (1).
+class TestScenes : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    std::vector<MeasuredScene> m_measured;
+    std::vector<BarResult> m_bars;
+
+    static std::vector<AccuracyScene> allScenes()
+    {
+        const QStringList seeds =
+            qEnvironmentVariable("ODOGRAPH_SCENE_SEEDS", QStringLiteral("1")).split(u',', Qt::SkipEmptyParts);
+        std::vector<AccuracyScene> scenes;
+        for (const std::string &name : sceneNames())
+            for (const QString &seed : seeds)
+                scenes.push_back(makeScene(name, seed.toUInt()));
+        return scenes;
+    }
+
+    /// A scene's media are removed as soon as it is measured: all of them are a gigabyte.
+    MeasuredScene measured(const AccuracyScene &scene) const
+    {
+        const std::filesystem::path folder = std::filesystem::path(m_folder.path().toStdString()) /
+                                             (scene.name + "-" + std::to_string(scene.seed));
+        const auto media = provideMedia(scene, folder / "media");
+        MeasuredScene result{scene, {}, {}, 0, {}};
+        if (media)
+            result = measureScene(scene, *media, {qEnvironmentVariable("ODOGRAPH_PROGRAM"), folder});
+        else
+            result.problem = QString::fromStdString(media.error().message());
+        std::filesystem::remove_all(folder);
+        return result;
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        const std::vector<AccuracyScene> scenes = allScenes();
+        m_measured.resize(scenes.size());
+        std::atomic<std::size_t> next = 0;
+        const auto work = [&] {
+            for (std::size_t i = next++; i < scenes.size(); i = next++)
+                m_measured[i] = measured(scenes[i]);
+        };
+        std::thread second(work);
+        work();
+        second.join();
+        m_bars = judge(m_measured);
+        qInfo().noquote() << tableHead();
+        for (const MeasuredScene &scene : m_measured)
+            qInfo().noquote() << tableLine(scene);
+        qInfo().noquote() << u'\n' + barsTable(m_bars);
+    }
+
+    void everyCallIsDone()
+    {
+        for (const MeasuredScene &scene : m_measured)
+            QVERIFY2(scene.problem.isEmpty(), qPrintable(scene.problem));
+    }
+
+    void theBarIsMet_data()
+    {
+        QTest::addColumn<bool>("isMet");
+        for (const BarResult &bar : m_bars)
+            QTest::newRow(qPrintable(bar.figure)) << bar.isMet();
+    }
+    void theBarIsMet()
+    {
+        QFETCH(bool, isMet);
+        QVERIFY(isMet);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestScenes)
+#include "tst_scenes.moc"
