@@ -66,13 +66,30 @@ void ChromaDensity::blur(int times)
     }
 }
 
-float ChromaDensity::interpolated(const Chroma &chroma) const
+/// Where interpolation may give more than zero, in bins. A robot's density fills a small corner of the plane,
+/// and most of the cost of looking into it is saved by not looking where there is nothing.
+ChromaDensity::Support ChromaDensity::support() const
+{
+    int firstU = binsPerAxis, lastU = -1, firstV = binsPerAxis, lastV = -1;
+    for (int bin = 0; bin < binCount; ++bin) {
+        if (m_bins[bin] == 0)
+            continue;
+        const int u = bin / binsPerAxis, v = bin % binsPerAxis;
+        firstU = std::min(firstU, u), lastU = std::max(lastU, u);
+        firstV = std::min(firstV, v), lastV = std::max(lastV, v);
+    }
+    constexpr int end = binsPerAxis - 1;
+    return {static_cast<double>(std::max(firstU - 1, 0)), static_cast<double>(std::min(lastU + 1, end)),
+            static_cast<double>(std::max(firstV - 1, 0)), static_cast<double>(std::min(lastV + 1, end))};
+}
+
+float ChromaDensity::interpolated(const Chroma &chroma, const Support &support) const
 {
     constexpr double perBin = 1 << binShift;
     const double half = (perBin - 1) / 2.0;
     const double bu = (chroma.x() + 128.0 - half) / perBin;
     const double bv = (chroma.y() + 128.0 - half) / perBin;
-    if (bu < 0 || bv < 0 || bu >= binsPerAxis - 1 || bv >= binsPerAxis - 1)
+    if (bu < support.beginU || bv < support.beginV || bu >= support.endU || bv >= support.endV)
         return 0;
     const int iu = static_cast<int>(bu), iv = static_cast<int>(bv);
     const auto fu = static_cast<float>(bu - iu), fv = static_cast<float>(bv - iv);
@@ -91,11 +108,12 @@ ChromaDensity ChromaDensity::underOtherLight(double low, double high) const
         trust[i] = static_cast<float>(1.0 - 0.6 * std::abs(2 * part - 1));
     }
     ChromaDensity result;
+    const Support where = support();
     for (std::size_t bin = 0; bin < binCount; ++bin) {
         const Chroma seen = centreOf(bin);
         float best = 0;
         for (int i = 0; i < lightSteps; ++i)
-            best = std::max(best, trust[i] * interpolated(seen / light[i]));
+            best = std::max(best, trust[i] * interpolated(seen / light[i], where));
         result.m_bins[bin] = best;
     }
     return result;
@@ -105,9 +123,10 @@ ChromaDensity ChromaDensity::transformed(double scale, double turnRad) const
 {
     const double c = std::cos(turnRad) / scale, s = std::sin(turnRad) / scale;
     ChromaDensity result;
+    const Support where = support();
     for (std::size_t bin = 0; bin < binCount; ++bin) {
         const Chroma seen = centreOf(bin);
-        result.m_bins[bin] = interpolated({c * seen.x() + s * seen.y(), c * seen.y() - s * seen.x()});
+        result.m_bins[bin] = interpolated({c * seen.x() + s * seen.y(), c * seen.y() - s * seen.x()}, where);
     }
     return result;
 }

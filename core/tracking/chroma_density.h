@@ -44,7 +44,12 @@ public:
     double overlap(const ChromaDensity &other) const;
 
 private:
-    float interpolated(const Chroma &chroma) const;
+    struct Support
+    {
+        double beginU, endU, beginV, endV;
+    };
+    Support support() const;
+    float interpolated(const Chroma &chroma, const Support &support) const;
 
     std::array<float, binCount> m_bins{};
 };

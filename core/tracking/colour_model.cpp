@@ -16,7 +16,10 @@ constexpr double leastScale = 0.35, mostScale = 2.5, mostTurnRad = 0.4;
 
 } // namespace
 
-ColourModel::ColourModel(const Chroma &told) : m_told(told), m_density(densityOfToldColour(told)) {}
+ColourModel::ColourModel(const Chroma &told)
+    : m_told(told), m_toldDensity(densityOfToldColour(told)), m_density(m_toldDensity)
+{
+}
 
 Chroma ColourModel::expected() const
 {
@@ -40,7 +43,7 @@ ChromaDensity ColourModel::densityUnderOtherLight() const
 
 ChromaTable ColourModel::toldTable(const ChromaDensity *background) const
 {
-    const ChromaDensity told = densityOfToldColour(m_told);
+    const ChromaDensity &told = m_toldDensity;
     if (background)
         return {told, *background, static_cast<float>(toldDoubt)};
     // Without a background the doubt is set so that a likeness of 0.4 just passes.

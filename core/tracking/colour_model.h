@@ -14,6 +14,7 @@ public:
     explicit ColourModel(const Chroma &told);
 
     const Chroma &told() const { return m_told; }
+    const ChromaDensity &toldDensity() const { return m_toldDensity; }
     bool isLearned() const { return m_learned; }
     /// The chroma the robot is expected to show now.
     Chroma expected() const;
@@ -40,6 +41,7 @@ public:
 private:
     Chroma m_told = Chroma::Zero(), m_mean = Chroma::Zero();
     bool m_learned = false;
+    ChromaDensity m_toldDensity;
     ChromaDensity m_density;           ///< as learned
     ChromaDensity m_smeared;           ///< the same under other light
     double m_scale = 1, m_turnRad = 0; ///< of the present colour against the learned one

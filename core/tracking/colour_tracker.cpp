@@ -59,9 +59,8 @@ void ColourTracker::Impl::compareColours(std::size_t robot)
         const ColourModel &theirs = followers[other].model();
         // What was learned of one says nothing against what was only told of the other.
         const bool learned = own.isLearned() && theirs.isLearned();
-        const double overlap =
-            learned ? own.density().overlap(theirs.density())
-                    : densityOfToldColour(own.told()).overlap(densityOfToldColour(theirs.told()));
+        const double overlap = learned ? own.density().overlap(theirs.density())
+                                       : own.toldDensity().overlap(theirs.toldDensity());
         const bool same = other != robot && overlap > alike;
         alikes[robot * followers.size() + other] = alikes[other * followers.size() + robot] = same;
     }

@@ -53,11 +53,11 @@ bool TrackedFrame::complete()
 
 ChromaDensity TrackedFrame::backgroundWithout(const ChromaRect &rect)
 {
-    if (!m_counted) {
-        m_counts.count(m_grid, m_grid.bounds(), m_countStep);
-        m_counted = true;
+    if (!m_counts) {
+        m_counts.emplace();
+        m_counts->count(m_grid, m_grid.bounds(), m_countStep);
     }
-    ChromaDensity density = m_counts;
+    ChromaDensity density = *m_counts;
     ChromaRect inside = rect.clippedTo(m_grid.bounds());
     if (!inside.isEmpty()) {
         // The same samples that were counted: on the same lattice.

@@ -38,8 +38,7 @@ private:
     std::optional<Frame> m_whole; ///< where a part was given and more was needed
     ChromaGrid m_grid;
     int m_searchStep = 1, m_countStep = 1;
-    bool m_counted = false;
-    ChromaDensity m_counts;
+    std::optional<ChromaDensity> m_counts; ///< of the whole picture, once they were needed
 };
 
 /// A region that may be the robot.
