@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/intrinsics_yaml.h"
+#include "core/exchange/layout_csv.h"
+#include "core/exchange/text_file.h"
+#include "core/simulation/demo_testbed.h"
+#include "core/simulation/renderer.h"
+#include "tests/support/looped_video.h"
+#include "tests/support/program.h"
+
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace odo;
+using namespace odo::test;
+
+namespace {
+
+constexpr int loopS = 20, framesPerSecond = 30;
+constexpr double mostMegabytes = 500;
+
+/// Two cameras of 320x180; a robot that drives round and comes to rest where it set out, so that the loop has
+/// no seam.
+SimulatedScene smallTestbed()
+{
+    SimulatedScene scene = demoTestbed(3);
+    scene.cameras[0].view = simulatedView({-0.9, -1.55, 2.0}, {1.4, 0.75, 0.0}, 320, 180, 240);
+    scene.cameras[1].view = simulatedView({3.9, -1.55, 2.0}, {1.6, 0.75, 0.0}, 320, 180, 235);
+    scene.durationS = loopS;
+    SimulatedRobot robot;
+    robot.name = "Red";
+    robot.colour = {215, 35, 40};
+    robot.motion =
+        makeSplineMotion({{0.5, 0.5}, {1.5, 0.4}, {2.5, 0.7}, {2.4, 1.6}, {1.4, 1.3}, {0.5, 1.7}, {0.5, 0.5}},
+                         (loopS - 1.0) / 6);
+    scene.robots.push_back(robot);
+    return scene;
+}
+
+struct MeasuredRun
+{
+    int exitStatus = -1;
+    double megabytes = 0; ///< most memory that was resident at once
+};
+
+/// Runs the program to its end, its words thrown away.
+MeasuredRun runMeasured(const QStringList &arguments)
+{
+    std::vector<QByteArray> words{qgetenv("ODOGRAPH_PROGRAM")};
+    for (const QString &argument : arguments)
+        words.push_back(argument.toUtf8());
+    std::vector<char *> pointers;
+    for (QByteArray &word : words)
+        pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    const pid_t child = fork();
+    if (child == 0) {
+        execv(pointers[0], pointers.data());
+        _exit(127);
+    }
+    int status = -1;
+    rusage usage{};
+    if (child < 0 || wait4(child, &status, 0, &usage) != child)
+        return {};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, static_cast<double>(usage.ru_maxrss) / 1024};
+}
+
+} // namespace
+
+/// Memory does not grow with the length of a recording beyond what is kept of each frame.
+class TestLongRecordings : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    const SimulatedScene m_scene = smallTestbed();
+    QString m_project = path("long.odo");
+
+    QString path(const QString &name) const { return m_folder.filePath(name); }
+    QString path(const char *name) const { return path(QString::fromLatin1(name)); }
+    std::filesystem::path file(const QString &name) const { return path(name).toStdString(); }
+    void makeProject();
+    double track(int minutes, VideoCodec codec);
+
+private Q_SLOTS:
+    void twoHourLongClips_data();
+    void twoHourLongClips();
+};
+
+void TestLongRecordings::makeProject()
+{
+    const auto run = [](const QStringList &arguments) {
+        const ProgramRun ran = runProgram(arguments);
+        QVERIFY2(ran.exitStatus == 0, ran.err);
+    };
+    const auto s = [](const char *word) { return QString::fromLatin1(word); };
+    m_project = path("long.odo");
+    run({s("new"), m_project});
+    QVERIFY(writeLayoutCsv(file(s("layout.csv")), m_scene.floor.markers));
+    run({s("layout"), s("add"), m_project, s("floor"), path("layout.csv")});
+    run({s("robot"), s("add"), m_project, s("Red"), s("--colour"), s("#d72328"), s("--height"), s("60mm")});
+    for (const SimulatedCamera &camera : m_scene.cameras) {
+        const QString name = QString::fromStdString(camera.name);
+        std::string pixels = "label,u,v\n";
+        for (const Marker &marker : m_scene.floor.markers.markers) {
+            const auto pixel =
+                camera.view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
+            pixels += marker.label + "," + numberText(pixel->x()) + "," + numberText(pixel->y()) + "\n";
+        }
+        QVERIFY(writeTextFile(file(name + s(".csv")), pixels));
+        QVERIFY(writeIntrinsics(file(name + s(".yaml")), camera.name, camera.view.camera().intrinsics()));
+        run({s("camera"), s("add"), m_project, name});
+        run({s("intrinsics"), s("import"), m_project, name, path(name + s(".yaml"))});
+        run({s("register"), m_project, s("--camera"), name, s("--layout"), s("floor"), s("--pixels"),
+             path(name + s(".csv"))});
+    }
+}
+
+/// Megabytes that tracking two clips of this length took.
+double TestLongRecordings::track(int minutes, VideoCodec codec)
+{
+    const QString ending = codec == VideoCodec::Mjpeg ? QStringLiteral(".jpeg.mkv") : QStringLiteral(".mkv");
+    const QString trial = QString::number(minutes) + ending;
+    QStringList import{
+        QStringLiteral("import"), m_project,           QStringLiteral("--trial"), trial,
+        QStringLiteral("--sync"), QStringLiteral("0"), QStringLiteral("--robot"), QStringLiteral("Red")};
+    for (int camera = 0; camera < 2; ++camera) {
+        const QString name = QString::fromStdString(m_scene.cameras[std::size_t(camera)].name);
+        const QString once = name + ending, looped = name + trial;
+        VideoWriterOptions options;
+        options.codec = codec;
+        options.bitRate = 400'000;
+        options.mjpegQuality = 10;
+        if (!std::filesystem::exists(file(once)) && !renderVideo(m_scene, camera, file(once), options, {}))
+            return -1;
+        if (!loopVideo(file(once), file(looped), minutes * 60 / loopS))
+            return -1;
+        import << QStringLiteral("--video") << name + u'=' + path(looped);
+    }
+    const MeasuredRun imported = runMeasured(import);
+    QElapsedTimer clock;
+    clock.start();
+    const MeasuredRun tracked = runMeasured({QStringLiteral("track"), m_project, trial});
+    qInfo("%d min, %s: import %.0f MB, track %.0f MB in %.0f s, status %d and %d", minutes,
+          qPrintable(ending), imported.megabytes, tracked.megabytes, double(clock.elapsed()) / 1000,
+          imported.exitStatus, tracked.exitStatus);
+    return imported.exitStatus == 0 && tracked.exitStatus == 0
+               ? std::max(imported.megabytes, tracked.megabytes)
+               : -1;
+}
+
+void TestLongRecordings::twoHourLongClips_data()
+{
+    QTest::addColumn<int>("codec");
+    QTest::newRow("MJPEG") << int(VideoCodec::Mjpeg);
+    QTest::newRow("H.264") << int(VideoCodec::H264);
+}
+
+void TestLongRecordings::twoHourLongClips()
+{
+    QFETCH(int, codec);
+    if (!QFile::exists(m_project))
+        makeProject();
+    const double ofTenMinutes = track(10, VideoCodec(codec));
+    const double ofAnHour = track(60, VideoCodec(codec));
+    QVERIFY(ofTenMinutes > 0 && ofAnHour > 0);
+    QVERIFY2(ofAnHour <= mostMegabytes, qPrintable(QString::number(ofAnHour)));
+    // What is kept of a frame (its observations, the sample and its profile) is what may grow: 1.5 kB a frame
+    // and view.
+    const double frames = 2.0 * 50 * 60 * framesPerSecond;
+    QVERIFY2(ofAnHour - ofTenMinutes < 1.5e-3 * frames, qPrintable(QString::number(ofAnHour - ofTenMinutes)));
+}
+
+QTEST_GUILESS_MAIN(TestLongRecordings)
+#include "tst_long_recordings.moc"
