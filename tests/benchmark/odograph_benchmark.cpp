@@ -73,7 +73,7 @@ Result<std::vector<MeasuredScene>> measureScenes(const Order &order)
             const auto media = provideMedia(scene, folder / own);
             if (!media)
                 return tl::unexpected(media.error());
-            measured.push_back(measureScene(order.program, scene, *media, folder / "answers" / own));
+            measured.push_back(measureScene(scene, *media, {order.program, folder / "answers" / own}));
             print(tableLine(measured.back()));
         }
     }
