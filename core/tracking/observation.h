@@ -29,6 +29,9 @@ struct Observation
     double areaPx = 0;
     double score = 0;           ///< 0 to 1: how well colour, size and shape agree with what is expected
     bool touchesBorder = false; ///< cut by the picture's edge: the centre is biased
+    /// Mean (Cb − 128, Cr − 128) of the region; zero where it was not measured. Tells robots of like colours apart
+    /// right after the tracking; it is not stored.
+    Eigen::Vector2d meanChroma = Eigen::Vector2d::Zero();
 };
 
 } // namespace odo

@@ -342,6 +342,7 @@ void RobotFollower::observe(const TrackedFrame &frame, const Blob &blob, Observa
     observation.centreCovariancePx2 = scale.asDiagonal() * shape.centreCovariance * scale.asDiagonal();
     observation.areaPx = shape.area * frame.lumaPerSample();
     observation.touchesBorder = m_atBorder;
+    observation.meanChroma = shape.colour;
     observation.score = scoreOf(frame, blob, shape);
     update(frame, blob, shape, observation);
 }

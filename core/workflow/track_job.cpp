@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/registered_view.h"
+#include "core/workflow/robot_names.h"
 #include "core/workflow/view_tracking.h"
 
 #include <chrono>
@@ -59,6 +60,8 @@ Result<void> TrackJob::run(const JobControl &control)
     if (!tracked)
         return tl::unexpected(tracked.error());
 
+    control.report(0.96, "settling which robot is which");
+    settleNames(d.views, d.robots, *tracked);
     control.report(0.97, "analysing");
     if (auto analysed = d.analyseAll(*tracked); !analysed)
         return analysed;

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/name_assignment.h"
+
+#include "core/tracking/chroma.h"
+#include "core/trajectory/name_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace odo {
+
+namespace {
+
+constexpr double confusableHueRad = 40 * std::numbers::pi / 180;
+constexpr std::size_t mostConfusable = 5;
+constexpr double usualPlaneM = 0.04, highestPlaneM = 0.6;
+constexpr double firstSigmaM = 0.1, secondSigmaM = 0.05;
+constexpr double mostDisagreementM = 0.25; ///< median; beyond it the views do not show the same time or floor
+
+/// Groups of robots whose colours might be taken for one another.
+std::vector<std::vector<std::size_t>> confusableRobots(const std::vector<NamedRobot> &robots)
+{
+    std::vector<std::vector<std::size_t>> groups;
+    const auto hue = [&](std::size_t robot) { return hueOf(chromaOf(robots[robot].colour, FrameFormat{})); };
+    for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+        std::vector<std::size_t> group;
+        std::erase_if(groups, [&](const std::vector<std::size_t> &earlier) {
+            const bool near = std::any_of(earlier.begin(), earlier.end(), [&](std::size_t other) {
+                return std::abs(hueDifference(hue(robot), hue(other))) < confusableHueRad;
+            });
+            if (near)
+                group.insert(group.end(), earlier.begin(), earlier.end());
+            return near;
+        });
+        group.push_back(robot);
+        groups.push_back(std::move(group));
+    }
+    std::erase_if(groups,
+                  [](const auto &group) { return group.size() < 2 || group.size() > mostConfusable; });
+    for (auto &group : groups)
+        std::sort(group.begin(), group.end());
+    return groups;
+}
+
+constexpr int noName = -1;
+
+/// For each view, slot and frame the name of the tracklet it belongs to, or noName.
+using FrameNames = std::vector<std::vector<std::vector<int>>>;
+
+FrameNames framesOf(const NameEvidence &evidence, const std::vector<std::size_t> &names,
+                    const std::vector<NamedView> &views, const std::vector<std::size_t> &considered)
+{
+    FrameNames frames(views.size());
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        for (const std::size_t robot : considered)
+            frames[v].emplace_back(views[v].robots[robot].size(), noName);
+    }
+    for (std::size_t t = 0; t < names.size(); ++t) {
+        const TrackletOf &one = evidence.tracklets[t];
+        auto &row = frames[one.view][one.slot];
+        std::fill(row.begin() + static_cast<std::ptrdiff_t>(one.tracklet.first),
+                  row.begin() + static_cast<std::ptrdiff_t>(one.tracklet.last) + 1,
+                  static_cast<int>(names[t]));
+    }
+    return frames;
+}
+
+/// Between tracklets: up to the middle the name before, from there the name behind.
+void fillBetween(std::vector<int> &names)
+{
+    std::size_t i = 0;
+    while (i < names.size()) {
+        if (names[i] != noName) {
+            ++i;
+            continue;
+        }
+        const std::size_t first = i;
+        while (i < names.size() && names[i] == noName)
+            ++i;
+        const int before = first > 0 ? names[first - 1] : noName,
+                  behind = i < names.size() ? names[i] : noName;
+        for (std::size_t k = first; k < i; ++k) {
+            const bool early = behind == noName || (before != noName && 2 * k < first + i);
+            names[k] = early ? before : behind;
+        }
+    }
+}
+
+/// Names of all slots of a frame: those of tracklets stand, the others take what they wish for while it is
+/// free, and else what is left.
+std::vector<int> completed(const std::vector<int> &sure, const std::vector<int> &wished)
+{
+    std::vector<int> names = sure;
+    std::vector<bool> taken(names.size());
+    const auto take = [&](std::size_t slot, int name) {
+        names[slot] = name;
+        taken[static_cast<std::size_t>(name)] = true;
+    };
+    for (std::size_t slot = 0; slot < names.size(); ++slot) {
+        if (names[slot] != noName)
+            take(slot, names[slot]);
+    }
+    for (std::size_t slot = 0; slot < names.size(); ++slot) {
+        if (names[slot] == noName && wished[slot] != noName && !taken[static_cast<std::size_t>(wished[slot])])
+            take(slot, wished[slot]);
+    }
+    for (std::size_t slot = 0; slot < names.size(); ++slot) {
+        if (names[slot] == noName) {
+            const auto left = std::find(taken.begin(), taken.end(), false) - taken.begin();
+            take(slot, static_cast<int>(left));
+        }
+    }
+    return names;
+}
+
+std::int64_t rename(NamedView &view, const std::vector<std::size_t> &considered,
+                    const std::vector<std::vector<int>> &sure)
+{
+    std::vector<std::vector<int>> wished = sure;
+    for (auto &row : wished)
+        fillBetween(row);
+    std::int64_t renamed = 0;
+    const std::size_t count = considered.size();
+    for (std::size_t i = 0; i < sure.front().size(); ++i) {
+        std::vector<int> sureHere(count), wishedHere(count);
+        std::vector<Observation> seen;
+        for (std::size_t slot = 0; slot < count; ++slot) {
+            sureHere[slot] = sure[slot][i];
+            wishedHere[slot] = wished[slot][i];
+            seen.push_back(view.robots[considered[slot]][i]);
+        }
+        const std::vector<int> names = completed(sureHere, wishedHere);
+        for (std::size_t slot = 0; slot < count; ++slot) {
+            const auto name = static_cast<std::size_t>(names[slot]);
+            renamed += name != slot && seen[slot].found ? 1 : 0;
+            view.robots[considered[name]][i] = seen[slot];
+        }
+    }
+    return renamed;
+}
+
+/// What the first round tells for the second.
+class Lessons
+{
+public:
+    Lessons(const NameEvidence &evidence, const std::vector<std::size_t> &names, std::size_t views)
+        : m_evidence(evidence), m_names(names), m_views(views)
+    {
+    }
+
+    /// The pairs of sights that two views have of one name: apart on the floor, and apart a metre of height.
+    struct Pair
+    {
+        Eigen::Vector2d apart, perMetreHeight;
+    };
+    std::vector<Pair> pairs() const
+    {
+        std::vector<Pair> all;
+        std::vector<int> nameNow(m_views * robots(), noName);
+        std::vector<double> untilS(m_views * robots(), -1e300);
+        std::size_t t = 0;
+        for (const FloorMoment &moment : m_evidence.moments) {
+            for (; t < m_names.size() && m_evidence.tracklets[t].tracklet.begin.timeS <= moment.timeS; ++t) {
+                const TrackletOf &begun = m_evidence.tracklets[t];
+                nameNow[begun.view * robots() + begun.slot] = static_cast<int>(m_names[t]);
+                untilS[begun.view * robots() + begun.slot] = begun.tracklet.end.timeS;
+            }
+            addPairs(moment, nameNow, untilS, all);
+        }
+        return all;
+    }
+
+    std::vector<std::vector<Eigen::Vector2d>> looks() const
+    {
+        std::vector<std::vector<Eigen::Vector2d>> sums(
+            m_views, std::vector<Eigen::Vector2d>(robots(), Eigen::Vector2d::Zero()));
+        std::vector<std::vector<double>> weights(m_views, std::vector<double>(robots()));
+        for (std::size_t t = 0; t < m_names.size(); ++t) {
+            const TrackletOf &one = m_evidence.tracklets[t];
+            if (one.tracklet.meanChroma.isZero())
+                continue;
+            const auto frames = static_cast<double>(one.tracklet.last - one.tracklet.first + 1);
+            sums[one.view][m_names[t]] += frames * one.tracklet.meanChroma;
+            weights[one.view][m_names[t]] += frames;
+        }
+        for (std::size_t v = 0; v < m_views; ++v) {
+            for (std::size_t r = 0; r < robots(); ++r)
+                sums[v][r] /= std::max(1.0, weights[v][r]);
+        }
+        return sums;
+    }
+
+private:
+    std::size_t robots() const { return m_evidence.toldHueRad.size(); }
+
+    void addPairs(const FloorMoment &moment, const std::vector<int> &nameNow,
+                  const std::vector<double> &untilS, std::vector<Pair> &all) const
+    {
+        const auto nameAt = [&](std::size_t view, std::size_t slot) {
+            const std::size_t i = view * robots() + slot;
+            return moment.sights[view][slot].seen && untilS[i] >= moment.timeS ? nameNow[i] : noName;
+        };
+        for (std::size_t a = 0; a < m_views; ++a) {
+            for (std::size_t b = a + 1; b < m_views; ++b) {
+                for (std::size_t i = 0; i < moment.sights[a].size(); ++i) {
+                    for (std::size_t j = 0; j < moment.sights[b].size(); ++j) {
+                        const int name = nameAt(a, i);
+                        if (name == noName || name != nameAt(b, j))
+                            continue;
+                        const FloorSight &one = moment.sights[a][i], &other = moment.sights[b][j];
+                        all.push_back(
+                            {one.onFloor - other.onFloor, one.perMetreHeight - other.perMetreHeight});
+                    }
+                }
+            }
+        }
+    }
+
+    const NameEvidence &m_evidence;
+    const std::vector<std::size_t> &m_names;
+    const std::size_t m_views;
+};
+
+double median(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// The height of best agreement, each pair's own in the median.
+double planeOf(const std::vector<Lessons::Pair> &pairs)
+{
+    std::vector<double> heights;
+    for (const Lessons::Pair &pair : pairs) {
+        const double square = pair.perMetreHeight.squaredNorm();
+        if (square > 0.01)
+            heights.push_back(-pair.apart.dot(pair.perMetreHeight) / square);
+    }
+    return heights.empty() ? usualPlaneM : std::clamp(median(std::move(heights)), 0.0, highestPlaneM);
+}
+
+double disagreementOf(const std::vector<Lessons::Pair> &pairs, double planeM)
+{
+    std::vector<double> distances;
+    for (const Lessons::Pair &pair : pairs)
+        distances.push_back((pair.apart + planeM * pair.perMetreHeight).norm());
+    return distances.empty() ? 0 : median(std::move(distances));
+}
+
+std::vector<std::size_t> decideNames(const NameEvidence &evidence, std::size_t views,
+                                     std::optional<double> toldPlaneM)
+{
+    NameKnowledge knowledge;
+    knowledge.planeM = toldPlaneM.value_or(usualPlaneM);
+    knowledge.floorSigmaM = firstSigmaM;
+    const std::vector<std::size_t> first = searchNames(evidence, views, knowledge);
+
+    const Lessons lessons(evidence, first, views);
+    const auto pairs = lessons.pairs();
+    knowledge.planeM = toldPlaneM ? *toldPlaneM : planeOf(pairs);
+    knowledge.floorSigmaM = secondSigmaM;
+    knowledge.viewsAgree = disagreementOf(pairs, knowledge.planeM) < mostDisagreementM;
+    knowledge.looks = lessons.looks();
+    return searchNames(evidence, views, knowledge);
+}
+
+/// Half the mean of the told heights, where all are told.
+std::optional<double> toldPlane(const std::vector<NamedRobot> &robots,
+                                const std::vector<std::size_t> &considered)
+{
+    double sum = 0;
+    for (const std::size_t robot : considered) {
+        if (!robots[robot].heightM)
+            return std::nullopt;
+        sum += *robots[robot].heightM / 2;
+    }
+    return sum / static_cast<double>(considered.size());
+}
+
+} // namespace
+
+std::int64_t assignNames(std::vector<NamedView> &views, const std::vector<NamedRobot> &robots)
+{
+    std::int64_t renamed = 0;
+    for (const std::vector<std::size_t> &considered : confusableRobots(robots)) {
+        const NameEvidence evidence = gatherEvidence(views, robots, considered);
+        if (evidence.tracklets.empty())
+            continue;
+        const auto names = decideNames(evidence, views.size(), toldPlane(robots, considered));
+        const FrameNames frames = framesOf(evidence, names, views, considered);
+        for (std::size_t v = 0; v < views.size(); ++v)
+            renamed += rename(views[v], considered, frames[v]);
+    }
+    return renamed;
+}
+
+} // namespace odo

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/units.h"
+#include "core/geometry/floor_view.h"
+#include "core/tracking/observation.h"
+
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+/// A robot as far as it helps to tell who is who.
+struct NamedRobot
+{
+    RgbColour colour;              ///< told
+    std::optional<double> heightM; ///< of its top; empty: estimated
+};
+
+/// What one view saw of all robots.
+struct NamedView
+{
+    std::optional<FloorView> floorView; ///< empty: not registered; motion and colour alone decide
+    Nanoseconds startOffset{0};         ///< how much later its first frame was taken than the first view's
+    std::vector<std::vector<Observation>>
+        robots; ///< for each robot its observations; equally many, of equal frames
+};
+
+/// Decides which robot is which, in all views at once, where colours alone may not have: robots that overlap
+/// in one picture are usually apart in another one, and the floor tells.
+///
+/// The tracker follows each view by itself, from frame to frame. Its observations are cut into tracklets
+/// wherever a robot was lost or was one with another in the picture (score below 0.2). Each tracklet then
+/// gets the name under which all of it is cheapest: the views agree on the floor, each name's motion goes on
+/// from tracklet to tracklet, and the tracklets' mean hues fit the told colours (but for a shift common to
+/// the view's robots). Solved by dynamic programming along time over the views' naming, kept to the best few
+/// hundred (exact for two or three robots). A second round knows the robots' height and their looks in each
+/// view from the first one.
+///
+/// Only robots whose told hues are within 40° of each other are ever renamed, at most five of them; of equal
+/// colours no one can say which is which, but the names stay the same throughout and in all views.
+///
+/// Made before the observations are stored: the share-out of observations among names is a decision of the
+/// tracking, needs the tracker's mean chroma, which is not kept, and all who read the project later must see
+/// the same names. Observations themselves are not changed, only moved between robots, all of a frame's
+/// staying in their frame. Pure and thread-safe. Returns how many observations (found ones) changed their
+/// robot.
+std::int64_t assignNames(std::vector<NamedView> &views, const std::vector<NamedRobot> &robots);
+
+} // namespace odo

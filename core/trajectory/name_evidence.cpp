@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/name_evidence.h"
+
+#include "core/tracking/chroma.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace odo {
+
+namespace {
+
+constexpr double momentStepS = 0.05;
+constexpr double longestInterpolationS = 0.12;
+constexpr double secondPlaneM = 0.1; ///< any height: a ray moves on a straight line through the planes
+
+/// Walks along one slot's observations in step with time.
+class SlotReader
+{
+public:
+    SlotReader(const NamedView &view, const std::vector<Observation> &observations)
+        : m_view(view), m_observations(observations), m_offsetS(toSeconds(view.startOffset))
+    {
+    }
+
+    /// Times must not go back.
+    FloorSight at(double timeS)
+    {
+        while (m_next < m_observations.size() && timeOf(m_next) <= timeS)
+            ++m_next;
+        if (m_next == 0 || m_next >= m_observations.size())
+            return {};
+        const Observation &before = m_observations[m_next - 1], &behind = m_observations[m_next];
+        const double interval = timeOf(m_next) - timeOf(m_next - 1);
+        if (!isSure(before) || !isSure(behind) || interval > longestInterpolationS || interval <= 0)
+            return {};
+        const double part = (timeS - timeOf(m_next - 1)) / interval;
+        const Eigen::Vector2d pixel = (1 - part) * before.ellipse.centrePx + part * behind.ellipse.centrePx;
+        const auto low = m_view.floorView->floorFromPixel(pixel, 0),
+                   high = m_view.floorView->floorFromPixel(pixel, secondPlaneM);
+        if (!low || !high)
+            return {};
+        return {true, *low, (*high - *low) / secondPlaneM};
+    }
+
+private:
+    double timeOf(std::size_t i) const { return toSeconds(m_observations[i].time) + m_offsetS; }
+
+    const NamedView &m_view;
+    const std::vector<Observation> &m_observations;
+    const double m_offsetS;
+    std::size_t m_next = 0;
+};
+
+std::vector<FloorMoment> gatherMoments(const std::vector<NamedView> &views,
+                                       const std::vector<std::size_t> &considered)
+{
+    double beginS = 1e300, endS = -1e300;
+    std::vector<std::vector<SlotReader>> readers(views.size());
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        const auto &any = views[v].robots[considered.front()];
+        if (!views[v].floorView || any.empty())
+            continue;
+        const double offsetS = toSeconds(views[v].startOffset);
+        beginS = std::min(beginS, toSeconds(any.front().time) + offsetS);
+        endS = std::max(endS, toSeconds(any.back().time) + offsetS);
+        for (const std::size_t robot : considered)
+            readers[v].emplace_back(views[v], views[v].robots[robot]);
+    }
+    std::vector<FloorMoment> moments;
+    for (double timeS = beginS; timeS <= endS; timeS += momentStepS) {
+        FloorMoment moment{timeS, std::vector<std::vector<FloorSight>>(views.size())};
+        int viewsThatSee = 0;
+        for (std::size_t v = 0; v < views.size(); ++v) {
+            bool any = false;
+            for (SlotReader &reader : readers[v]) {
+                moment.sights[v].push_back(reader.at(timeS));
+                any |= moment.sights[v].back().seen;
+            }
+            viewsThatSee += any ? 1 : 0;
+        }
+        if (viewsThatSee > 1)
+            moments.push_back(std::move(moment));
+    }
+    return moments;
+}
+
+/// Mean of what all robots' hues together are off. It does not depend on who is who, as long as all are
+/// there.
+double hueShiftOf(const NamedView &view, const std::vector<std::size_t> &considered,
+                  const std::vector<double> &told)
+{
+    double sum = 0, count = 0;
+    const std::size_t frames = view.robots[considered.front()].size();
+    for (std::size_t i = 0; i < frames; ++i) {
+        double shift = 0;
+        bool all = true;
+        for (std::size_t k = 0; all && k < considered.size(); ++k) {
+            const Observation &observation = view.robots[considered[k]][i];
+            all = isSure(observation) && !observation.meanChroma.isZero();
+            shift += hueDifference(hueOf(observation.meanChroma), told[k]);
+        }
+        if (!all)
+            continue;
+        sum += shift / static_cast<double>(considered.size());
+        count += 1;
+    }
+    return count > 0 ? sum / count : 0;
+}
+
+} // namespace
+
+double hueOf(const Eigen::Vector2d &chroma)
+{
+    return std::atan2(chroma.y(), chroma.x());
+}
+
+double hueDifference(double a, double b)
+{
+    return std::remainder(a - b, 2 * std::numbers::pi);
+}
+
+NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vector<NamedRobot> &robots,
+                            const std::vector<std::size_t> &considered)
+{
+    NameEvidence evidence;
+    for (const std::size_t robot : considered)
+        evidence.toldHueRad.push_back(hueOf(chromaOf(robots[robot].colour, FrameFormat{})));
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        for (std::size_t slot = 0; slot < considered.size(); ++slot) {
+            for (const Tracklet &tracklet :
+                 cutIntoTracklets(views[v].robots[considered[slot]], toSeconds(views[v].startOffset)))
+                evidence.tracklets.push_back({v, slot, tracklet});
+        }
+        evidence.hueShiftRad.push_back(hueShiftOf(views[v], considered, evidence.toldHueRad));
+    }
+    std::stable_sort(evidence.tracklets.begin(), evidence.tracklets.end(),
+                     [](const TrackletOf &a, const TrackletOf &b) {
+                         return a.tracklet.begin.timeS < b.tracklet.begin.timeS;
+                     });
+    evidence.moments = gatherMoments(views, considered);
+    return evidence;
+}
+
+} // namespace odo

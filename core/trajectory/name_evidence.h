@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/name_assignment.h"
+#include "core/trajectory/tracklets.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace odo {
+
+/// One tracklet of one view; slot is the tracker's robot, among those considered.
+struct TrackletOf
+{
+    std::size_t view = 0, slot = 0;
+    Tracklet tracklet;
+};
+
+/// Where a slot's robot is on the floor, as a line: seen at the height h it is at onFloor + h·perMetreHeight.
+struct FloorSight
+{
+    bool seen = false;
+    Eigen::Vector2d onFloor = Eigen::Vector2d::Zero(), perMetreHeight = Eigen::Vector2d::Zero();
+
+    Eigen::Vector2d at(double heightM) const { return onFloor + heightM * perMetreHeight; }
+};
+
+/// All slots of all registered views at one time: sights[view][slot].
+struct FloorMoment
+{
+    double timeS = 0;
+    std::vector<std::vector<FloorSight>> sights;
+};
+
+/// What there is to decide the names of some robots from. Slots index the robots given, in all views.
+struct NameEvidence
+{
+    std::vector<TrackletOf> tracklets; ///< in order of their begin
+    std::vector<FloorMoment> moments;  ///< every 50 ms, where at least two views saw anything; in order
+    std::vector<double> hueShiftRad;   ///< for each view, of all its robots against their told colours
+    std::vector<double> toldHueRad;    ///< for each robot
+};
+
+/// robots: indices of those considered.
+NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vector<NamedRobot> &robots,
+                            const std::vector<std::size_t> &considered);
+
+/// Hue of a chroma, and the distance of two in (−π, π].
+double hueOf(const Eigen::Vector2d &chroma);
+double hueDifference(double a, double b);
+
+} // namespace odo

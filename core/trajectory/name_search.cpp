@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/name_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace odo {
+
+namespace {
+
+constexpr std::size_t mostHypotheses = 256;
+constexpr double hopelessCost = 60.0; ///< behind the best hypothesis
+/// A moment's disagreement on the floor: capped against false sightings; and neighbouring moments are not
+/// independent of one another.
+constexpr double mostFloorCost = 6.0, floorWeight = 0.2;
+constexpr double hueSigmaRad = 0.09, mostHueCost = 12.0;
+constexpr double leastLookSigma = 3.0, relativeLookSigma = 0.05, mostLookCost = 10.0;
+constexpr double costOfRenaming = 0.05; ///< the tracker's own choice is as good where nothing else tells
+
+constexpr int none = -1;
+
+/// One way to have named everything up to now.
+struct Hypothesis
+{
+    std::vector<int>
+        state; ///< for each view and slot its name; then for each view and name its last tracklet
+    double cost = 0;
+    int decision = none; ///< the last one, in the search's list
+};
+
+struct Decision
+{
+    int before = none;
+    std::size_t tracklet = 0, name = 0;
+};
+
+class Search
+{
+public:
+    Search(const NameEvidence &evidence, std::size_t views, const NameKnowledge &knowledge)
+        : m_evidence(evidence), m_knowledge(knowledge), m_views(views), m_robots(evidence.toldHueRad.size()),
+          m_runsUntilS(views * m_robots, -1e300)
+    {
+        Hypothesis first;
+        first.state.assign(2 * m_views * m_robots, none);
+        for (std::size_t i = 0; i < m_views * m_robots; ++i)
+            first.state[i] = static_cast<int>(i % m_robots);
+        m_hypotheses.push_back(std::move(first));
+    }
+
+    std::vector<std::size_t> run()
+    {
+        std::size_t moment = 0;
+        for (std::size_t t = 0; t < m_evidence.tracklets.size(); ++t) {
+            const double beginS = m_evidence.tracklets[t].tracklet.begin.timeS;
+            for (; moment < m_evidence.moments.size() && m_evidence.moments[moment].timeS < beginS; ++moment)
+                weigh(m_evidence.moments[moment]);
+            decide(t);
+        }
+        for (; moment < m_evidence.moments.size(); ++moment)
+            weigh(m_evidence.moments[moment]);
+        return namesOfTheBest();
+    }
+
+private:
+    std::size_t slotIndex(std::size_t view, std::size_t slot) const { return view * m_robots + slot; }
+    std::size_t lastIndex(std::size_t view, std::size_t name) const
+    {
+        return (m_views + view) * m_robots + name;
+    }
+
+    void weigh(const FloorMoment &moment)
+    {
+        if (!m_knowledge.viewsAgree)
+            return;
+        for (Hypothesis &hypothesis : m_hypotheses) {
+            for (std::size_t a = 0; a < m_views; ++a) {
+                for (std::size_t b = a + 1; b < m_views; ++b)
+                    hypothesis.cost += floorWeight * floorCost(moment, hypothesis, a, b);
+            }
+        }
+    }
+
+    double floorCost(const FloorMoment &moment, const Hypothesis &hypothesis, std::size_t a,
+                     std::size_t b) const
+    {
+        double cost = 0;
+        for (std::size_t i = 0; i < moment.sights[a].size(); ++i) {
+            for (std::size_t j = 0; j < moment.sights[b].size(); ++j) {
+                const FloorSight &one = moment.sights[a][i], &other = moment.sights[b][j];
+                if (!one.seen || !other.seen ||
+                    hypothesis.state[slotIndex(a, i)] != hypothesis.state[slotIndex(b, j)])
+                    continue;
+                const Eigen::Vector2d apart = one.at(m_knowledge.planeM) - other.at(m_knowledge.planeM);
+                cost += std::min(mostFloorCost, 0.5 * apart.squaredNorm() /
+                                                    (m_knowledge.floorSigmaM * m_knowledge.floorSigmaM));
+            }
+        }
+        return cost;
+    }
+
+    double costOf(const Hypothesis &hypothesis, const TrackletOf &begun, std::size_t name) const
+    {
+        double cost = colourCost(begun, name);
+        const int last = hypothesis.state[lastIndex(begun.view, name)];
+        if (last != none)
+            cost += costOfJoining(m_evidence.tracklets[static_cast<std::size_t>(last)].tracklet.end,
+                                  begun.tracklet.begin);
+        if (hypothesis.state[slotIndex(begun.view, begun.slot)] != static_cast<int>(name))
+            cost += costOfRenaming;
+        return cost;
+    }
+
+    double colourCost(const TrackletOf &begun, std::size_t name) const
+    {
+        const Eigen::Vector2d &seen = begun.tracklet.meanChroma;
+        if (seen.isZero())
+            return 0;
+        const double hue =
+            hueDifference(hueOf(seen) - m_evidence.hueShiftRad[begun.view], m_evidence.toldHueRad[name]) /
+            hueSigmaRad;
+        double cost = std::min(mostHueCost, 0.5 * hue * hue);
+        if (m_knowledge.looks.empty())
+            return cost;
+        const Eigen::Vector2d &look = m_knowledge.looks[begun.view][name];
+        if (look.isZero())
+            return cost;
+        const double away = (seen - look).norm() / (leastLookSigma + relativeLookSigma * look.norm());
+        return cost + std::min(mostLookCost, 0.5 * away * away);
+    }
+
+    /// A tracklet begins: its slot may exchange names with any slot of its view that shows nothing sure just
+    /// now.
+    void decide(std::size_t t)
+    {
+        const TrackletOf &begun = m_evidence.tracklets[t];
+        std::vector<Hypothesis> next;
+        for (const Hypothesis &hypothesis : m_hypotheses) {
+            for (std::size_t slot = 0; slot < m_robots; ++slot) {
+                if (m_runsUntilS[slotIndex(begun.view, slot)] >= begun.tracklet.begin.timeS)
+                    continue;
+                Hypothesis changed = hypothesis;
+                const std::size_t own = slotIndex(begun.view, begun.slot),
+                                  other = slotIndex(begun.view, slot);
+                const auto name = static_cast<std::size_t>(hypothesis.state[other]);
+                changed.cost += costOf(hypothesis, begun, name);
+                std::swap(changed.state[own], changed.state[other]);
+                changed.state[lastIndex(begun.view, name)] = static_cast<int>(t);
+                m_decisions.push_back({hypothesis.decision, t, name});
+                changed.decision = static_cast<int>(m_decisions.size()) - 1;
+                next.push_back(std::move(changed));
+            }
+        }
+        m_hypotheses = bestOf(std::move(next));
+        m_runsUntilS[slotIndex(begun.view, begun.slot)] = begun.tracklet.end.timeS;
+    }
+
+    /// Of hypotheses that only differ in what lies behind the cheapest; of all the cheapest few hundred.
+    static std::vector<Hypothesis> bestOf(std::vector<Hypothesis> hypotheses)
+    {
+        std::sort(hypotheses.begin(), hypotheses.end(),
+                  [](const Hypothesis &a, const Hypothesis &b) { return a.cost < b.cost; });
+        std::map<std::vector<int>, bool> known;
+        std::vector<Hypothesis> best;
+        for (Hypothesis &hypothesis : hypotheses) {
+            if (best.size() == mostHypotheses || hypothesis.cost > hypotheses.front().cost + hopelessCost)
+                break;
+            if (known.emplace(hypothesis.state, true).second)
+                best.push_back(hypothesis);
+        }
+        return best;
+    }
+
+    std::vector<std::size_t> namesOfTheBest() const
+    {
+        std::vector<std::size_t> names(m_evidence.tracklets.size());
+        const auto best =
+            std::min_element(m_hypotheses.begin(), m_hypotheses.end(),
+                             [](const Hypothesis &a, const Hypothesis &b) { return a.cost < b.cost; });
+        for (int d = best->decision; d != none; d = m_decisions[static_cast<std::size_t>(d)].before) {
+            const Decision &decision = m_decisions[static_cast<std::size_t>(d)];
+            names[decision.tracklet] = decision.name;
+        }
+        return names;
+    }
+
+    const NameEvidence &m_evidence;
+    const NameKnowledge &m_knowledge;
+    const std::size_t m_views, m_robots;
+    std::vector<double> m_runsUntilS; ///< for each view and slot the end of its tracklet
+    std::vector<Hypothesis> m_hypotheses;
+    std::vector<Decision> m_decisions;
+};
+
+} // namespace
+
+std::vector<std::size_t> searchNames(const NameEvidence &evidence, std::size_t views,
+                                     const NameKnowledge &knowledge)
+{
+    return Search(evidence, views, knowledge).run();
+}
+
+} // namespace odo

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/name_evidence.h"
+
+#include <vector>
+
+namespace odo {
+
+/// What is known of the robots beside the evidence; better in the second round than in the first.
+struct NameKnowledge
+{
+    double planeM = 0;        ///< height at which the views should agree
+    double floorSigmaM = 0.1; ///< how well
+    bool viewsAgree = true;   ///< false: their clocks or registrations are wrong; the floor is not asked
+    /// Mean chroma of each name in each view, looks[view][name]; empty in the first round, zero where
+    /// unknown.
+    std::vector<std::vector<Eigen::Vector2d>> looks;
+};
+
+/// For each tracklet of the evidence its name, an index among the robots considered. Tracklets of one view
+/// that overlap in time never share a name.
+std::vector<std::size_t> searchNames(const NameEvidence &evidence, std::size_t views,
+                                     const NameKnowledge &knowledge);
+
+} // namespace odo

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/robot_names.h"
+
+#include "core/trajectory/name_assignment.h"
+
+namespace odo {
+
+void settleNames(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
+                 std::vector<TrackedView> &tracked)
+{
+    if (robots.size() < 2)
+        return;
+    std::vector<NamedRobot> named;
+    for (const RobotRecord &robot : robots)
+        named.push_back({robot.colour, shapeOf(robot).heightM});
+    std::vector<NamedView> seen;
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        NamedView &view = seen.emplace_back();
+        view.floorView = views[v].floorView;
+        view.startOffset = fromSeconds(views[v].recording.startOffsetS);
+        for (ObservationSeries &series : tracked[v].series)
+            view.robots.push_back(std::move(series.observations));
+    }
+    assignNames(seen, named);
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        for (std::size_t r = 0; r < robots.size(); ++r)
+            tracked[v].series[r].observations = std::move(seen[v].robots[r]);
+    }
+}
+
+} // namespace odo

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/workflow/view_tracking.h"
+
+#include <vector>
+
+namespace odo {
+
+/// Settles, over all views of a trial, which of the tracked series is which robot (assignNames), before
+/// anything is analysed or stored. The views' offsets must be known. Does nothing for a single robot.
+void settleNames(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
+                 std::vector<TrackedView> &tracked);
+
+} // namespace odo
