@@ -23,11 +23,17 @@ constexpr std::size_t mostCandidates = 6;
 constexpr double leastColourSigma = 3.0, relativeColourSigma = 0.06; ///< of a region's mean, in code values
 constexpr double mostSizeCost = 12.0, mostColourCost = 16.0;
 constexpr double doubtPerFrameTogether = 0.04; ///< of the place, in radii
-constexpr double scoreTogether = 0.1;          ///< below what is used where another view is surer
-constexpr double sigmaTogether = 0.3;          ///< of the place, in radii
+/// A stranger is looked for so soon after the loss that the robot cannot be so far from where it was (in
+/// radii).
+constexpr double soonAfterLossS = 0.2, fartherThanRobotRadii = 4.0;
+constexpr double strangerShiftRadii = 0.25,
+                 strangerAreaSpan = 0.3; ///< of one that stands still; the latter in ln
+constexpr std::size_t mostStrangers = 8;
+constexpr double scoreTogether = 0.1; ///< below what is used where another view is surer
+constexpr double sigmaTogether = 0.3; ///< of the place, in radii
 /// Of a touched robot's area: what may always be hidden unnoticed, and what may be without a doubt of its
 /// place.
-constexpr double leastPartHidden = 0.02, mostPartHidden = 0.05;
+constexpr double leastPartHidden = 0.02, mostPartHidden = 0.08;
 
 } // namespace
 
@@ -78,6 +84,7 @@ void RobotFollower::reset(const FrameFormat &format)
     m_missed = 0;
     m_touched = false;
     m_framesTogether = 0;
+    m_strangers.clear();
 }
 
 /// Luma pixels in which the robot is looked for at this time.
@@ -145,11 +152,46 @@ double RobotFollower::rankLost(const TrackedFrame &frame, const Blob &blob) cons
            blob.meanWeight() * compactness(blob.covariance(), blob.area());
 }
 
+/// What has the robot's colour elsewhere at the moment of its loss is not the robot, as long as it stands
+/// there.
+void RobotFollower::noteStrangers(const TrackedFrame &frame)
+{
+    const auto isGone = [&](const Stranger &stranger) {
+        return std::none_of(m_finder.blobs().begin(), m_finder.blobs().end(), [&](const Blob &blob) {
+            return (frame.grid().toLuma(blob.centre()) - stranger.centrePx).norm() <
+                   strangerShiftRadii * m_radiusPx;
+        });
+    };
+    std::erase_if(m_strangers, isGone);
+    const bool justLost =
+        m_missed == missesUntilLost && frame.timeS() - m_predictor.lastTimeS() < soonAfterLossS;
+    if (!justLost)
+        return;
+    m_strangers.clear();
+    for (const Blob &blob : m_finder.blobs()) {
+        const Eigen::Vector2d centre = frame.grid().toLuma(blob.centre());
+        const double areaPx = blob.area() * frame.lumaPerSample();
+        if (m_strangers.size() < mostStrangers && areaPx > 0.25 * m_areaPx &&
+            (centre - predictedPx(frame)).norm() > fartherThanRobotRadii * m_radiusPx)
+            m_strangers.push_back({centre, areaPx});
+    }
+}
+
+bool RobotFollower::isStranger(const TrackedFrame &frame, const Blob &blob) const
+{
+    const Eigen::Vector2d centre = frame.grid().toLuma(blob.centre());
+    const double areaPx = blob.area() * frame.lumaPerSample();
+    return std::any_of(m_strangers.begin(), m_strangers.end(), [&](const Stranger &stranger) {
+        return (centre - stranger.centrePx).norm() < strangerShiftRadii * m_radiusPx &&
+               std::abs(std::log(areaPx / stranger.areaPx)) < strangerAreaSpan;
+    });
+}
+
 void RobotFollower::collect(const TrackedFrame &frame, Candidate::By by, double least,
                             double (RobotFollower::*rank)(const TrackedFrame &, const Blob &) const)
 {
     for (const Blob &blob : m_finder.blobs()) {
-        if (blob.count < 3)
+        if (blob.count < 3 || (!isFollowing() && isStranger(frame, blob)))
             continue;
         const double score = (this->*rank)(frame, blob);
         if (score >= least)
@@ -202,6 +244,7 @@ void RobotFollower::search(const TrackedFrame &frame, const ChromaDensity &backg
     const ChromaRect picture = frame.grid().bounds();
     if (m_phase == Phase::Lost) {
         m_finder.find(frame.grid(), m_model.table(), picture, frame.searchStep());
+        noteStrangers(frame);
         collect(frame, Candidate::By::LearnedColour, leastRankInPicture, &RobotFollower::rankLost);
         const bool forLong = frame.timeS() - m_predictor.lastTimeS() > relearnAfterS;
         if (!m_candidates.empty() || !forLong || m_missed % missesPerRelearning != 0) {

@@ -120,11 +120,19 @@ public:
 
 private:
     enum class Phase { Unseen, Following, Lost };
+    /// A thing of the robot's colour that stood elsewhere when the robot was lost, and stands there still.
+    struct Stranger
+    {
+        Eigen::Vector2d centrePx;
+        double areaPx = 0;
+    };
 
     Eigen::AlignedBox2d expectedBox(double timeS) const;
     double rankInWindow(const TrackedFrame &frame, const Blob &blob) const;
     double rankUnseen(const TrackedFrame &frame, const Blob &blob) const;
     double rankLost(const TrackedFrame &frame, const Blob &blob) const;
+    void noteStrangers(const TrackedFrame &frame);
+    bool isStranger(const TrackedFrame &frame, const Blob &blob) const;
     void collect(const TrackedFrame &frame, Candidate::By by, double least,
                  double (RobotFollower::*rank)(const TrackedFrame &, const Blob &) const);
     void sortCandidates();
@@ -148,6 +156,7 @@ private:
     Eigen::Vector2d m_silhouetteCentre = Eigen::Vector2d::Zero();
     RegionMeasure m_measure;
     std::vector<Candidate> m_candidates;
+    std::vector<Stranger> m_strangers;
     ChromaRect m_occupied;
     Ellipse m_ellipse;                                      ///< as last seen alone or touched
     double m_areaPx = 0;                                    ///< expected in the next frame

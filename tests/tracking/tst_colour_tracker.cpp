@@ -59,6 +59,7 @@ private Q_SLOTS:
     void lossAndFindingAgain();
     void distractorDoesNotCapture();
     void hiddenRobotIsNotReplacedByAReflection();
+    void hiddenRobotIsNotReplacedByWhatStoodThere();
     void twoRobots();
     void cutByTheBorder();
     void doubledFrames();
@@ -277,6 +278,26 @@ void TestColourTracker::hiddenRobotIsNotReplacedByAReflection()
         painter.disc({150, 118}, 5, red);
         const Observation seen = tracker->track(painter.frame(i, i / 30.0, 2, random)).front();
         QCOMPARE(seen.found, i < 20);
+    }
+}
+
+void TestColourTracker::hiddenRobotIsNotReplacedByWhatStoodThere()
+{
+    // A cap of the robot's colour lies on the floor; the robot is hidden for three seconds and comes out
+    // elsewhere.
+    const auto tracker = trackerOf({{"r", red}});
+    std::mt19937 random(16);
+    for (int i = 0; i < 150; ++i) {
+        const bool hidden = i >= 30 && i < 120;
+        const Vector2d truth = i < 30 ? Vector2d(70 + 1.5 * i, 120) : Vector2d(250 - 0.5 * (i - 120), 180);
+        Painter painter(testFormat(320, 240));
+        painter.disc({230, 70}, 16, red);
+        if (!hidden)
+            painter.disc(truth, 18, red);
+        const Observation seen = tracker->track(painter.frame(i, i / 30.0, 2, random)).front();
+        QVERIFY2(seen.found == !hidden, qPrintable(QStringLiteral("frame %1").arg(i)));
+        if (!hidden)
+            QVERIFY((seen.ellipse.centrePx - truth).norm() < 0.5);
     }
 }
 
