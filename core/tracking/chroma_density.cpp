@@ -83,6 +83,29 @@ ChromaDensity::Support ChromaDensity::support() const
             static_cast<double>(std::max(firstV - 1, 0)), static_cast<double>(std::min(lastV + 1, end))};
 }
 
+/// The bins that may be other than zero when everything inside the support is scaled and turned.
+ChromaDensity::Bins ChromaDensity::reachOf(const Support &support, std::initializer_list<double> scales,
+                                           double turnRad)
+{
+    constexpr double perBin = 1 << binShift, half = (perBin - 1) / 2.0;
+    const double c = std::cos(turnRad), s = std::sin(turnRad);
+    double lowU = binsPerAxis, highU = 0, lowV = binsPerAxis, highV = 0;
+    for (const double scale : scales) {
+        for (const double binU : {support.beginU, support.endU}) {
+            for (const double binV : {support.beginV, support.endV}) {
+                const double u = binU * perBin + half - 128.0, v = binV * perBin + half - 128.0;
+                const double toU = (scale * (c * u - s * v) + 128.0 - half) / perBin,
+                             toV = (scale * (s * u + c * v) + 128.0 - half) / perBin;
+                lowU = std::min(lowU, toU), highU = std::max(highU, toU);
+                lowV = std::min(lowV, toV), highV = std::max(highV, toV);
+            }
+        }
+    }
+    const auto inside = [](double bin) { return std::clamp(static_cast<int>(bin), 0, binsPerAxis - 1); };
+    return {inside(std::floor(lowU)), inside(std::ceil(highU)), inside(std::floor(lowV)),
+            inside(std::ceil(highV))};
+}
+
 float ChromaDensity::interpolated(const Chroma &chroma, const Support &support) const
 {
     constexpr double perBin = 1 << binShift;
@@ -109,13 +132,13 @@ ChromaDensity ChromaDensity::underOtherLight(double low, double high) const
     }
     ChromaDensity result;
     const Support where = support();
-    for (std::size_t bin = 0; bin < binCount; ++bin) {
+    reachOf(where, {low, high}, 0).forEach([&](std::size_t bin) {
         const Chroma seen = centreOf(bin);
         float best = 0;
         for (int i = 0; i < lightSteps; ++i)
             best = std::max(best, trust[i] * interpolated(seen / light[i], where));
         result.m_bins[bin] = best;
-    }
+    });
     return result;
 }
 
@@ -124,10 +147,10 @@ ChromaDensity ChromaDensity::transformed(double scale, double turnRad) const
     const double c = std::cos(turnRad) / scale, s = std::sin(turnRad) / scale;
     ChromaDensity result;
     const Support where = support();
-    for (std::size_t bin = 0; bin < binCount; ++bin) {
+    reachOf(where, {scale}, turnRad).forEach([&](std::size_t bin) {
         const Chroma seen = centreOf(bin);
         result.m_bins[bin] = interpolated({c * seen.x() + s * seen.y(), c * seen.y() - s * seen.x()}, where);
-    }
+    });
     return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 
 namespace odo {
 
@@ -48,7 +49,20 @@ private:
     {
         double beginU, endU, beginV, endV;
     };
+    struct Bins
+    {
+        int firstU, lastU, firstV, lastV;
+
+        template <class Function>
+        void forEach(Function function) const
+        {
+            for (int u = firstU; u <= lastU; ++u)
+                for (int v = firstV; v <= lastV; ++v)
+                    function(static_cast<std::size_t>(u * binsPerAxis + v));
+        }
+    };
     Support support() const;
+    static Bins reachOf(const Support &support, std::initializer_list<double> scales, double turnRad);
     float interpolated(const Chroma &chroma, const Support &support) const;
 
     std::array<float, binCount> m_bins{};
