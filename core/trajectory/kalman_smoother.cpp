@@ -9,33 +9,48 @@ namespace odo {
 
 namespace {
 
-using Vector8 = Eigen::Matrix<double, 8, 1>;
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 using Matrix28 = Eigen::Matrix<double, 2, 8>;
 
-/// The way from one node to the next: the transition and what it adds.
+/// The way from one node to the next: state ← F · state, with the covariance Q added. F holds the position's,
+/// velocity's and acceleration's integration, and how much of the slow error is kept. It is mostly zeros, so
+/// it is never written out: rows and columns are added to one another.
 struct Step
 {
-    Matrix8 transition = Matrix8::Identity(), noise = Matrix8::Zero();
+    double dt, kept;
+    Eigen::Matrix3d axisNoise;
 
-    Step(double dt, double wayM, const MotionNoise &motion)
+    Step(double dtS, double wayM, const MotionNoise &motion)
+        : dt(dtS), kept(std::exp(-std::abs(wayM) / motion.slowLengthM))
     {
-        transition.block<2, 2>(0, 2).diagonal().setConstant(dt);
-        transition.block<2, 2>(2, 4).diagonal().setConstant(dt);
-        transition.block<2, 2>(0, 4).diagonal().setConstant(dt * dt / 2);
         const double t2 = dt * dt, t3 = t2 * dt;
-        Eigen::Matrix3d axis;
-        axis << t3 * t2 / 20, t2 * t2 / 8, t3 / 6, //
-            t2 * t2 / 8, t3 / 3, t2 / 2,           //
+        axisNoise << t3 * t2 / 20, t2 * t2 / 8, t3 / 6, //
+            t2 * t2 / 8, t3 / 3, t2 / 2,                //
             t3 / 6, t2 / 2, dt;
-        axis *= motion.jerkDensity;
+        axisNoise *= motion.jerkDensity;
+    }
+
+    /// F · matrix.
+    template <class Matrix>
+    Matrix applied(Matrix matrix) const
+    {
+        matrix.template topRows<2>() +=
+            dt * matrix.template middleRows<2>(2) + dt * dt / 2 * matrix.template middleRows<2>(4);
+        matrix.template middleRows<2>(2) += dt * matrix.template middleRows<2>(4);
+        matrix.template bottomRows<2>() *= kept;
+        return matrix;
+    }
+
+    /// F · covariance · Fᵀ + Q.
+    Matrix8 predicted(const Matrix8 &covariance) const
+    {
+        Matrix8 result = applied(Matrix8(applied(covariance).transpose()));
         for (int i = 0; i < 3; ++i) {
             for (int j = 0; j < 3; ++j)
-                noise.block<2, 2>(2 * i, 2 * j).diagonal().setConstant(axis(i, j));
+                result.block<2, 2>(2 * i, 2 * j).diagonal().array() += axisNoise(i, j);
         }
-        const double kept = std::exp(-std::abs(wayM) / motion.slowLengthM);
-        transition.block<2, 2>(6, 6).diagonal().setConstant(kept);
-        noise.block<2, 2>(6, 6).diagonal().setConstant(1 - kept * kept);
+        result.bottomRightCorner<2, 2>().diagonal().array() += 1 - kept * kept;
+        return result;
     }
 };
 
@@ -63,8 +78,8 @@ void MotionFilter::predict(const TrackNode &node)
     if (!m_started)
         return;
     const Step step(node.timeS - m_timeS, node.travelM - m_travelM, m_noise);
-    m_state.mean = step.transition * m_state.mean;
-    m_state.covariance = step.transition * m_state.covariance * step.transition.transpose() + step.noise;
+    m_state.mean = step.applied(m_state.mean);
+    m_state.covariance = step.predicted(m_state.covariance);
     m_timeS = node.timeS;
     m_travelM = node.travelM;
 }
@@ -125,8 +140,11 @@ void MotionFilter::update(const TrackNode &measurement)
     const Eigen::Matrix2d s = sight.design * crossed + sight.noise;
     const Eigen::Matrix<double, 8, 2> gain = crossed * s.inverse();
     m_state.mean += gain * (measurement.position - sight.design * m_state.mean);
-    const Matrix8 keep = Matrix8::Identity() - gain * sight.design;
-    m_state.covariance = keep * m_state.covariance * keep.transpose() + gain * sight.noise * gain.transpose();
+    const Matrix8 kept = m_state.covariance - gain * crossed.transpose();
+    const Matrix8 joseph =
+        kept - (kept * sight.design.transpose()) * gain.transpose() + gain * sight.noise * gain.transpose();
+    // Rounding must not grow into an asymmetry that the next steps multiply.
+    m_state.covariance = (joseph + joseph.transpose()) / 2;
 }
 
 std::vector<MotionEstimate> smoothMotion(std::span<const TrackNode> track, MotionNoise noise)
@@ -144,9 +162,9 @@ std::vector<MotionEstimate> smoothMotion(std::span<const TrackNode> track, Motio
         const MotionFilter::State &next = states[i];
         MotionFilter::State &now = states[i - 1];
         const Step step(track[i].timeS - track[i - 1].timeS, track[i].travelM - track[i - 1].travelM, noise);
-        const Matrix8 predicted = step.transition * now.covariance * step.transition.transpose() + step.noise;
-        const Matrix8 gain = predicted.ldlt().solve(step.transition * now.covariance).transpose();
-        now.mean += gain * (next.mean - step.transition * now.mean);
+        const Matrix8 predicted = step.predicted(now.covariance);
+        const Matrix8 gain = predicted.ldlt().solve(step.applied(now.covariance)).transpose();
+        now.mean += gain * (next.mean - step.applied(now.mean));
         const Matrix8 change = gain * (next.covariance - predicted) * gain.transpose();
         now.covariance += (change + change.transpose()) / 2;
     }
