@@ -32,6 +32,7 @@ constexpr NamedCommand commands[] = {
     {"register", "register a camera to the floor", runRegister, false},
     {"import", "bring in the videos of a trial", runImport, false},
     {"track", "track the robots of a trial and analyse them", runTrack, false},
+    {"flag", "call a sample a spike or valid by hand, and analyse anew", runFlag, false},
     {"list", "list the trials", runList, false},
     {"show", "show a trial's figures, spikes and provenance", runShow, false},
     {"export", "write a trial's samples to a file", runExport, false},

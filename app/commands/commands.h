@@ -22,6 +22,7 @@ Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runImport(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runList(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runShow(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runExport(const QStringList &arguments, const CancelToken &cancel);

@@ -28,7 +28,12 @@ QJsonObject provenanceJson(const AnalysisRecord &analysis)
     QJsonArray registrations;
     for (const RecordId id : analysis.registrations)
         registrations.append(qint64(id));
-    return {{QStringLiteral("analysis"), qint64(analysis.id)},
+    QJsonArray overrules;
+    for (const Overrule &overrule : analysis.options.overrules)
+        overrules.append(QJsonObject{{QStringLiteral("frame"), qint64(overrule.frame)},
+                                     {QStringLiteral("spike"), overrule.isSpike}});
+    return {{QStringLiteral("overrules"), overrules},
+            {QStringLiteral("analysis"), qint64(analysis.id)},
             {QStringLiteral("made"),
              QDateTime::fromMSecsSinceEpoch(analysis.made.time_since_epoch().count(), Qt::UTC).toString(Qt::ISODate)},
             {QStringLiteral("software"), QString::fromStdString(analysis.softwareVersion)},

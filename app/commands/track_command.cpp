@@ -39,16 +39,18 @@ QString robotText(const TrackedRobot &robot)
 
 Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
 {
-    const QString robot = QStringLiteral("robot"), smoother = QStringLiteral("smoother");
+    const QString robot = QStringLiteral("robot"), smoother = QStringLiteral("smoother"), again = QStringLiteral("again");
     CommandCall call({QStringLiteral("track"),
-                      QStringLiteral("P.odo TRIAL [--robot R]... [--smoother rts|savgol|tracker|none] [--json]"), 2, 2,
+                      QStringLiteral("P.odo TRIAL [--robot R]... [--smoother rts|savgol|tracker|none] [--again] [--json]"), 2, 2,
                       {{robot, QStringLiteral("A robot to look for."), QStringLiteral("R")},
-                       {smoother, QStringLiteral("How the curves are made."), QStringLiteral("NAME")}}},
+                       {smoother, QStringLiteral("How the curves are made."), QStringLiteral("NAME")},
+                       {again, QStringLiteral("Analyse the stored observations anew, without decoding the videos.")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     TrackSettings settings;
     settings.robots = call.texts(robot);
+    settings.again = call.isSet(again);
     if (call.isSet(smoother)) {
         const auto known = parseSmoother(call.value(smoother));
         if (!known)

@@ -70,7 +70,10 @@ QJsonObject viewObject(const RecordingRecord &recording)
 
 QJsonObject provenanceObject(const AnalysisRecord &analysis)
 {
-    QJsonArray views, registrations;
+    QJsonArray views, registrations, overrules;
+    for (const Overrule &overrule : analysis.options.overrules)
+        overrules.append(QJsonObject{{QStringLiteral("frame"), static_cast<qint64>(overrule.frame)},
+                                     {QStringLiteral("spike"), overrule.isSpike}});
     for (const std::string &view : analysis.views)
         views.append(qtText(view));
     for (const RecordId id : analysis.registrations)
@@ -82,6 +85,7 @@ QJsonObject provenanceObject(const AnalysisRecord &analysis)
         {QStringLiteral("max_speed_m_s"), numberOrNull(analysis.options.maxSpeedMps)},
         {QStringLiteral("max_accel_m_s2"), numberOrNull(analysis.options.maxAccelMps2)},
         {QStringLiteral("longest_bridged_gap_s"), toSeconds(analysis.options.longestBridgedGap)},
+        {QStringLiteral("overrules"), overrules},
         {QStringLiteral("views"), views},
         {QStringLiteral("registrations"), registrations},
         {QStringLiteral("height_m"), numberOrNull(analysis.profile.heightM)},

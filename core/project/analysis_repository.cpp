@@ -63,6 +63,16 @@ Result<void> addViews(ProjectConnection &connection, RecordId id, const Analysis
     return {};
 }
 
+Result<void> addOverrules(ProjectConnection &connection, RecordId id, const std::vector<Overrule> &overrules)
+{
+    for (const Overrule &overrule : overrules) {
+        Statement insert(connection, QStringLiteral("INSERT INTO analysis_overrule VALUES (?,?,?)"));
+        if (auto done = insert.bind(id).bind(overrule.frame).bind(overrule.isSpike ? 1 : 0).run(); !done)
+            return done;
+    }
+    return {};
+}
+
 Result<void> addFindings(ProjectConnection &connection, RecordId id, const Profile &profile)
 {
     for (std::size_t i = 0; i < profile.metrics.size(); ++i) {
@@ -127,13 +137,21 @@ Result<void> readMetrics(const ProjectConnection &connection, AnalysisRecord &in
     });
 }
 
-Result<void> readViewsAndSpikes(const ProjectConnection &connection, AnalysisRecord &into)
+Result<void> readDecisions(const ProjectConnection &connection, AnalysisRecord &into)
 {
     Statement views(connection, QStringLiteral("SELECT name, registration_id FROM analysis_view "
                                                "WHERE analysis_id=? ORDER BY position"));
     auto read = views.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
         into.views.push_back(row.text(0));
         into.registrations.push_back(row.integer(1));
+        return {};
+    });
+    if (!read)
+        return read;
+    Statement overrules(connection, QStringLiteral("SELECT frame, is_spike FROM analysis_overrule "
+                                                   "WHERE analysis_id=? ORDER BY frame"));
+    read = overrules.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.options.overrules.push_back({row.integer(0), row.integer(1) != 0});
         return {};
     });
     if (!read)
@@ -192,6 +210,8 @@ Result<AnalysisRecord> AnalysisRepository::add(const AnalysisRecord &analysis)
             return tl::unexpected(id.error());
         if (auto added = addViews(m_connection, *id, analysis); !added)
             return tl::unexpected(added.error());
+        if (auto added = addOverrules(m_connection, *id, analysis.options.overrules); !added)
+            return tl::unexpected(added.error());
         if (auto added = addFindings(m_connection, *id, analysis.profile); !added)
             return tl::unexpected(added.error());
         if (auto added = addSeries(m_connection, *id, analysis.profile); !added)
@@ -208,7 +228,7 @@ Result<std::vector<AnalysisRecord>> AnalysisRepository::current(RecordId trial) 
     if (!analyses)
         return analyses;
     for (AnalysisRecord &analysis : *analyses) {
-        if (auto read = readViewsAndSpikes(m_connection, analysis); !read)
+        if (auto read = readDecisions(m_connection, analysis); !read)
             return tl::unexpected(read.error());
         if (auto read = readSeries(m_connection, analysis); !read)
             return tl::unexpected(read.error());

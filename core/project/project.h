@@ -60,7 +60,7 @@ public:
     TrialRepository &trials();
     AnalysisRepository &analyses();
 
-    /// Runs work in one transaction that is rolled back when work fails. Does not nest.
+    /// Runs work in one transaction that is rolled back when work fails; inside another one it is a savepoint of it.
     Result<void> inTransaction(const std::function<Result<void>()> &work);
     /// Copies the whole project to another file through SQLite's backup API.
     Result<void> saveCopy(const std::filesystem::path &file) const;

@@ -89,6 +89,10 @@ public:
     /// A new series for a recording and robot joins the older ones; the newest is the current one.
     Result<void> addObservations(const ObservationSeries &series);
     Result<std::optional<ObservationSeries>> currentObservations(RecordId recording, RecordId robot) const;
+    /// A person's word on samples of a robot; replaces what was said before. At most one a frame.
+    Result<void> setOverrules(RecordId trial, RecordId robot, const std::vector<Overrule> &overrules);
+    /// In order of the frames.
+    Result<std::vector<Overrule>> overrules(RecordId trial, RecordId robot) const;
     Result<void> setTruth(const TruthSeries &truth);
     Result<std::optional<TruthSeries>> truth(RecordId trial, RecordId robot) const;
 

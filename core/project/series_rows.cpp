@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The observations and the truth of TrialRepository.
+// The observations, the overrules and the truth of TrialRepository.
 #include "core/project/connection.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
@@ -51,6 +51,38 @@ Result<std::optional<ObservationSeries>> TrialRepository::currentObservations(Re
     if (!read)
         return tl::unexpected(read.error());
     return std::optional(std::move(series));
+}
+
+Result<void> TrialRepository::setOverrules(RecordId trial, RecordId robot,
+                                           const std::vector<Overrule> &overrules)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        Statement remove(m_connection,
+                         QStringLiteral("DELETE FROM overrule WHERE trial_id=? AND robot_id=?"));
+        if (auto done = remove.bind(trial).bind(robot).run(); !done)
+            return done;
+        for (const Overrule &overrule : overrules) {
+            Statement insert(m_connection, QStringLiteral("INSERT INTO overrule VALUES (?,?,?,?)"));
+            insert.bind(trial).bind(robot).bind(overrule.frame).bind(overrule.isSpike ? 1 : 0);
+            if (auto done = insert.run(); !done)
+                return done;
+        }
+        return {};
+    });
+}
+
+Result<std::vector<Overrule>> TrialRepository::overrules(RecordId trial, RecordId robot) const
+{
+    std::vector<Overrule> overrules;
+    Statement select(m_connection, QStringLiteral("SELECT frame, is_spike FROM overrule WHERE trial_id=? AND "
+                                                  "robot_id=? ORDER BY frame"));
+    auto read = select.bind(trial).bind(robot).eachRow([&](const Statement &row) -> Result<void> {
+        overrules.push_back({row.integer(0), row.integer(1) != 0});
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return overrules;
 }
 
 Result<void> TrialRepository::setTruth(const TruthSeries &truth)

@@ -9,6 +9,7 @@
 #include "core/trajectory/height_estimation.h"
 #include "core/trajectory/metrics.h"
 #include "core/trajectory/outline_noise.h"
+#include "core/trajectory/overrules.h"
 #include "core/trajectory/profile_points.h"
 #include "core/trajectory/shape_estimation.h"
 #include "core/trajectory/spike_flags.h"
@@ -243,6 +244,7 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
     FusedTrack track = fuseViews(times, frames, placed->views, settings);
     chooseByMotion(track, settings, options.longestBridgedGap);
     alignSingleViews(track, placed->views);
+    applyOverrules(track.samples, options.overrules);
     const MotionNoise noise = flagSpikes(track.samples, options, measurement);
 
     Profile profile;

@@ -41,12 +41,21 @@ struct RobotShape
     bool heightVaries = false; ///< on a ramp: triangulated in every frame; heightM is not looked at
 };
 
+/// A person's word on one sample, over that of the analysis. The raw measurement is kept in either case.
+struct Overrule
+{
+    std::int64_t frame = 0; ///< of the first view
+    bool isSpike = false;   ///< true: it is not used; false: it is, whatever speaks against it
+    bool operator==(const Overrule &) const = default;
+};
+
 struct AnalysisOptions
 {
     Smoother smoother = Smoother::Rts;
     double maxSpeedMps = 10; ///< physical limit, for flags
     double maxAccelMps2 = 50;
     Nanoseconds longestBridgedGap = std::chrono::milliseconds(1500);
+    std::vector<Overrule> overrules; ///< at most one a frame; for frames that are not there without effect
 };
 
 /// Observations of all views → samples → spikes → profile → metrics. Times of the samples are the first

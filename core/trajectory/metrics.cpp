@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/metrics.h"
 
+#include "core/trajectory/circle_fit.h"
+#include "core/trajectory/curve_statistics.h"
+#include "core/trajectory/heading.h"
+#include "core/trajectory/motion_stretches.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,154 +13,42 @@ namespace odo {
 
 namespace {
 
-constexpr double leastSpeedMps = 0.02;
-constexpr double sigmasAboveRest = 3;
-constexpr std::size_t shortestMotion = 3; // points
-
-/// One valid point with its time.
-struct Instant
-{
-    double timeS;
-    const ProfilePoint *point;
-    double thresholdMps;
-    double commonSigmaM;
-};
-
-/// A stretch of motion: first and last instant above the threshold, and the interpolated moments of crossing
-/// it.
-struct Stretch
-{
-    std::size_t first, last;
-    double startS, stopS;
-};
-
-std::vector<Instant> validInstants(const std::vector<Sample> &samples,
-                                   const std::vector<ProfilePoint> &points)
-{
-    std::vector<Instant> instants;
-    double commonSigma = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (samples[i].position && !isRejected(samples[i].flags))
-            commonSigma = std::sqrt(std::max(0.0, samples[i].commonCovariance.trace() / 2));
-        if (points[i].valid)
-            instants.push_back({toSeconds(samples[i].time), &points[i],
-                                std::max(leastSpeedMps, sigmasAboveRest * points[i].sigmaSpeedMps),
-                                commonSigma});
-    }
-    return instants;
-}
-
-double excess(const Instant &instant)
-{
-    return instant.point->speedMps - instant.thresholdMps;
-}
-
-/// The moment between two neighbours where the speed crosses the threshold.
-double crossing(const Instant &a, const Instant &b)
-{
-    const double from = excess(a), to = excess(b);
-    const double fraction = from == to ? 0.5 : std::clamp(from / (from - to), 0.0, 1.0);
-    return a.timeS + fraction * (b.timeS - a.timeS);
-}
-
-std::vector<Stretch> findMotions(const std::vector<Instant> &instants)
-{
-    std::vector<Stretch> motions;
-    for (std::size_t i = 0; i < instants.size();) {
-        if (excess(instants[i]) <= 0) {
-            ++i;
-            continue;
-        }
-        std::size_t last = i;
-        while (last + 1 < instants.size() && excess(instants[last + 1]) > 0)
-            ++last;
-        if (last + 1 - i >= shortestMotion) {
-            const double start = i > 0 ? crossing(instants[i - 1], instants[i]) : instants[i].timeS;
-            const double stop = last + 1 < instants.size() ? crossing(instants[last], instants[last + 1])
-                                                           : instants[last].timeS;
-            motions.push_back({i, last, start, stop});
-        }
-        i = last + 1;
-    }
-    return motions;
-}
-
 /// Integral of the speed from the moment of starting to that of stopping, by the trapezoidal rule; below the
 /// threshold nothing is added but the ramp to it.
-double pathOf(const Stretch &motion, const std::vector<Instant> &instants)
+double pathOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
 {
     const auto speed = [&](std::size_t i) { return instants[i].point->speedMps; };
     double path = 0;
     for (std::size_t i = motion.first; i < motion.last; ++i)
         path += (speed(i) + speed(i + 1)) / 2 * (instants[i + 1].timeS - instants[i].timeS);
-    const Instant &first = instants[motion.first], &last = instants[motion.last];
+    const RunInstant &first = instants[motion.first], &last = instants[motion.last];
     path += (first.thresholdMps + speed(motion.first)) / 2 * (first.timeS - motion.startS);
     path += (last.thresholdMps + speed(motion.last)) / 2 * (motion.stopS - last.timeS);
     return path;
 }
 
-double sigmaPosition(const Instant &instant)
+/// σ of a stretch's length: of its two ends, and ∫ω·e dt of the error e across a path that turns at ω.
+double sigmaOfLengthOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
 {
-    return std::sqrt((std::pow(instant.point->sigmaXM, 2) + std::pow(instant.point->sigmaYM, 2)) / 2);
-}
-
-/// σ of the moment of crossing the threshold: the speed's σ over its steepness, at most what the neighbours
-/// leave open.
-double sigmaMoment(const std::vector<Instant> &instants, std::size_t at)
-{
-    const Instant &instant = instants[at];
-    const double steepness = std::max(instant.point->accelMps2, instant.point->sigmaAccelMps2);
-    const double step = instants.size() < 2        ? 0.0
-                        : at + 1 < instants.size() ? instants[at + 1].timeS - instant.timeS
-                                                   : instant.timeS - instants[at - 1].timeS;
-    const double resolution = step / std::sqrt(12.0);
-    if (steepness <= 0)
-        return resolution;
-    return std::hypot(std::min(instant.point->sigmaSpeedMps / steepness, 10 * step), resolution);
-}
-
-struct RootMeanSquare
-{
-    double value = 0, sigma = 0;
-};
-
-RootMeanSquare rootMeanSquare(const std::vector<Instant> &instants, const std::vector<Stretch> &motions,
-                              double ProfilePoint::*figure, double ProfilePoint::*sigma)
-{
-    double squares = 0, errors = 0, count = 0;
-    for (const Stretch &motion : motions) {
-        for (std::size_t i = motion.first; i <= motion.last; ++i) {
-            const ProfilePoint &point = *instants[i].point;
-            squares += std::pow(point.*figure, 2);
-            errors += std::abs(point.*figure) * point.*sigma;
-            count += 1;
-        }
+    double variance = std::pow(sigmaOfPosition(*instants[motion.first].point), 2) +
+                      std::pow(sigmaOfPosition(*instants[motion.last].point), 2);
+    for (std::size_t i = motion.first + 1; i <= motion.last; ++i) {
+        const auto course = courseOf(*instants[i].point);
+        if (!course)
+            continue;
+        const double step = std::max(0.0, instants[i].timeS - instants[i - 1].timeS); // a clock may stand still
+        variance += std::pow(course->turnRateRadps * sigmaOfPosition(*instants[i].point), 2) * step *
+                    correlationTimeS(instants[i]);
     }
-    if (count == 0 || squares == 0)
-        return {};
-    const double value = std::sqrt(squares / count);
-    // Neighbours' errors go together: the bound for fully correlated ones.
-    return {value, errors / count / value};
-}
-
-/// Where a figure is largest beyond doubt: by its value less twice its σ, so that a badly known point (at the
-/// ends, in a gap) does not win by its error.
-const Instant &largest(const std::vector<Instant> &instants, double ProfilePoint::*figure,
-                       double ProfilePoint::*sigma)
-{
-    const auto sure = [&](const Instant &instant) {
-        return instant.point->*figure - 2 * (instant.point->*sigma);
-    };
-    return *std::max_element(instants.begin(), instants.end(),
-                             [&](const Instant &a, const Instant &b) { return sure(a) < sure(b); });
+    return std::sqrt(variance);
 }
 
 /// Relative error of scale that the calibration leaves: its σ at two places over their distance.
-double sigmaScale(const std::vector<Instant> &instants)
+double sigmaScale(const std::vector<RunInstant> &instants)
 {
     Eigen::Vector2d low = instants.front().point->position, high = low;
     double variance = 0;
-    for (const Instant &instant : instants) {
+    for (const RunInstant &instant : instants) {
         low = low.cwiseMin(instant.point->position);
         high = high.cwiseMax(instant.point->position);
         variance += instant.commonSigmaM * instant.commonSigmaM;
@@ -165,28 +58,26 @@ double sigmaScale(const std::vector<Instant> &instants)
     return sigma / std::max(1.0, (high - low).norm());
 }
 
-} // namespace
-
-std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points)
+/// Length, times and what hangs on both.
+void addCourse(std::vector<Metric> &metrics, const std::vector<RunInstant> &instants,
+               const std::vector<MotionStretch> &motions, double scale)
 {
-    const std::vector<Instant> instants = validInstants(samples, points);
-    if (instants.empty())
-        return {};
-    const std::vector<Stretch> motions = findMotions(instants);
-    const double scale = sigmaScale(instants);
-
     double duration = 0, path = 0, movingTime = 0, sigmaDuration = 0, sigmaPath = 0, chord = 0, sigmaEnds = 0;
     if (!motions.empty()) {
-        const Stretch &first = motions.front(), &last = motions.back();
+        const MotionStretch &first = motions.front(), &last = motions.back();
         duration = last.stopS - first.startS;
-        sigmaDuration = std::hypot(sigmaMoment(instants, first.first), sigmaMoment(instants, last.last));
-        for (const Stretch &motion : motions) {
+        sigmaDuration = std::hypot(sigmaOfMoment(instants, first.first), sigmaOfMoment(instants, last.last));
+        for (const MotionStretch &motion : motions) {
             path += pathOf(motion, instants);
             movingTime += motion.stopS - motion.startS;
         }
-        // An error of the path is, on a straight line, that of its two ends.
-        sigmaEnds = std::hypot(sigmaPosition(instants[first.first]), sigmaPosition(instants[last.last]));
-        sigmaPath = std::hypot(sigmaEnds, scale * path);
+        // An error of the path is, on a straight line, that of its ends; where it turns, errors across it
+        // count too.
+        sigmaEnds = std::hypot(sigmaOfPosition(*instants[first.first].point),
+                               sigmaOfPosition(*instants[last.last].point));
+        for (const MotionStretch &motion : motions)
+            sigmaPath = std::hypot(sigmaPath, sigmaOfLengthOf(motion, instants));
+        sigmaPath = std::hypot(sigmaPath, scale * path);
         chord = (instants[last.last].point->position - instants[first.first].point->position).norm();
     }
     const double meanSpeed = duration > 0 ? path / duration : 0;
@@ -194,27 +85,71 @@ std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::ve
         duration > 0 ? std::hypot(sigmaPath / duration, meanSpeed * sigmaDuration / duration) : 0;
     const double straightness = path > 0 ? std::min(1.0, chord / path) : 0;
     const double sigmaStraight = path > 0 ? sigmaEnds * std::hypot(1.0, straightness) / path : 0;
-    const Instant &fastest = largest(instants, &ProfilePoint::speedMps, &ProfilePoint::sigmaSpeedMps);
-    const Instant &hardest = largest(instants, &ProfilePoint::accelMps2, &ProfilePoint::sigmaAccelMps2);
-    const auto speed =
-        rootMeanSquare(instants, motions, &ProfilePoint::speedMps, &ProfilePoint::sigmaSpeedMps);
-    const auto accel =
-        rootMeanSquare(instants, motions, &ProfilePoint::accelMps2, &ProfilePoint::sigmaAccelMps2);
+    double sigmaMoving = 0;
+    for (const MotionStretch &motion : motions)
+        sigmaMoving = std::hypot(sigmaMoving, std::hypot(sigmaOfMoment(instants, motion.first),
+                                                         sigmaOfMoment(instants, motion.last)));
     const double stops = motions.empty() ? 0 : static_cast<double>(motions.size() - 1);
+    metrics = {{"duration", "s", duration, sigmaDuration},
+               {"path_length", "m", path, sigmaPath},
+               {"mean_speed", "m/s", meanSpeed, sigmaMean},
+               {"straightness", "1", straightness, sigmaStraight},
+               {"moving_time", "s", movingTime, sigmaMoving},
+               {"stops", "1", stops, std::nullopt},
+               {"standing_time", "s", std::max(0.0, duration - movingTime),
+                motions.size() > 1 ? std::hypot(sigmaMoving, sigmaDuration) : 0.0}};
+}
 
-    return {
-        {"duration", "s", duration, sigmaDuration},
-        {"path_length", "m", path, sigmaPath},
-        {"mean_speed", "m/s", meanSpeed, sigmaMean},
-        {"max_speed", "m/s", fastest.point->speedMps,
-         std::hypot(fastest.point->sigmaSpeedMps, scale * fastest.point->speedMps)},
-        {"rms_speed", "m/s", speed.value, speed.sigma},
-        {"max_accel", "m/s²", hardest.point->accelMps2, hardest.point->sigmaAccelMps2},
-        {"rms_accel", "m/s²", accel.value, accel.sigma},
-        {"straightness", "1", straightness, sigmaStraight},
-        {"moving_time", "s", movingTime, sigmaDuration},
-        {"stops", "1", stops, std::nullopt},
+void addCircle(std::vector<Metric> &metrics, const std::vector<RunInstant> &instants,
+               const std::vector<MotionStretch> &motions, double scale)
+{
+    std::vector<Eigen::Vector2d> path;
+    for (const MotionStretch &motion : motions) {
+        for (std::size_t i = motion.first; i <= motion.last; ++i)
+            path.push_back(instants[i].point->position);
+    }
+    if (const auto circle = fitCircle(path))
+        metrics.push_back({"circle_radius", "m", circle->radiusM,
+                           std::hypot(circle->sigmaRadiusM, scale * circle->radiusM)});
+}
+
+} // namespace
+
+std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points)
+{
+    const std::vector<RunInstant> instants = validInstants(samples, points);
+    if (instants.empty())
+        return {};
+    const std::vector<MotionStretch> motions = findMotions(instants);
+    const double scale = sigmaScale(instants);
+    std::vector<Metric> course;
+    addCourse(course, instants, motions, scale);
+
+    // A speed scales with lengths; next to its σ the calibration's error of scale is small, but it is there.
+    const auto scaled = [&](const char *name, const char *unit, Figure figure) {
+        return Metric{name, unit, figure.value, std::hypot(figure.sigma, scale * figure.value)};
     };
+    const auto at = [](const RunInstant &instant, Curve curve) {
+        return Figure{instant.point->*curve.value, instant.point->*curve.sigma};
+    };
+    std::vector<Metric> metrics{
+        course[0],
+        course[1],
+        course[2],
+        scaled("max_speed", "m/s", at(largest(instants, speedCurve), speedCurve)),
+        scaled("rms_speed", "m/s", rootMeanSquare(instants, motions, speedCurve)),
+        scaled("max_accel", "m/s²", at(largest(instants, accelCurve), accelCurve)),
+        scaled("rms_accel", "m/s²", rootMeanSquare(instants, motions, accelCurve)),
+        course[3],
+        course[4],
+        course[5],
+        course[6],
+        scaled("median_speed", "m/s", percentile(instants, motions, speedCurve, 0.5)),
+        scaled("p95_speed", "m/s", percentile(instants, motions, speedCurve, 0.95)),
+        scaled("p95_accel", "m/s²", percentile(instants, motions, accelCurve, 0.95)),
+    };
+    addCircle(metrics, instants, motions, scale);
+    return metrics;
 }
 
 } // namespace odo

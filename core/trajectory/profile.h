@@ -23,7 +23,7 @@ enum class SampleFlag : std::uint32_t {
     Lost = 1u << 5,           ///< no view found the robot
     DuplicateFrame = 1u << 6, ///< the camera repeated a picture
     Interpolated = 1u << 7,   ///< the profile bridges a gap here
-    ByHand = 1u << 8,         ///< a person set or lifted the flag
+    ByHand = 1u << 8,         ///< a person judged it: with Jump a spike, else valid
 };
 using SampleFlags = std::uint32_t;
 
@@ -39,13 +39,17 @@ constexpr bool hasFlag(SampleFlags flags, SampleFlag flag)
 std::string_view flagName(SampleFlag flag);
 /// All set names joined by '|', in the order of the bits.
 std::string flagNames(SampleFlags flags);
+/// Flags with each of which a sample is not used.
+constexpr SampleFlags rejectingFlags = flagBit(SampleFlag::Jump) | flagBit(SampleFlag::SpeedLimit) |
+                                       flagBit(SampleFlag::AccelerationLimit) |
+                                       flagBit(SampleFlag::LowScore) | flagBit(SampleFlag::Lost) |
+                                       flagBit(SampleFlag::DuplicateFrame);
 /// True when the raw position is not used by the smoother (spike or nothing measured). ViewsDisagree by
 /// itself does not reject: the position is that of the views which agree with one another, or with the
 /// motion.
 constexpr bool isRejected(SampleFlags flags)
 {
-    constexpr SampleFlags rejecting = (1u << 0) | (1u << 1) | (1u << 2) | (1u << 4) | (1u << 5) | (1u << 6);
-    return (flags & rejecting) != 0;
+    return (flags & rejectingFlags) != 0;
 }
 
 /// One robot at one time on the floor: the fused measurement, before smoothing. World frame, metres.

@@ -122,7 +122,8 @@ Round standingOut(const std::vector<Sample> &samples, const std::vector<bool> &o
 void nameLimits(std::vector<Sample> &samples, const AnalysisOptions &options)
 {
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (!samples[i].position || !hasFlag(samples[i].flags, SampleFlag::Jump))
+        if (!samples[i].position || !hasFlag(samples[i].flags, SampleFlag::Jump) ||
+            hasFlag(samples[i].flags, SampleFlag::ByHand))
             continue;
         // The nearest used neighbours stand for the motion.
         std::optional<std::size_t> before, behind;
@@ -167,7 +168,7 @@ MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &opti
             break;
     }
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (round.spike[i])
+        if (round.spike[i] && !hasFlag(samples[i].flags, SampleFlag::ByHand))
             samples[i].flags |= flagBit(SampleFlag::Jump);
     }
     nameLimits(samples, options);
@@ -187,6 +188,8 @@ std::string reasonOf(const Sample &sample, const SampleEvidence &evidence, const
 {
     std::string reason;
     const auto add = [&](const std::string &more) { reason += (reason.empty() ? "" : "; ") + more; };
+    if (hasFlag(sample.flags, SampleFlag::ByHand) && isRejected(sample.flags))
+        return "called a spike by hand";
     if (hasFlag(sample.flags, SampleFlag::ViewsDisagree)) {
         add(words("views disagree by %.0f mm", toMillimetres(sample.viewDisagreementM.value_or(0))));
         add(hasFlag(sample.flags, SampleFlag::Jump) ? "none could be trusted" : "one left out");

@@ -11,8 +11,8 @@ namespace odo {
 
 /// Sets Jump, with SpeedLimit and AccelerationLimit as further reasons, on samples that no robot's motion
 /// explains (searchSpikes, with the noise learnt from the run itself; Hampel's identifier gives the first
-/// guess). A collision, a start and a bounce are motions. Returns the noise estimated from what remains,
-/// with the slow part of `measurement`.
+/// guess). Samples that a person has judged (ByHand) are left as they are. A collision, a start and a bounce
+/// are motions. Returns the noise estimated from what remains, with the slow part of `measurement`.
 MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
                        const MeasurementNoise &measurement = {});
 

@@ -20,9 +20,12 @@ struct TrackJob::Impl
     std::vector<RobotRecord> robots;
     std::vector<RegisteredView> views;
 
+    std::vector<AnalysisOptions> options; ///< one a robot
+    std::vector<TrackedView> stored;      ///< with `again`
     std::vector<ObservationSeries> observations;
     TrackOutcome outcome;
 
+    Result<void> readOptions(Project &project);
     Result<void> analyseAll(const std::vector<TrackedView> &tracked);
 };
 
@@ -49,6 +52,39 @@ Result<void> TrackJob::prepare(Project &project)
     if (!views)
         return tl::unexpected(views.error());
     d.views = std::move(*views);
+    if (auto read = d.readOptions(project); !read)
+        return read;
+    if (!d.settings.again)
+        return {};
+    auto stored = storedObservations(project, d.trialName, d.views, d.robots);
+    if (!stored)
+        return tl::unexpected(stored.error());
+    d.stored = std::move(*stored);
+    return {};
+}
+
+Result<void> TrackJob::Impl::readOptions(Project &project)
+{
+    const auto analyses = project.analyses().currentMetrics(trial.id);
+    if (!analyses)
+        return tl::unexpected(analyses.error());
+    options.clear();
+    for (const RobotRecord &robot : robots) {
+        AnalysisOptions its;
+        const auto newest = std::find_if(analyses->begin(), analyses->end(), [&](const AnalysisRecord &one) {
+            return one.robot == robot.id;
+        });
+        if (settings.again && newest != analyses->end())
+            its.smoother = newest->options.smoother;
+        its.smoother = settings.smoother.value_or(its.smoother);
+        const auto told = settings.overrules.find(robot.name);
+        auto overrules = told != settings.overrules.end() ? told->second
+                                                          : project.trials().overrules(trial.id, robot.id);
+        if (!overrules)
+            return tl::unexpected(overrules.error());
+        its.overrules = std::move(*overrules);
+        options.push_back(std::move(its));
+    }
     return {};
 }
 
@@ -56,12 +92,15 @@ Result<void> TrackJob::run(const JobControl &control)
 {
     Impl &d = *m_impl;
     const auto started = std::chrono::steady_clock::now();
-    auto tracked = trackViews(d.views, d.robots, control);
+    auto tracked = d.settings.again ? Result<std::vector<TrackedView>>(std::move(d.stored))
+                                    : trackViews(d.views, d.robots, control);
     if (!tracked)
         return tl::unexpected(tracked.error());
 
-    control.report(0.96, "settling which robot is which");
-    settleNames(d.views, d.robots, *tracked);
+    if (!d.settings.again) { // what is stored is settled
+        control.report(0.96, "settling which robot is which");
+        settleNames(d.views, d.robots, *tracked);
+    }
     control.report(0.97, "analysing");
     if (auto analysed = d.analyseAll(*tracked); !analysed)
         return analysed;
@@ -70,6 +109,8 @@ Result<void> TrackJob::run(const JobControl &control)
     for (TrackedView &view : *tracked) {
         d.outcome.decodeS += toSeconds(view.decodeCpuTime);
         pictures += view.frames;
+        if (d.settings.again)
+            continue;
         for (ObservationSeries &series : view.series)
             d.observations.push_back(std::move(series));
     }
@@ -83,7 +124,7 @@ Result<void> TrackJob::Impl::analyseAll(const std::vector<TrackedView> &tracked)
 {
     for (std::size_t r = 0; r < robots.size(); ++r) {
         const RobotRecord &robot = robots[r];
-        AnalysisRecord analysis = newAnalysis(trial, robot, views, settings.smoother);
+        AnalysisRecord analysis = newAnalysis(trial, robot, views, options[r]);
         auto profile = analyse(viewTracks(views, tracked, r), shapeOf(robot), analysis.options);
         if (!profile) {
             Error error = profile.error();

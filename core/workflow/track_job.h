@@ -4,7 +4,9 @@
 #include "core/project/records.h"
 #include "core/workflow/job.h"
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +16,11 @@ namespace odo {
 struct TrackSettings
 {
     std::vector<std::string> robots; ///< names; empty: those of the trial, or else all of the project
-    Smoother smoother = Smoother::Rts;
+    std::optional<Smoother> smoother; ///< empty: Rts, or with `again` that of the robot's newest analysis
+    /// Nothing is decoded: the newest stored observations are analysed anew, with what is in force now
+    /// (registrations, the robot's size, overrules).
+    bool again = false;
+    std::map<std::string, std::vector<Overrule>> overrules; ///< by robot, in place of the stored ones
 };
 
 /// What tracking gave for one robot, as the command line prints it.
@@ -36,6 +42,7 @@ struct TrackOutcome
 };
 
 /// Tracks the robots of a trial in all its views and analyses them: observations and a new analysis each are stored.
+/// What a person has overruled stays in force.
 class TrackJob : public Job
 {
 public:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/view_tracking.h"
 
+#include "core/project/project.h"
+#include "core/project/repositories.h"
 #include "core/tracking/colour_tracker.h"
 #include "core/video/frame_stream.h"
 
@@ -132,7 +134,7 @@ RobotShape shapeOf(const RobotRecord &robot)
 }
 
 AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
-                           const std::vector<RegisteredView> &views, Smoother smoother)
+                           const std::vector<RegisteredView> &views, AnalysisOptions options)
 {
     AnalysisRecord analysis;
     analysis.trial = trial.id;
@@ -140,12 +142,38 @@ AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
     analysis.robotName = robot.name;
     analysis.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
     analysis.softwareVersion = ODOGRAPH_VERSION;
-    analysis.options.smoother = smoother;
+    analysis.options = std::move(options);
     for (const RegisteredView &view : views) {
         analysis.registrations.push_back(view.registration ? view.registration->id : 0);
         analysis.views.push_back(view.recording.cameraName);
     }
     return analysis;
+}
+
+Result<std::vector<TrackedView>> storedObservations(Project &project, const std::string &trialName,
+                                                    const std::vector<RegisteredView> &views,
+                                                    const std::vector<RobotRecord> &robots)
+{
+    std::vector<TrackedView> stored(views.size());
+    for (const RobotRecord &robot : robots) {
+        bool known = false;
+        for (std::size_t v = 0; v < views.size(); ++v) {
+            const RecordId recording = views[v].recording.id;
+            auto series = project.trials().currentObservations(recording, robot.id);
+            if (!series)
+                return tl::unexpected(series.error());
+            known |= series->has_value();
+            stored[v].series.push_back(*series ? std::move(**series)
+                                               : ObservationSeries{recording, robot.id, {}, {}});
+            stored[v].frames = std::max(stored[v].frames,
+                                        static_cast<std::int64_t>(stored[v].series.back().observations.size()));
+        }
+        if (!known)
+            return fail(ErrorCode::NotFound, "robot '" + robot.name + "' in trial '" + trialName + "'",
+                        "it has not been tracked yet, so there is nothing to analyse again",
+                        "run odograph track without --again first");
+    }
+    return stored;
 }
 
 } // namespace odo

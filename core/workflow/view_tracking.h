@@ -32,6 +32,12 @@ RobotShape shapeOf(const RobotRecord &robot);
 
 /// An analysis with its provenance filled in and its profile still empty.
 AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
-                           const std::vector<RegisteredView> &views, Smoother smoother);
+                           const std::vector<RegisteredView> &views, AnalysisOptions options);
+
+/// What trackViews once gave and the project has kept: the newest observations of each robot in each view, none
+/// where a view was never tracked. NotFound for a robot that no view was tracked for. Project's thread.
+Result<std::vector<TrackedView>> storedObservations(Project &project, const std::string &trialName,
+                                                    const std::vector<RegisteredView> &views,
+                                                    const std::vector<RobotRecord> &robots);
 
 } // namespace odo

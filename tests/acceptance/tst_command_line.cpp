@@ -72,6 +72,39 @@ class TestCommandLine : public QObject
         render(scene, 0, "empty.mkv");
     }
 
+    QJsonObject shownRobot() const
+    {
+        return good("show %P run1 --json").json().value(QStringLiteral("robots")).toObject()
+            .value(QStringLiteral("red")).toObject();
+    }
+
+    /// Round trip of a flag set by hand, with the videos away: nothing may be decoded for it.
+    void aPersonOverrulesTheProgram() const
+    {
+        const QJsonObject before = shownRobot();
+        const QString media = path("class.media");
+        QVERIFY(QDir().rename(media, media + QStringLiteral(".gone")));
+        const ProgramRun again = good("track %P run1 --again --json");
+        const ProgramRun spike = good("flag %P run1 --time 1.01 --spike --json");
+        const ProgramRun kept = good("track %P run1 --again --robot red");
+        const QJsonObject judged = shownRobot();
+        const ProgramRun valid = good("flag %P run1 --robot red --frame 30 --valid --json");
+        const ProgramRun cleared = good("flag %P run1 --frame 30 --clear");
+        QVERIFY(QDir().rename(media + QStringLiteral(".gone"), media));
+        QCOMPARE(again.exitStatus, 0);
+        QCOMPARE(spike.exitStatus, 0);
+        QCOMPARE(spike.json().value(QStringLiteral("frame")).toInt(), 30);
+        QCOMPARE(spike.json().value(QStringLiteral("used")).toBool(), false);
+        QVERIFY(spike.json().value(QStringLiteral("flags")).toString().contains(QStringLiteral("by_hand")));
+        QCOMPARE(kept.exitStatus, 0);
+        const auto spikes = [](const QJsonObject &robot) { return robot.value(QStringLiteral("spikes")).toArray().size(); };
+        QCOMPARE(spikes(judged), spikes(before) + 1);
+        QCOMPARE(judged.value(QStringLiteral("provenance")).toObject().value(QStringLiteral("overrules")).toArray().size(), 1);
+        QCOMPARE(valid.json().value(QStringLiteral("used")).toBool(), true);
+        QCOMPARE(cleared.exitStatus, 0);
+        QCOMPARE(shownRobot().value(QStringLiteral("metrics")).toArray(), before.value(QStringLiteral("metrics")).toArray());
+    }
+
 private Q_SLOTS:
     void initTestCase()
     {
@@ -121,6 +154,7 @@ private Q_SLOTS:
         for (const char *smoother : {"savgol", "tracker", "none", "rts"})
             QCOMPARE(good((QByteArray("track %P run1 --robot red --smoother ") + smoother).constData()).exitStatus, 0);
 
+        aPersonOverrulesTheProgram();
         QCOMPARE(good("list %P --json").json().value(QStringLiteral("trials")).toArray().size(), 1);
         QCOMPARE(good("show %P run1 --json").json().value(QStringLiteral("team")).toString(), QStringLiteral("Falcon"));
         for (const char *format : {"csv", "tum", "json", "tracker"})
@@ -203,6 +237,19 @@ private Q_SLOTS:
         row("track %P nowhere", 1, "nowhere");
         row("track %P run1 --smoother magic", 2, "--smoother");
         row("track %P", 2, "something is missing");
+        row("track %P uneven --again --robot red", 1, "not been tracked yet");
+        row("flag %P run1 --time 1", 2, "--spike");
+        row("flag %P run1 --time 1 --spike --valid", 2, "--spike");
+        row("flag %P run1 --spike", 2, "--time");
+        row("flag %P run1 --time 1 --frame 3 --spike", 2, "--time");
+        row("flag %P run1 --time soon --spike", 2, "--time");
+        row("flag %P run1 --frame 3.5 --spike", 2, "whole number");
+        row("flag %P run1 --time 77 --spike", 1, "no such frame");
+        row("flag %P run1 --frame 60 --valid", 1, "from 0 to 59");
+        row("flag %P run1 --frame 12 --clear", 1, "nothing was said by hand");
+        row("flag %P run1 --robot blue --frame 12 --spike", 1, "blue");
+        row("flag %P uneven --frame 12 --spike", 1, "not been tracked yet");
+        row("flag %P nowhere --frame 12 --spike", 1, "nowhere");
         row("list %/missing.odo", 1, "missing.odo");
         row("list %P --colour x", 2, "colour");
         row("show %P nowhere", 1, "nowhere");

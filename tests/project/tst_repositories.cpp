@@ -342,6 +342,7 @@ private Q_SLOTS:
         QVERIFY(filled.has_value());
         AnalysisRecord wanted = m_source.analysis(filled->trial, filled->robot, 333);
         wanted.registrations = {1, 0};
+        wanted.options.overrules = {{3, true}, {17, false}};
         wanted.profile.points[3].sigmaXM = std::numeric_limits<double>::infinity();
         wanted.profile.points[4].accelMps2 = -0.0;
         const auto stored = m_project->analyses().add(wanted);
@@ -359,6 +360,7 @@ private Q_SLOTS:
         QVERIFY(same(read.options.maxSpeedMps, wanted.options.maxSpeedMps));
         QVERIFY(same(read.options.maxAccelMps2, wanted.options.maxAccelMps2));
         QVERIFY(read.options.longestBridgedGap == wanted.options.longestBridgedGap);
+        QVERIFY(read.options.overrules == wanted.options.overrules);
         QVERIFY(read.registrations == wanted.registrations && read.views == wanted.views);
         const Profile &a = read.profile, &b = wanted.profile;
         QVERIFY(same(a.heightM, b.heightM) && a.heightEstimated == b.heightEstimated);
@@ -391,6 +393,22 @@ private Q_SLOTS:
         QCOMPARE(m_project->analyses().current(filled->trial)->front().id, before);
     }
 
+    void overrulesRoundTripAndAreReplaced()
+    {
+        const auto filled = fill(*m_project, m_source);
+        QVERIFY(filled.has_value());
+        const auto said = [&] { return m_project->trials().overrules(filled->trial, filled->robot).value(); };
+        QVERIFY(said().empty());
+        QVERIFY(m_project->trials().setOverrules(filled->trial, filled->robot, {{9, true}, {2, false}}));
+        reopen();
+        QVERIFY((said() == std::vector<Overrule>{{2, false}, {9, true}}));
+        // Two words on one frame: refused, and the old ones stay.
+        QVERIFY(!m_project->trials().setOverrules(filled->trial, filled->robot, {{4, true}, {4, false}}));
+        QCOMPARE(said().size(), std::size_t(2));
+        QVERIFY(m_project->trials().setOverrules(filled->trial, filled->robot, {}));
+        QVERIFY(said().empty());
+        QVERIFY(!m_project->trials().setOverrules(filled->trial + 99, filled->robot, {{1, true}}));
+    }
     void truthRoundTripsAndIsReplaced()
     {
         const auto filled = fill(*m_project, m_source);

@@ -351,7 +351,7 @@ private Q_SLOTS:
                 QVERIFY(std::isfinite(point.sigmaSpeedMps) && std::isfinite(point.sigmaAccelMps2));
             }
             for (const Metric &one : profile->metrics)
-                QVERIFY(std::isfinite(one.value) && std::isfinite(one.sigma.value_or(0)));
+                QVERIFY2(std::isfinite(one.value) && std::isfinite(one.sigma.value_or(0)), one.name.c_str());
         }
     }
 

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "app/json_answers.h"
+#include "core/workflow/overrule_job.h"
+
+namespace odo {
+
+namespace {
+
+const QString robot = QStringLiteral("robot"), time = QStringLiteral("time"), frame = QStringLiteral("frame"),
+              spike = QStringLiteral("spike"), valid = QStringLiteral("valid"), clear = QStringLiteral("clear");
+
+Result<OverruleRequest> requestOf(const CommandCall &call)
+{
+    if (int(call.isSet(spike)) + int(call.isSet(valid)) + int(call.isSet(clear)) != 1)
+        return call.wrongCall(QStringLiteral("one of --spike, --valid and --clear is needed"));
+    if (call.isSet(time) == call.isSet(frame))
+        return call.wrongCall(QStringLiteral("one of --time and --frame is needed"));
+    OverruleRequest request;
+    request.trial = call.text(1);
+    request.robot = call.value(robot);
+    request.word = call.isSet(spike)   ? OverruleRequest::Word::Spike
+                   : call.isSet(valid) ? OverruleRequest::Word::Valid
+                                       : OverruleRequest::Word::Clear;
+    const auto number = call.number(call.isSet(time) ? time : frame);
+    if (!number)
+        return tl::unexpected(number.error());
+    if (call.isSet(time))
+        request.timeS = *number;
+    else if (*number != std::floor(*number) || std::abs(*number) > 1e9)
+        return call.wrongCall(QStringLiteral("--frame is a whole number"));
+    else
+        request.frame = static_cast<std::int64_t>(*number);
+    return request;
+}
+
+QString wordsOf(OverruleRequest::Word word)
+{
+    switch (word) {
+    case OverruleRequest::Word::Spike:
+        return QStringLiteral("called a spike by hand");
+    case OverruleRequest::Word::Valid:
+        return QStringLiteral("called valid by hand");
+    case OverruleRequest::Word::Clear:
+        break;
+    }
+    return QStringLiteral("judged by the program again");
+}
+
+} // namespace
+
+Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("flag"),
+                      QStringLiteral("P.odo TRIAL [--robot R] --time SECONDS|--frame N (--spike|--valid|--clear) [--json]"), 2, 2,
+                      {{robot, QStringLiteral("The robot, where there are several."), QStringLiteral("R")},
+                       {time, QStringLiteral("The sample nearest to this time."), QStringLiteral("SECONDS")},
+                       {frame, QStringLiteral("The sample of this frame of the first view."), QStringLiteral("N")},
+                       {spike, QStringLiteral("It is not to be used.")},
+                       {valid, QStringLiteral("It is to be used.")},
+                       {clear, QStringLiteral("Take back what was said by hand.")}}},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    const auto request = requestOf(call);
+    if (!request)
+        return tl::unexpected(request.error());
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    OverruleJob job(*request);
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    const OverruleOutcome &outcome = job.outcome();
+    const Profile &profile = outcome.analysis.profile;
+    call.answer({{QStringLiteral("trial"), call.positional(1)},
+                 {QStringLiteral("robot"), QString::fromStdString(outcome.robot)},
+                 {QStringLiteral("frame"), qint64(outcome.frame)},
+                 {QStringLiteral("t_s"), toSeconds(outcome.time)},
+                 {QStringLiteral("flags"), QString::fromStdString(flagNames(outcome.flags))},
+                 {QStringLiteral("used"), !isRejected(outcome.flags)},
+                 {QStringLiteral("spikes"), qint64(profile.spikes.size())},
+                 {QStringLiteral("analysis"), qint64(outcome.analysis.id)},
+                 {QStringLiteral("metrics"), metricsJson(profile.metrics)}},
+                QStringLiteral("%1, frame %2 at %3 s: %4. A new analysis was made; it has %5 spikes.")
+                    .arg(QString::fromStdString(outcome.robot))
+                    .arg(outcome.frame)
+                    .arg(toSeconds(outcome.time), 0, 'f', 3)
+                    .arg(wordsOf(request->word))
+                    .arg(profile.spikes.size()));
+    return {};
+}
+
+} // namespace odo
