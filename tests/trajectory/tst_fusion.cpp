@@ -5,6 +5,7 @@
 
 #include "synthetic_trial.h"
 
+#include <Eigen/Cholesky>
 #include <QTest>
 
 using namespace odo;
@@ -72,6 +73,39 @@ private Q_SLOTS:
         QVERIFY(fused.commonCovariance.isZero());
         QCOMPARE(fused.views, 5u);
         QVERIFY(std::abs(largestDistance(both) - std::hypot(0.005, 0.005)) < 1e-12);
+    }
+
+    void covarianceAgreesWithMonteCarlo()
+    {
+        // Three views with slanted covariances; noise of pixels and of calibrations drawn apart.
+        std::mt19937 random(9);
+        std::normal_distribution<double> noise(0, 1);
+        std::vector<ViewPosition> views;
+        for (std::uint32_t v = 0; v < 3; ++v) {
+            const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.9 * v + 0.2).toRotationMatrix();
+            FloorPosition position = place(1, 2, 0.001, 0.004, 0.002 + 0.001 * v);
+            position.pixelCovariance = turn * position.pixelCovariance * turn.transpose();
+            views.push_back({v, position});
+        }
+        const FusedPosition stated = fuse(views);
+        Eigen::Matrix2d fromPixels = Eigen::Matrix2d::Zero(), fromCalibration = Eigen::Matrix2d::Zero();
+        constexpr int draws = 20000;
+        for (int i = 0; i < draws; ++i) {
+            for (const bool pixels : {true, false}) {
+                auto drawn = views;
+                for (ViewPosition &view : drawn) {
+                    const Eigen::Matrix2d covariance =
+                        pixels ? view.place.pixelCovariance : view.place.calibrationCovariance;
+                    view.place.pointInWorld +=
+                        covariance.llt().matrixL() * Eigen::Vector2d(noise(random), noise(random));
+                }
+                const Eigen::Vector2d error = fuse(drawn).position - stated.position;
+                (pixels ? fromPixels : fromCalibration) += error * error.transpose() / draws;
+            }
+        }
+        // 20000 draws leave 1 % on a variance.
+        QVERIFY((fromPixels - stated.covariance).norm() < 0.04 * fromPixels.norm());
+        QVERIFY((fromCalibration - stated.commonCovariance).norm() < 0.04 * fromCalibration.norm());
     }
 
     void theCommonPartIsKeptApart()

@@ -73,6 +73,50 @@ private Q_SLOTS:
         }
     }
 
+    void theSteadyStateSolvesRiccatisEquation()
+    {
+        // After many equal steps the filter's covariance is the fixed point of P = F·(P − K·S·Kᵀ)·Fᵀ + Q of
+        // one axis, found here by iterating the three by three equation written out on its own.
+        const double dt = 1.0 / 30, q = 8, r = 0.002 * 0.002;
+        Eigen::Matrix3d f, noise, p = Eigen::Matrix3d::Identity();
+        f << 1, dt, dt * dt / 2, 0, 1, dt, 0, 0, 1;
+        noise << std::pow(dt, 5) / 20, std::pow(dt, 4) / 8, std::pow(dt, 3) / 6, std::pow(dt, 4) / 8,
+            std::pow(dt, 3) / 3, dt * dt / 2, std::pow(dt, 3) / 6, dt * dt / 2, dt;
+        noise *= q;
+        for (int i = 0; i < 3000; ++i) {
+            const Eigen::Vector3d gain = p.col(0) / (p(0, 0) + r);
+            p = f * (p - gain * p.row(0)) * f.transpose() + noise;
+        }
+        MotionFilter filter({q, 1});
+        for (int i = 0; i < 600; ++i) {
+            filter.predict({i * dt});
+            filter.update({i * dt, true, {0.3 * i, 0}, Eigen::Matrix2d::Identity() * r});
+        }
+        filter.predict({600 * dt});
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column) {
+                const double expected = p(row, column);
+                QVERIFY(std::abs(filter.estimate().covariance(2 * row, 2 * column) - expected) <
+                        1e-6 * std::abs(expected));
+                QVERIFY(filter.estimate().covariance(2 * row, 2 * column + 1) == 0);
+            }
+        }
+    }
+
+    void anAbruptChangeIsAllowedForAtAnyMoment()
+    {
+        // The moments of a change of velocity Δv at an even u in [0, T]: E[x²] = σ²T²/3, E[xv] = σ²T/2.
+        MotionFilter filter({1e-12, 1});
+        filter.restart({0, true, {0, 0}, Eigen::Matrix2d::Identity() * 1e-12}, 0, 0);
+        filter.predict({0.2});
+        filter.disturb(1.5, 0, 0.2);
+        const auto &covariance = filter.estimate().covariance;
+        QVERIFY(std::abs(covariance(0, 0) - 2.25 * 0.04 / 3) < 1e-9);
+        QVERIFY(std::abs(covariance(0, 2) - 2.25 * 0.1) < 1e-9);
+        QVERIFY(std::abs(covariance(3, 3) - 2.25) < 1e-9);
+        QVERIFY(covariance(4, 4) < 1e-9);
+    }
+
     void withoutProcessNoiseItIsAParabolaFit()
     {
         // q → 0: least squares of a parabola with equal weights (the start's ignorance is negligible: 1e4 σ).

@@ -119,7 +119,8 @@ void run(const Course &course, const Camera &camera, const Fault *fault, unsigne
 {
     for (unsigned seed = 0; seed < seeds; ++seed) {
         std::mt19937 random(1000 + seed);
-        SpikedTrack track = sampled(course, camera.framesPerSecond, 9, camera.sigmaM, random);
+        SpikedTrack track = sampled(course, camera.framesPerSecond, camera.framesPerSecond > 100 ? 6 : 9,
+                                    camera.sigmaM, random);
         if (fault)
             fault->add(track, random);
         flagSpikes(track.samples, {});
