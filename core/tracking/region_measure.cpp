@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/region_measure.h"
 
-#include <Eigen/Eigenvalues>
+#include "core/tracking/polygon_moments.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -198,23 +199,28 @@ void RegionMeasure::addEdge(const ChromaGrid &grid, const Blob &blob, const Regi
     }
 }
 
-RegionShape RegionMeasure::measure(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
-                                   const Chroma &expected)
+RegionShape RegionMeasure::look(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
+                                const Chroma &expected)
 {
     classify(mask);
     RegionShape shape;
-
     readColour(grid, blob, expected, shape);
+    shape.area = blob.area();
+    shape.centre = blob.centre();
+    shape.covariance = blob.covariance();
+    shape.centreCovariance = Eigen::Matrix2d::Identity() * 0.25;
+    return shape;
+}
+
+RegionShape RegionMeasure::measure(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
+                                   const Chroma &expected)
+{
+    RegionShape shape = look(grid, blob, mask, expected);
     Sums sums;
     addInside(grid, blob, sums);
     addEdge(grid, blob, mask, shape, sums);
-    if (sums.area < 1) {
-        shape.area = blob.area();
-        shape.centre = blob.centre();
-        shape.covariance = blob.covariance();
-        shape.centreCovariance = Eigen::Matrix2d::Identity() * 0.25;
+    if (sums.area < 1)
         return shape;
-    }
     const double a = sums.area, mx = sums.x / a, my = sums.y / a;
     shape.area = a;
     shape.centre = blob.centre() + Eigen::Vector2d(mx, my);
@@ -228,15 +234,8 @@ RegionShape RegionMeasure::measure(const ChromaGrid &grid, const Blob &blob, con
 
 Ellipse ellipseOf(const RegionShape &shape, const ChromaGrid &grid)
 {
-    const Eigen::Matrix2d cov = grid.scale.asDiagonal() * shape.covariance * grid.scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(cov);
-    Ellipse ellipse;
-    ellipse.centrePx = grid.toLuma(shape.centre);
-    ellipse.semiMinorPx = 2 * std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
-    ellipse.semiMajorPx = 2 * std::sqrt(std::max(0.0, solver.eigenvalues()[1]));
-    const Eigen::Vector2d axis = solver.eigenvectors().col(1);
-    ellipse.angleRad = std::atan2(axis.y(), axis.x());
-    return ellipse;
+    return ellipseOf(grid.toLuma(shape.centre),
+                     grid.scale.asDiagonal() * shape.covariance * grid.scale.asDiagonal());
 }
 
 } // namespace odo
