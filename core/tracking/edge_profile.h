@@ -15,7 +15,8 @@ public:
     static constexpr int mostSamples = 24;
 
     /// The first sample is centred at `first`; the next ones follow at `spacing`.
-    EdgeProfile(float first, float spacing) : m_begin(first - 0.5f * spacing), m_spacing(spacing), m_perSpacing(1 / spacing)
+    EdgeProfile(float first, float spacing)
+        : m_begin(first - 0.5f * spacing), m_spacing(spacing), m_perSpacing(1 / spacing)
     {
         m_sums[0] = 0;
     }
@@ -34,7 +35,8 @@ public:
     /// Sum from the begin of the profile up to a place.
     float upTo(float place) const
     {
-        const float at = std::clamp((place - m_begin) * m_perSpacing, 0.0f, static_cast<float>(m_count) - 0.001f);
+        const float at =
+            std::clamp((place - m_begin) * m_perSpacing, 0.0f, static_cast<float>(m_count) - 0.001f);
         const int i = static_cast<int>(at);
         return m_spacing * (m_sums[i] + (at - static_cast<float>(i)) * (m_sums[i + 1] - m_sums[i]));
     }
@@ -51,13 +53,15 @@ struct EdgeSearch
     float inward = 1;    ///< +1: the inside is at larger places; −1: at smaller ones
     float halfWidth = 1; ///< of the stretch about the edge that must be made up of inside and outside
     float reference = 1; ///< length of the stretches beside it that show what inside and outside are
-    bool leadOn = false; ///< the outside changes towards the edge, as a shadow does: led on along a straight line
+    bool leadOn =
+        false; ///< the outside changes towards the edge, as a shadow does: led on along a straight line
 };
 
 /// Moves `place` to where the edge must be for the samples about it to be the sum of both sides: exact for a
 /// step of any symmetric blur once repeated until it stays. Returns the contrast, inside less outside; when
 /// it is below the least the place stays.
-inline float moveToEdge(const EdgeProfile &profile, const EdgeSearch &search, float leastContrast, float &place)
+inline float moveToEdge(const EdgeProfile &profile, const EdgeSearch &search, float leastContrast,
+                        float &place)
 {
     const float h = search.halfWidth, r = search.reference, d = search.inward;
     // Sums up to the ends of the stretches, from the inside outwards.

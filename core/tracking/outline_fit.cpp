@@ -9,21 +9,25 @@ namespace odo {
 namespace {
 
 constexpr int mostLines = 160, leastLines = 16;
-constexpr float leastWidth = 18;    ///< luma pixels: of a smaller region the two sides disturb one another
+constexpr float leastWidth = 13;    ///< luma pixels: of a smaller region the two sides disturb one another
 constexpr float leastRoom = 5;      ///< luma pixels of the region on a line
-constexpr float leastShare = 0.6f;  ///< of lines that found an edge
+constexpr float leastShare = 0.4f;  ///< of lines that found an edge
 constexpr float leastContrast = 6;  ///< code values
 constexpr int chromaReach = 8;      ///< luma pixels on both sides of the start
 constexpr float farthest = 4;       ///< of the edge from the start
 constexpr float mostLag = 1.5f;     ///< of the luma's edge from the chroma's
 constexpr float stray = 2.5f;       ///< of an edge from the median of its neighbours
-constexpr float leastHeeded = 0.25f; ///< disagreement of luma and chroma along a side
+constexpr float mostReach = 8;      ///< of the luma on both sides of the place
+constexpr float leastHeeded = 0.5f; ///< disagreement of luma and chroma along a side
 constexpr float sharpHalfWidth = 0.75f, sharpReference = 0.75f;
-constexpr float exposureShare = 0.15f; ///< half of the time between two frames that a shutter is likely open
+constexpr float exposureShare =
+    0.05f; ///< of the time between two frames: much of the blur is symmetric and needs no room
+constexpr double unknownVariance = 0.15 * 0.15; ///< of an edge, where there are too few to tell
 constexpr double modelVariance = 0.01 * 0.01;
 
 /// The samples of a chroma plane pair along a line, as one figure: along the robot's colour.
-EdgeProfile chromaProfile(const ChromaGrid &grid, const ScanLine &line, int first, int count, const Chroma &along)
+EdgeProfile chromaProfile(const ChromaGrid &grid, const ScanLine &line, int first, int count,
+                          const Chroma &along)
 {
     const auto spacing = static_cast<float>(line.alongX ? grid.scale.x() : grid.scale.y());
     const auto offset = static_cast<float>(line.alongX ? grid.offset.x() : grid.offset.y());
@@ -41,7 +45,8 @@ EdgeProfile chromaProfile(const ChromaGrid &grid, const ScanLine &line, int firs
 EdgeProfile lumaProfile(const PlaneView &plane, const ScanLine &line, int first, int count, int lines)
 {
     EdgeProfile profile(static_cast<float>(first), 1);
-    const std::uint8_t *y = line.alongX ? plane.row(line.line * lines) + first : plane.row(first) + line.line * lines;
+    const std::uint8_t *y =
+        line.alongX ? plane.row(line.line * lines) + first : plane.row(first) + line.line * lines;
     const std::ptrdiff_t step = line.alongX ? 1 : plane.stride, across = line.alongX ? plane.stride : 1;
     const float scale = 1.0f / static_cast<float>(lines);
     for (int i = 0; i < count; ++i, y += step) {
@@ -82,10 +87,11 @@ bool OutlineFit::locateInLuma(const Frame &frame, const ScanLine &line, int line
     const float blur = std::max(0.0f, 0.9f - m_sharpness) * 4.0f;
     EdgeSearch search;
     search.inward = static_cast<float>(line.inward);
-    search.halfWidth = std::min(sharpHalfWidth + 0.4f * std::abs(line.slope) + blur + motion, 0.5f * line.room - 1);
+    search.halfWidth =
+        std::min(sharpHalfWidth + 0.4f * std::abs(line.slope) + blur + motion, 0.5f * line.room - 1);
     search.reference = sharpReference + 0.5f * blur;
     search.leadOn = true;
-    const float reach = search.halfWidth + 2 * search.reference + 2.5f;
+    const float reach = std::min(search.halfWidth + 2 * search.reference + 2.0f, mostReach);
     const int first = static_cast<int>(std::floor(place - reach));
     const int count = std::min(static_cast<int>(2 * reach) + 2, EdgeProfile::mostSamples);
     if (first < 0 || first + count > (line.alongX ? frame.y.width : frame.y.height))
@@ -100,8 +106,10 @@ bool OutlineFit::locateInLuma(const Frame &frame, const ScanLine &line, int line
     }
     if (motion < 0.5f && std::abs(line.slope) < 0.4f && luma.covers(place - 4, place + 4)) {
         const float d = search.inward;
-        const float wide = luma.mean(place + d * 2.5f, place + d * 4) - luma.mean(place - d * 4, place - d * 2.5f);
-        const float close = luma.mean(place + d * 0.75f, place + d * 1.5f) - luma.mean(place - d * 1.5f, place - d * 0.75f);
+        const float wide =
+            luma.mean(place + d * 2.5f, place + d * 4) - luma.mean(place - d * 4, place - d * 2.5f);
+        const float close =
+            luma.mean(place + d * 0.75f, place + d * 1.5f) - luma.mean(place - d * 1.5f, place - d * 0.75f);
         if (std::abs(wide) > 2 * leastContrast) {
             m_sharpnessSum += std::clamp(close / wide, 0.3f, 1.0f);
             ++m_sharpnessCount;
@@ -118,7 +126,8 @@ OutlineFit::Edge OutlineFit::locate(const Frame &frame, const ChromaGrid &grid, 
     const int lines = static_cast<int>(line.alongX ? grid.scale.y() : grid.scale.x());
     const auto offset = static_cast<float>(line.alongX ? grid.offset.x() : grid.offset.y());
     const int count = 2 * chromaReach / s;
-    const int first = static_cast<int>(std::lround((line.start - offset) / static_cast<float>(s))) - count / 2;
+    const int first =
+        static_cast<int>(std::lround((line.start - offset) / static_cast<float>(s))) - count / 2;
     if (line.room < leastRoom || first < 0 || first + count > (line.alongX ? grid.u.width : grid.u.height) ||
         (line.line + 1) * lines > (line.alongX ? frame.y.height : frame.y.width))
         return edge;
@@ -136,7 +145,8 @@ OutlineFit::Edge OutlineFit::locate(const Frame &frame, const ChromaGrid &grid, 
     const auto motion = static_cast<float>(line.alongX ? hint.motionPx.x() - line.slope * hint.motionPx.y()
                                                        : hint.motionPx.y() - line.slope * hint.motionPx.x());
     float lumaPlace = place;
-    edge.byLuma = locateInLuma(frame, line, lines, std::min(2.0f, exposureShare * std::abs(motion)), lumaPlace);
+    edge.byLuma =
+        locateInLuma(frame, line, lines, std::min(2.0f, exposureShare * std::abs(motion)), lumaPlace);
     edge.lag = edge.byLuma ? lumaPlace - place : 0;
     edge.outward = ((edge.byLuma ? lumaPlace : place) - line.start) * -static_cast<float>(line.inward);
     edge.good = std::abs(edge.outward) < farthest;
@@ -215,35 +225,44 @@ void OutlineFit::fillGaps(const std::vector<ScanLine> &lines)
     }
 }
 
-/// Variance of one line's edge, for lines taken as independent.
+/// Variance of one line's edge, for lines taken as independent: of what is left of a place when a cubic
+/// through its neighbours is taken away, so that neither slope nor curvature counts.
 double OutlineFit::varianceOfEdges(const std::vector<ScanLine> &lines)
 {
-    std::vector<float> &near = m_near, &far = m_far;
-    near.clear();
-    far.clear();
-    const std::size_t n = lines.size();
-    const auto alike = [&](std::size_t i, std::size_t j) {
-        return m_edges[j].good && lines[j].alongX == lines[i].alongX && lines[j].inward == lines[i].inward;
+    m_near.clear();
+    m_far.clear();
+    const int n = static_cast<int>(lines.size());
+    const auto leftOver = [&](int i, int step) -> float {
+        constexpr float weights[] = {-1.0f / 6, 4.0f / 6, -1, 4.0f / 6, -1.0f / 6};
+        float sum = 0;
+        for (int k = -2; k <= 2; ++k) {
+            const auto j = static_cast<std::size_t>((i + k * step + n) % n);
+            if (!m_edges[j].good || lines[j].alongX != lines[static_cast<std::size_t>(i)].alongX ||
+                lines[j].inward != lines[static_cast<std::size_t>(i)].inward)
+                return -1;
+            sum +=
+                weights[k + 2] * (lines[j].start - static_cast<float>(lines[j].inward) * m_edges[j].outward);
+        }
+        return std::abs(sum);
     };
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t a = (i + n - 1) % n, b = (i + 1) % n, c = (i + n - 2) % n, d = (i + 2) % n;
-        if (!m_edges[i].good || !alike(i, a) || !alike(i, b) || !alike(i, c) || !alike(i, d))
-            continue;
-        near.push_back(std::abs(m_edges[i].outward - 0.5f * (m_edges[a].outward + m_edges[b].outward)));
-        far.push_back(std::abs(m_edges[i].outward - 0.5f * (m_edges[c].outward + m_edges[d].outward)));
+    for (int i = 0; i < n; ++i) {
+        if (const float near = leftOver(i, 1); near >= 0)
+            m_near.push_back(near);
+        if (const float far = leftOver(i, 2); far >= 0)
+            m_far.push_back(far);
     }
-    if (near.size() < 6)
-        return 0.3 * 0.3;
-    // A median is 0.6745 standard deviations; a second difference has 3/2 of the variance.
-    constexpr double toVariance = 1 / (0.6745 * 0.6745 * 1.5);
-    const double nearSquare = std::pow(medianOf(near), 2), farSquare = std::pow(medianOf(far), 2);
-    const double shared = std::clamp(farSquare / std::max(nearSquare, 1e-6), 1.0, 4.0);
-    return toVariance * std::max(nearSquare, farSquare) * shared;
+    if (m_near.size() < 6 || m_far.size() < 6)
+        return unknownVariance;
+    // A median is 0.6745 standard deviations; the weights' squares sum to 70/36.
+    constexpr double toVariance = 36.0 / (0.6745 * 0.6745 * 70);
+    const double near = std::pow(medianOf(m_near), 2), far = std::pow(medianOf(m_far), 2);
+    return toVariance * near * std::clamp(far / std::max(near, 1e-6), 1.0, 4.0);
 }
 
 void OutlineFit::gather(const ChromaGrid &grid, const std::vector<ScanLine> &lines, Outline &outline)
 {
     outline.points.clear();
+    outline.found.clear();
     outline.lag = {};
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const ScanLine &line = lines[i];
@@ -252,6 +271,7 @@ void OutlineFit::gather(const ChromaGrid &grid, const std::vector<ScanLine> &lin
         const double across = line.line * perLine + 0.5 * (perLine - 1);
         const double along = static_cast<double>(line.start - static_cast<float>(line.inward) * edge.outward);
         outline.points.emplace_back(line.alongX ? along : across, line.alongX ? across : along);
+        outline.found.push_back(edge.good);
         if (edge.good && edge.byLuma) {
             const auto slope = static_cast<double>(line.slope);
             const Eigen::Vector2d row(line.alongX ? 1 : -slope, line.alongX ? -slope : 1);
@@ -266,17 +286,19 @@ void OutlineFit::gather(const ChromaGrid &grid, const std::vector<ScanLine> &lin
     outline.centreCovariance.setZero();
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const double pitch = m_scanLines.stride() * (lines[i].alongX ? grid.scale.y() : grid.scale.x());
-        const Eigen::Vector2d draw = (outline.points[i] - outline.moments.centre) * (pitch / outline.moments.area);
+        const Eigen::Vector2d draw =
+            (outline.points[i] - outline.moments.centre) * (pitch / outline.moments.area);
         outline.centreCovariance += variance * draw * draw.transpose();
     }
     outline.centreCovariance.diagonal().array() += modelVariance;
 }
 
-bool OutlineFit::fit(const Frame &frame, const ChromaGrid &grid, const RegionMask &mask, const OutlineHint &hint,
-                     Outline &outline)
+bool OutlineFit::fit(const Frame &frame, const ChromaGrid &grid, const RegionMask &mask,
+                     const OutlineHint &hint, Outline &outline)
 {
     const std::vector<ScanLine> &lines = m_scanLines.layAround(mask, grid, mostLines);
     outline.goodShare = 0;
+    outline.solidity = m_scanLines.solidity();
     if (m_scanLines.narrowestPx(grid) < leastWidth)
         return false;
     if (static_cast<int>(lines.size()) < leastLines)
@@ -290,7 +312,8 @@ bool OutlineFit::fit(const Frame &frame, const ChromaGrid &grid, const RegionMas
         m_edges.push_back(locate(frame, grid, line, unit));
     putOutliersAside();
     heedChroma(lines);
-    const auto good = std::count_if(m_edges.begin(), m_edges.end(), [](const Edge &edge) { return edge.good; });
+    const auto good =
+        std::count_if(m_edges.begin(), m_edges.end(), [](const Edge &edge) { return edge.good; });
     outline.goodShare = static_cast<double>(good) / static_cast<double>(lines.size());
     if (good < leastLines || outline.goodShare < static_cast<double>(leastShare))
         return false;

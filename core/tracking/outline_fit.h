@@ -20,8 +20,10 @@ struct ChromaLag
 struct Outline
 {
     std::vector<Eigen::Vector2d> points; ///< in order, clockwise on the screen
+    std::vector<std::uint8_t> found;     ///< 1 where an edge was found, 0 where the hull stands in
     OutlineMoments moments;
     Eigen::Matrix2d centreCovariance = Eigen::Matrix2d::Zero();
+    double solidity = 1;  ///< share of its hull that the region fills
     double goodShare = 0; ///< of the scan lines that found a clear edge
     ChromaLag lag;
 };
@@ -40,13 +42,13 @@ struct OutlineHint
 /// sum of inside and outside. That is exact for a straight edge of any symmetric blur, so that neither motion
 /// nor subsampling moves or widens the outline. The references are taken as close to the edge as the
 /// picture's sharpness (measured as well, and followed) allows: an edge between two faces of the robot
-/// farther in is not reached, and of a shadow at its foot only the slope matters, which is led on to the edge.
-/// Where the luma has no contrast, or disagrees by more than a pixel and a half, the chroma's edge stands;
-/// where it disagrees by less, but along a whole side, it is moved to the chroma's.
-/// Lines whose edge strays from their neighbours' are put aside, and their part of the outline is taken from
-/// the mask's hull, shifted as their neighbours were; likewise at corners too narrow for a line.
-/// The covariance is that of the lines' scatter about their neighbours; codec noise, of which neighbours
-/// share a part, counts by how much more lines two apart scatter than lines side by side.
+/// farther in is not reached, and of a shadow at its foot only the slope matters, which is led on to the
+/// edge. Where the luma has no contrast, or disagrees by more than a pixel and a half, the chroma's edge
+/// stands; where it disagrees by less, but along a whole side, it is moved to the chroma's. Lines whose edge
+/// strays from their neighbours' are put aside, and their part of the outline is taken from the mask's hull,
+/// shifted as their neighbours were; likewise at corners too narrow for a line. The covariance is that of the
+/// lines' scatter about their neighbours; codec noise, of which neighbours share a part, counts by how much
+/// more lines two apart scatter than lines side by side.
 class OutlineFit
 {
 public:
@@ -72,7 +74,7 @@ private:
     ScanLines m_scanLines;
     std::vector<Edge> m_edges;
     std::vector<float> m_shifts;
-    float m_sharpness = 1;                    ///< share of the contrast that the closest references show
+    float m_sharpness = 1; ///< share of the contrast that the closest references show
     float m_sharpnessSum = 0;
     int m_sharpnessCount = 0;
     std::vector<float> m_near, m_far; ///< scatter of the lines

@@ -34,10 +34,11 @@ public:
     /// reference up to 7 from there.
     static constexpr int reach = 10;
 
-    /// Colour and noise only, with the moments of the mask's samples, which are right to a sample: half of the
-    /// work, for a region whose outline is fitted otherwise. The mask must have been painted from the blob.
-    /// `expected` stands in where the region is too small to have a sample that is wholly inside.
-    RegionShape look(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask, const Chroma &expected);
+    /// Colour and noise only, with the moments of the mask's samples, which are right to a sample: half of
+    /// the work, for a region whose outline is fitted otherwise. The mask must have been painted from the
+    /// blob. `expected` stands in where the region is too small to have a sample that is wholly inside.
+    RegionShape look(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
+                     const Chroma &expected);
     /// All of it.
     RegionShape measure(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
                         const Chroma &expected);

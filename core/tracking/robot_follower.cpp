@@ -19,6 +19,7 @@ constexpr double relearnAfterS = 1.5; ///< lost for so long, the told colour is 
 constexpr int missesPerRelearning = 8;
 constexpr double leastRankInWindow = 0.02, leastRankInPicture = 0.15, leastFirstScore = 0.25;
 constexpr double sizeSigma = 0.2; ///< of the logarithm of the area, from one frame to the next
+constexpr double leastSolidity = 0.96, solidityGain = 0.1; ///< of a robot that is taken as convex
 constexpr std::size_t mostCandidates = 6;
 constexpr double leastColourSigma = 3.0, relativeColourSigma = 0.06; ///< of a region's mean, in code values
 constexpr double mostSizeCost = 12.0, mostColourCost = 16.0;
@@ -367,6 +368,8 @@ bool RobotFollower::acceptFound(const TrackedFrame &frame, const Candidate &cand
     m_areaPx = blob.area() * frame.lumaPerSample();
     m_areaRate = 0;
     m_predictor.start(frame.grid().toLuma(blob.centre()), frame.timeS());
+    m_memory.forget();
+    m_solidity = -1;
     observe(frame, blob, observation);
     keepSilhouette(frame, observation);
     return true;
@@ -375,19 +378,51 @@ bool RobotFollower::acceptFound(const TrackedFrame &frame, const Candidate &cand
 void RobotFollower::observe(const TrackedFrame &frame, const Blob &blob, Observation &observation)
 {
     m_finder.paint(blob, RegionMeasure::margin, m_mask);
-    const RegionShape shape = m_measure.measure(frame.grid(), blob, m_mask, m_model.expected());
-    const Eigen::Vector2d &scale = frame.grid().scale;
     const ChromaRect inner = frame.grid().bounds().grownBy(-1);
     m_atBorder = blob.box.left < inner.left || blob.box.top < inner.top || blob.box.right > inner.right ||
                  blob.box.bottom > inner.bottom;
     observation.found = true;
+    observation.touchesBorder = m_atBorder;
+    RegionShape shape = m_measure.look(frame.grid(), blob, m_mask, m_model.expected());
+    double trust = 1;
+    if (!m_atBorder && fitOutline(frame, shape)) {
+        const OutlineVerdict verdict = m_memory.judge(m_outline, frame.timeS());
+        adopt(frame, verdict, shape);
+        trust = verdict.trust;
+    } else {
+        m_outline.points.clear();
+        shape = m_measure.measure(frame.grid(), blob, m_mask, m_model.expected());
+    }
+    const Eigen::Vector2d &scale = frame.grid().scale;
     observation.ellipse = ellipseOf(shape, frame.grid());
     observation.centreCovariancePx2 = scale.asDiagonal() * shape.centreCovariance * scale.asDiagonal();
     observation.areaPx = shape.area * frame.lumaPerSample();
-    observation.touchesBorder = m_atBorder;
     observation.meanChroma = shape.colour;
-    observation.score = scoreOf(frame, blob, shape);
+    observation.score = trust * scoreOf(frame, blob, shape);
     update(frame, blob, shape, observation);
+}
+
+/// Fits the outline of a robot that is convex as a rule: then a region that is not for once has something else
+/// in it, or before it.
+bool RobotFollower::fitOutline(const TrackedFrame &frame, const RegionShape &shape)
+{
+    const Eigen::Vector2d motionPx = m_predictor.velocity() * (frame.timeS() - m_predictor.lastTimeS());
+    const bool fitted =
+        m_outlineFit.fit(frame.frame(), frame.grid(), m_mask, {shape.colour, motionPx}, m_outline);
+    m_solidity = m_solidity < 0 ? m_outline.solidity
+                                : m_solidity + solidityGain * (m_outline.solidity - m_solidity);
+    return fitted && m_solidity > leastSolidity;
+}
+
+/// The shape becomes that of the outline.
+void RobotFollower::adopt(const TrackedFrame &frame, const OutlineVerdict &verdict, RegionShape &shape) const
+{
+    const Eigen::Vector2d perLuma = frame.grid().scale.cwiseInverse();
+    shape.area = verdict.moments.area / frame.lumaPerSample();
+    shape.centre = frame.grid().fromLuma(verdict.moments.centre);
+    shape.covariance = perLuma.asDiagonal() * verdict.moments.covariance * perLuma.asDiagonal();
+    shape.centreCovariance =
+        perLuma.asDiagonal() * (m_outline.centreCovariance + verdict.doubt) * perLuma.asDiagonal();
 }
 
 double RobotFollower::scoreOf(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape) const

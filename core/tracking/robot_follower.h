@@ -3,6 +3,7 @@
 
 #include "core/tracking/colour_model.h"
 #include "core/tracking/motion_predictor.h"
+#include "core/tracking/outline_memory.h"
 #include "core/tracking/region_measure.h"
 
 #include <Eigen/Geometry>
@@ -140,6 +141,8 @@ private:
     bool learnFrom(const TrackedFrame &frame, const Candidate &candidate, const ChromaDensity &background,
                    Blob &blob);
     void observe(const TrackedFrame &frame, const Blob &blob, Observation &observation);
+    bool fitOutline(const TrackedFrame &frame, const RegionShape &shape);
+    void adopt(const TrackedFrame &frame, const OutlineVerdict &verdict, RegionShape &shape) const;
     double scoreOf(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape) const;
     void keepSilhouette(const TrackedFrame &frame, const Observation &observation);
     void doubtWhenTouched(Observation &observation) const;
@@ -155,10 +158,14 @@ private:
     RegionMask m_mask, m_silhouette;
     Eigen::Vector2d m_silhouetteCentre = Eigen::Vector2d::Zero();
     RegionMeasure m_measure;
+    OutlineFit m_outlineFit;
+    OutlineMemory m_memory;
+    Outline m_outline; ///< of the last observation; without points where none was fitted
     std::vector<Candidate> m_candidates;
     std::vector<Stranger> m_strangers;
     ChromaRect m_occupied;
     Ellipse m_ellipse;                                      ///< as last seen alone or touched
+    double m_solidity = -1;                                 ///< running mean; below 0 before the first
     double m_areaPx = 0;                                    ///< expected in the next frame
     double m_areaRate = 0;                                  ///< of its logarithm, a frame
     double m_radiusPx = 0;                                  ///< of the circle of that area

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 namespace odo {
 
@@ -32,18 +33,29 @@ void ScanLines::findHull(const RegionMask &mask)
     m_left.clear();
     m_corners.clear();
     const int width = mask.area.width();
+    int filled = 0;
     for (int y = mask.area.top; y < mask.area.bottom; ++y) {
         const std::uint8_t *row = mask.row(y);
-        const auto *first = static_cast<const std::uint8_t *>(std::memchr(row, 1, static_cast<std::size_t>(width)));
+        const auto *first =
+            static_cast<const std::uint8_t *>(std::memchr(row, 1, static_cast<std::size_t>(width)));
         if (!first)
             continue;
         int last = width - 1;
         while (!row[last])
             --last;
+        filled += static_cast<int>(std::count(first, row + last + 1, std::uint8_t{1}));
         extendChain(m_corners, {mask.area.left + last, y}, 1);
         extendChain(m_left, {mask.area.left + static_cast<int>(first - row), y}, -1);
     }
     m_corners.insert(m_corners.end(), m_left.rbegin(), m_left.rend());
+    // By Pick's theorem, whose points are the samples.
+    int twice = 0, rim = 0;
+    for (std::size_t i = 0; i < m_corners.size(); ++i) {
+        const Eigen::Vector2i &a = m_corners[i], &b = m_corners[(i + 1) % m_corners.size()];
+        twice += a.x() * b.y() - a.y() * b.x();
+        rim += std::gcd(a.x() - b.x(), a.y() - b.y());
+    }
+    m_solidity = 2.0 * filled / (std::abs(twice) + rim + 2);
 }
 
 void ScanLines::fillSpans(const RegionMask &mask)
@@ -53,13 +65,15 @@ void ScanLines::fillSpans(const RegionMask &mask)
     for (std::size_t i = 0; i < m_corners.size(); ++i) {
         const Eigen::Vector2i a = m_corners[i], b = m_corners[(i + 1) % m_corners.size()], d = b - a;
         if (d.y() != 0) {
-            const float sign = d.y() > 0 ? 1.0f : -1.0f, slope = static_cast<float>(d.x()) / static_cast<float>(d.y());
+            const float sign = d.y() > 0 ? 1.0f : -1.0f,
+                        slope = static_cast<float>(d.x()) / static_cast<float>(d.y());
             for (int y = std::min(a.y(), b.y()); y < std::max(a.y(), b.y()); ++y)
                 m_spanX[static_cast<std::size_t>(y - mask.area.top)] +=
                     sign * (static_cast<float>(a.x()) + static_cast<float>(y - a.y()) * slope);
         }
         if (d.x() != 0) {
-            const float sign = d.x() < 0 ? 1.0f : -1.0f, slope = static_cast<float>(d.y()) / static_cast<float>(d.x());
+            const float sign = d.x() < 0 ? 1.0f : -1.0f,
+                        slope = static_cast<float>(d.y()) / static_cast<float>(d.x());
             for (int x = std::min(a.x(), b.x()); x < std::max(a.x(), b.x()); ++x)
                 m_spanY[static_cast<std::size_t>(x - mask.area.left)] +=
                     sign * (static_cast<float>(a.y()) + static_cast<float>(x - a.x()) * slope);
@@ -100,18 +114,20 @@ const std::vector<ScanLine> &ScanLines::layAround(const RegionMask &mask, const 
             continue;
         const int forward = (scan.alongX ? d.y() : d.x()) > 0 ? 1 : -1;
         scan.inward = scan.alongX ? -forward : forward;
-        const float s = scan.alongX ? sx : sy, perLine = scan.alongX ? static_cast<float>(d.x()) / static_cast<float>(d.y())
-                                                                     : static_cast<float>(d.y()) / static_cast<float>(d.x());
+        const float s = scan.alongX ? sx : sy,
+                    perLine = scan.alongX ? static_cast<float>(d.x()) / static_cast<float>(d.y())
+                                          : static_cast<float>(d.y()) / static_cast<float>(d.x());
         scan.slope = perLine * s / (scan.alongX ? sy : sx);
         const auto offset = static_cast<float>(scan.alongX ? grid.offset.x() : grid.offset.y());
         for (int k = 0; k <= count; ++k) {
             scan.line = (scan.alongX ? a.y() : a.x()) + forward * k;
             if (m_stride > 1 && scan.line % m_stride != 0)
                 continue;
-            if (!m_lines.empty() && m_lines.back().line == scan.line && m_lines.back().alongX == scan.alongX &&
-                m_lines.back().inward == scan.inward)
+            if (!m_lines.empty() && m_lines.back().line == scan.line &&
+                m_lines.back().alongX == scan.alongX && m_lines.back().inward == scan.inward)
                 continue;
-            const float at = static_cast<float>(scan.alongX ? a.x() : a.y()) + perLine * static_cast<float>(forward * k);
+            const float at =
+                static_cast<float>(scan.alongX ? a.x() : a.y()) + perLine * static_cast<float>(forward * k);
             scan.start = at * s + offset - beyondMask * s * static_cast<float>(scan.inward);
             scan.room = s * (scan.alongX ? m_spanX[static_cast<std::size_t>(scan.line - mask.area.top)]
                                          : m_spanY[static_cast<std::size_t>(scan.line - mask.area.left)]);

@@ -29,6 +29,8 @@ public:
     const std::vector<ScanLine> &layAround(const RegionMask &mask, const ChromaGrid &grid, int most);
     /// The smaller of the hull's greatest lengths along rows and along columns, luma pixels.
     float narrowestPx(const ChromaGrid &grid) const;
+    /// Share of the hull that the mask fills: near 1 for a convex region.
+    double solidity() const { return m_solidity; }
     int stride() const { return m_stride; } ///< lines from one to the next
 
 private:
@@ -39,6 +41,7 @@ private:
     std::vector<float> m_spanX, m_spanY;            ///< length of the hull on each row and column, samples
     std::vector<ScanLine> m_lines;
     int m_stride = 1;
+    double m_solidity = 1;
 };
 
 } // namespace odo

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/outline_fit.h"
+
+#include <array>
+
+namespace odo {
+
+/// What an outline is worth beside the one seen before it.
+struct OutlineVerdict
+{
+    enum class As {
+        Seen,      ///< it changed as a robot's does that moves, turns and comes nearer
+        Repaired,  ///< a part of it did not: the shape seen before, laid over the rest
+        Unreliable ///< too much of it did not
+    } as = As::Seen;
+    OutlineMoments moments;
+    Eigen::Matrix2d doubt = Eigen::Matrix2d::Zero(); ///< what to add to the centre's covariance, px²
+    double trust = 1;                                ///< factor of the score
+};
+
+/// Remembers a robot's outline, as its distance from its centre in each direction, and tells a reflection
+/// that has grown together with it, or a thing that hides a part of it, from the robot's own motion.
+///
+/// The new outline is laid over the remembered one by a shift, a turn and a scale, robustly (Tukey's
+/// biweight, iterated): where more than a small part of it keeps away from that, and draws the centre with
+/// it, it is no longer the robot's alone. Then the remembered shape, moved as the rest has moved, stands in
+/// its place, with less trust; or, when less than a good half agrees, the outline is called unreliable. A
+/// change that stays is believed in the end: growth after half a second, for a robot may have been partly
+/// hidden; loss only after two, for what hides it may stay.
+class OutlineMemory
+{
+public:
+    void forget() { m_known = false; }
+    OutlineVerdict judge(const Outline &outline, double timeS);
+
+private:
+    static constexpr int directions = 64;
+    struct Overlay
+    {
+        Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+        double scale = 0, turn = 0;             ///< relative; in steps of the directions
+        double agreeing = 0;                    ///< share of the outline's points
+        double strayingOut = 0, strayingIn = 0; ///< shares of those that do not
+        double residual = 0;                    ///< rms of those that agree, px
+    };
+    static double directionOf(const Eigen::Vector2d &offset);
+    double radiusAt(double direction) const;
+    void keep(const Outline &outline, double timeS);
+    Overlay lay(const Outline &outline, double timeS) const;
+    OutlineVerdict replaceBy(const Overlay &overlay, double timeS);
+
+    bool m_known = false;
+    std::array<float, directions> m_radii{};
+    OutlineMoments m_moments;
+    double m_meanRadius = 0;
+    double m_keptS = 0, m_disturbedSinceS = 0, m_lastS = 0;
+    bool m_disturbed = false;
+};
+
+} // namespace odo
