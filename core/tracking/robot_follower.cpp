@@ -20,6 +20,7 @@ constexpr int missesPerRelearning = 8;
 constexpr double leastRankInWindow = 0.02, leastRankInPicture = 0.15, leastFirstScore = 0.25;
 constexpr double sizeSigma = 0.2; ///< of the logarithm of the area, from one frame to the next
 constexpr double leastSolidity = 0.96, solidityGain = 0.1; ///< of a robot that is taken as convex
+constexpr double mostSizeNoise = 0.12; ///< of the area of a small robot, from frame to frame
 constexpr std::size_t mostCandidates = 6;
 constexpr double leastColourSigma = 3.0, relativeColourSigma = 0.06; ///< of a region's mean, in code values
 constexpr double mostSizeCost = 12.0, mostColourCost = 16.0;
@@ -397,6 +398,8 @@ void RobotFollower::observe(const TrackedFrame &frame, const Blob &blob, Observa
     observation.ellipse = ellipseOf(shape, frame.grid());
     observation.centreCovariancePx2 = scale.asDiagonal() * shape.centreCovariance * scale.asDiagonal();
     observation.areaPx = shape.area * frame.lumaPerSample();
+    if (m_outline.points.empty() && !m_atBorder)
+        doubtSize(observation);
     observation.meanChroma = shape.colour;
     observation.score = trust * scoreOf(frame, blob, shape);
     update(frame, blob, shape, observation);
@@ -412,6 +415,17 @@ bool RobotFollower::fitOutline(const TrackedFrame &frame, const RegionShape &sha
     m_solidity = m_solidity < 0 ? m_outline.solidity
                                 : m_solidity + solidityGain * (m_outline.solidity - m_solidity);
     return fitted && m_solidity > leastSolidity;
+}
+
+/// Moments alone cannot tell a cover or a merge from the robot: an area that is not the expected one has moved
+/// the centre by as much of the radius, at most.
+void RobotFollower::doubtSize(Observation &observation) const
+{
+    const double off = std::abs(1 - observation.areaPx / m_areaPx);
+    if (off < mostSizeNoise)
+        return;
+    const double shift = std::min(off, 1.0) * m_radiusPx;
+    observation.centreCovariancePx2 += Eigen::Matrix2d::Identity() * shift * shift;
 }
 
 /// The shape becomes that of the outline.

@@ -143,6 +143,7 @@ private:
     void observe(const TrackedFrame &frame, const Blob &blob, Observation &observation);
     bool fitOutline(const TrackedFrame &frame, const RegionShape &shape);
     void adopt(const TrackedFrame &frame, const OutlineVerdict &verdict, RegionShape &shape) const;
+    void doubtSize(Observation &observation) const;
     double scoreOf(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape) const;
     void keepSilhouette(const TrackedFrame &frame, const Observation &observation);
     void doubtWhenTouched(Observation &observation) const;
