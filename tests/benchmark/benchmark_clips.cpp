@@ -28,7 +28,7 @@ SimulatedScene sceneOfDiscs(double durationS, ChromaSiting siting)
         disc.colour = colours[i];
         disc.shape = SimulatedShape::Cylinder;
         disc.lengthM = disc.widthM = 0.2;
-        disc.heightM = 0.002;
+        disc.heightM = 0.0001;
         disc.motion = makeFigureEightMotion({1.5, 0.45 + 0.65 * i}, 0.9, 0.12, 4.0 + 0.7 * i, 0.8);
         scene.robots.push_back(std::move(disc));
     }
@@ -115,7 +115,7 @@ Vector2d BenchmarkClip::trueHalfSize(std::size_t robot, std::int64_t frame) cons
 
 Result<BenchmarkClips> provideClips(const std::filesystem::path &folder, double durationS)
 {
-    const std::string name = "discs-" + std::to_string(static_cast<int>(durationS)) + "s";
+    const std::string name = "flat-discs-" + std::to_string(static_cast<int>(durationS)) + "s";
     VideoWriterOptions options;
     auto h264 = provide(folder / (name + ".mp4"), durationS, ChromaSiting::Left, options);
     if (!h264)
