@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/outline_fit.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -22,6 +23,8 @@ constexpr float leastHeeded = 0.5f; ///< disagreement of luma and chroma along a
 constexpr float sharpHalfWidth = 0.75f, sharpReference = 0.75f;
 constexpr float exposureShare =
     0.05f; ///< of the time between two frames: much of the blur is symmetric and needs no room
+constexpr int fitsForLag = 100;
+constexpr double leastLag = 0.25;   ///< luma pixels
 constexpr double unknownVariance = 0.15 * 0.15; ///< of an edge, where there are too few to tell
 constexpr double modelVariance = 0.01 * 0.01;
 
@@ -142,6 +145,8 @@ OutlineFit::Edge OutlineFit::locate(const Frame &frame, const ChromaGrid &grid, 
     // The chroma's row may lie beside the luma's: along a slanted edge that is a shift.
     const auto across = static_cast<float>(line.alongX ? grid.offset.y() : grid.offset.x());
     place += line.slope * (0.5f * static_cast<float>(lines - 1) - across);
+    place += static_cast<float>(line.alongX ? m_lag.x() : m_lag.y()) -
+             line.slope * static_cast<float>(line.alongX ? m_lag.y() : m_lag.x());
     const auto motion = static_cast<float>(line.alongX ? hint.motionPx.x() - line.slope * hint.motionPx.y()
                                                        : hint.motionPx.y() - line.slope * hint.motionPx.x());
     float lumaPlace = place;
@@ -293,6 +298,21 @@ void OutlineFit::gather(const ChromaGrid &grid, const std::vector<ScanLine> &lin
     outline.centreCovariance.diagonal().array() += modelVariance;
 }
 
+/// The chroma's samples lie elsewhere than the stream says when its edges keep away from the luma's, everywhere
+/// in the same direction. A siting is wrong by half a pixel or not at all; less is shading.
+void OutlineFit::learnLag(const ChromaLag &lag)
+{
+    if (m_lagFits >= fitsForLag)
+        return;
+    m_lagSums.normal += lag.normal;
+    m_lagSums.right += lag.right;
+    if (++m_lagFits < fitsForLag)
+        return;
+    const Eigen::Vector2d mean = m_lagSums.normal.inverse() * m_lagSums.right;
+    for (int axis = 0; axis < 2; ++axis)
+        m_lag[axis] = std::abs(mean[axis]) > leastLag ? std::copysign(0.5, mean[axis]) : 0.0;
+}
+
 bool OutlineFit::fit(const Frame &frame, const ChromaGrid &grid, const RegionMask &mask,
                      const OutlineHint &hint, Outline &outline)
 {
@@ -321,6 +341,7 @@ bool OutlineFit::fit(const Frame &frame, const ChromaGrid &grid, const RegionMas
         m_sharpness += 0.2f * (m_sharpnessSum / static_cast<float>(m_sharpnessCount) - m_sharpness);
     fillGaps(lines);
     gather(grid, lines, outline);
+    learnLag(outline.lag);
     return outline.moments.area > 0;
 }
 

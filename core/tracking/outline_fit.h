@@ -71,6 +71,11 @@ private:
     void gather(const ChromaGrid &grid, const std::vector<ScanLine> &lines, Outline &outline);
     double varianceOfEdges(const std::vector<ScanLine> &lines);
 
+    void learnLag(const ChromaLag &lag);
+
+    ChromaLag m_lagSums;
+    Eigen::Vector2d m_lag = Eigen::Vector2d::Zero(); ///< by which the chroma's places are corrected
+    int m_lagFits = 0;
     ScanLines m_scanLines;
     std::vector<Edge> m_edges;
     std::vector<float> m_shifts;
