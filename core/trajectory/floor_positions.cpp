@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/floor_positions.h"
 
+#include "core/trajectory/repeated_pictures.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -26,19 +28,19 @@ Eigen::Matrix2d usableCovariance(const Eigen::Matrix2d &covariancePx2)
 }
 
 /// What an observation says, but for the place.
-Sighting sightingOf(const ViewTrack &view, const Observation &observation)
+Sighting sightingOf(const ViewTrack &view, const Observation &observation, bool repeated)
 {
     Sighting sighting;
     sighting.time = observation.time + view.startOffset;
     sighting.score = observation.score;
     sighting.cut = observation.touchesBorder;
-    sighting.duplicate = observation.found && observation.duplicateFrame;
+    sighting.duplicate = observation.found && (observation.duplicateFrame || repeated);
     return sighting;
 }
 
-bool canBePlaced(const Observation &observation)
+bool canBePlaced(const Observation &observation, const Sighting &sighting)
 {
-    return observation.found && !observation.duplicateFrame && observation.ellipse.centrePx.allFinite();
+    return observation.found && !sighting.duplicate && observation.ellipse.centrePx.allFinite();
 }
 
 void layAt(Sighting &sighting, const FloorView &view, const Eigen::Vector2d &pixel,
@@ -57,9 +59,11 @@ std::vector<Sighting> placeObservations(const ViewTrack &view, double planeM)
 {
     std::vector<Sighting> sightings;
     sightings.reserve(view.observations.size());
-    for (const Observation &observation : view.observations) {
-        Sighting sighting = sightingOf(view, observation);
-        if (canBePlaced(observation))
+    const std::vector<bool> repeated = repeatedPictures(view.observations);
+    for (std::size_t i = 0; i < view.observations.size(); ++i) {
+        const Observation &observation = view.observations[i];
+        Sighting sighting = sightingOf(view, observation, repeated[i]);
+        if (canBePlaced(observation, sighting))
             layAt(sighting, *view.floorView, observation.ellipse.centrePx,
                   usableCovariance(observation.centreCovariancePx2), planeM);
         sightings.push_back(sighting);
@@ -148,11 +152,12 @@ std::vector<Sighting> placeBody(const ViewTrack &view, const SolidShape &shape,
 {
     std::vector<Sighting> sightings;
     std::vector<double> excess(view.observations.size()), areaShares;
+    const std::vector<bool> repeated = repeatedPictures(view.observations);
     sightings.reserve(view.observations.size());
     for (std::size_t i = 0; i < view.observations.size(); ++i) {
         const Observation &observation = view.observations[i];
-        Sighting sighting = sightingOf(view, observation);
-        const auto pixel = canBePlaced(observation)
+        Sighting sighting = sightingOf(view, observation, repeated[i]);
+        const auto pixel = canBePlaced(observation, sighting)
                                ? bodyPixel(*view.floorView, shape, observation.ellipse.centrePx, axes[i])
                                : std::nullopt;
         if (pixel)
