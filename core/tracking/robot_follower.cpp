@@ -18,6 +18,8 @@ constexpr int missesUntilLost = 1, missesWhileHidden = 30;
 constexpr double relearnAfterS = 1.5; ///< lost for so long, the told colour is believed again
 constexpr int missesPerRelearning = 8;
 constexpr double leastRankInWindow = 0.02, leastRankInPicture = 0.15, leastFirstScore = 0.25;
+constexpr double steadyChange = 0.025; ///< of the logarithm of the area, from one frame to the next
+constexpr int steadyEnough = 8;
 constexpr double sizeSigma = 0.2; ///< of the logarithm of the area, from one frame to the next
 constexpr double leastSolidity = 0.96, solidityGain = 0.1; ///< of a robot that is taken as convex
 constexpr double mostSizeNoise = 0.12; ///< of the area of a small robot, from frame to frame
@@ -366,8 +368,9 @@ bool RobotFollower::acceptFound(const TrackedFrame &frame, const Candidate &cand
     const bool known = candidate.by == Candidate::By::LearnedColour;
     if (!(known ? lookAgain(frame, candidate, blob) : learnFrom(frame, candidate, background, blob)))
         return false;
-    m_areaPx = blob.area() * frame.lumaPerSample();
+    m_areaPx = m_lastAreaPx = blob.area() * frame.lumaPerSample();
     m_areaRate = 0;
+    m_steadyFrames = 0;
     m_predictor.start(frame.grid().toLuma(blob.centre()), frame.timeS());
     m_memory.forget();
     m_solidity = -1;
@@ -405,20 +408,20 @@ void RobotFollower::observe(const TrackedFrame &frame, const Blob &blob, Observa
     update(frame, blob, shape, observation);
 }
 
-/// Fits the outline of a robot that is convex as a rule: then a region that is not for once has something else
-/// in it, or before it.
+/// Fits the outline of a robot that is convex as a rule: then a region that is not for once has something
+/// else in it, or before it.
 bool RobotFollower::fitOutline(const TrackedFrame &frame, const RegionShape &shape)
 {
     const Eigen::Vector2d motionPx = m_predictor.velocity() * (frame.timeS() - m_predictor.lastTimeS());
     const bool fitted =
         m_outlineFit.fit(frame.frame(), frame.grid(), m_mask, {shape.colour, motionPx}, m_outline);
-    m_solidity = m_solidity < 0 ? m_outline.solidity
-                                : m_solidity + solidityGain * (m_outline.solidity - m_solidity);
+    m_solidity =
+        m_solidity < 0 ? m_outline.solidity : m_solidity + solidityGain * (m_outline.solidity - m_solidity);
     return fitted && m_solidity > leastSolidity;
 }
 
-/// Moments alone cannot tell a cover or a merge from the robot: an area that is not the expected one has moved
-/// the centre by as much of the radius, at most.
+/// Moments alone cannot tell a cover or a merge from the robot: an area that is not the expected one has
+/// moved the centre by as much of the radius, at most.
 void RobotFollower::doubtSize(Observation &observation) const
 {
     const double off = std::abs(1 - observation.areaPx / m_areaPx);
@@ -450,8 +453,8 @@ double RobotFollower::scoreOf(const TrackedFrame &frame, const Blob &blob, const
 }
 
 /// A robot that turns or comes nearer changes smoothly, at a rate that is followed; what changes at once has
-/// merged with something or is partly hidden, and is believed only when it stays so. At the border only
-/// growth tells of the whole.
+/// merged with something or is partly hidden, and is believed only when it has stayed so for some frames. At
+/// the border only growth tells of the whole.
 void RobotFollower::followArea(double seenPx)
 {
     if (m_touched)
@@ -461,8 +464,11 @@ void RobotFollower::followArea(double seenPx)
         m_areaRate = 0;
         return;
     }
+    const double change = std::log(seenPx / m_lastAreaPx);
+    m_lastAreaPx = seenPx;
+    m_steadyFrames = std::abs(change) < steadyChange ? m_steadyFrames + 1 : 0;
     const double surprise = std::log(seenPx / m_areaPx);
-    const double trust = bellOf(surprise / 0.13);
+    const double trust = m_steadyFrames >= steadyEnough ? 1 : bellOf(surprise / 0.13);
     // Without trust the rate dies away, so that the expectation never runs off by itself.
     m_areaRate = (0.5 + 0.5 * trust) * std::clamp(m_areaRate + 0.3 * trust * surprise, -0.15, 0.15);
     m_areaPx *= std::exp((0.03 + 0.47 * trust) * surprise + m_areaRate);

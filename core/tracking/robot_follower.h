@@ -168,6 +168,8 @@ private:
     Ellipse m_ellipse;                                      ///< as last seen alone or touched
     double m_solidity = -1;                                 ///< running mean; below 0 before the first
     double m_areaPx = 0;                                    ///< expected in the next frame
+    double m_lastAreaPx = 1;                                ///< seen in the last frame
+    int m_steadyFrames = 0;                                 ///< during which the area seen hardly changed
     double m_areaRate = 0;                                  ///< of its logarithm, a frame
     double m_radiusPx = 0;                                  ///< of the circle of that area
     Eigen::Vector2d m_halfSizePx = Eigen::Vector2d::Zero(); ///< of the last ellipse along x and y

@@ -143,10 +143,10 @@ std::optional<PlacedRobot> placeSolid(const std::vector<ViewTrack> &views,
     if (!estimate)
         return std::nullopt;
     const SolidShape &shape = estimate->shape;
-    const auto axes = trackAxis(views, shape);
     PlacedRobot placed;
+    const auto seen = placeBody(views, shape, trackAxis(views, shape));
     for (std::size_t v = 0; v < views.size(); ++v)
-        placed.views.push_back(views[v].floorView ? sightingsAt(times, placeBody(views[v], shape, axes[v]))
+        placed.views.push_back(views[v].floorView ? sightingsAt(times, seen[v])
                                                   : std::vector<Sighting>(times.size()));
     const double sigmaTopM = estimate->heightEstimated ? estimate->sigmaTopM : toldHeightSigmaM;
     placed.planeSigmaM = sigmaTopM * middleHeightM(shape) / shape.topM;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double unknownSigmaPx = 0.5;
 constexpr std::size_t leastClear = 10;
+constexpr double largestUsualExcess = 0.15; // of the area's logarithm
 constexpr double oddAreaScatter = 5,
                  oddAreaDoubts = 4;  // times the usual scatter, and times the doubt about outlines
 constexpr double leastSigmaPx = 0.1; // what all edges of an outline share, whatever the noise of each says
@@ -125,35 +126,22 @@ double medianOf(std::vector<double> values)
     return *middle;
 }
 
-/// Takes the score of outlines that are larger or smaller than this view usually sees the solid.
-void doubtOddAreas(std::vector<Sighting> &sightings, const std::vector<double> &excess, double areaShare)
-{
-    std::vector<double> clear;
-    for (std::size_t i = 0; i < sightings.size(); ++i) {
-        if (sightings[i].seen && !sightings[i].cut)
-            clear.push_back(excess[i]);
-    }
-    if (clear.size() < leastClear)
-        return;
-    const double usual = medianOf(clear);
-    for (double &one : clear)
-        one = std::abs(one - usual);
-    const double limit = std::max(oddAreaScatter * 1.4826 * medianOf(clear), oddAreaDoubts * areaShare);
-    for (std::size_t i = 0; i < sightings.size(); ++i) {
-        if (sightings[i].seen && !sightings[i].cut && std::abs(excess[i] - usual) > limit)
-            sightings[i].score = 0;
-    }
-}
-
-} // namespace
-
-std::vector<Sighting> placeBody(const ViewTrack &view, const SolidShape &shape,
-                                const std::vector<BodyAxis> &axes)
+/// One view's sightings of the body, with what its outlines' areas say.
+struct BodySightings
 {
     std::vector<Sighting> sightings;
-    std::vector<double> excess(view.observations.size()), areaShares;
+    std::vector<double> excess; ///< of the area's logarithm, for each
+    std::vector<double> clear;  ///< of those that are not cut
+    double areaShare = 0;       ///< the usual doubt about an area
+};
+
+BodySightings placeInView(const ViewTrack &view, const SolidShape &shape, const std::vector<BodyAxis> &axes)
+{
+    BodySightings placed;
+    placed.excess.resize(view.observations.size());
+    placed.sightings.reserve(view.observations.size());
     const std::vector<bool> repeated = repeatedPictures(view.observations);
-    sightings.reserve(view.observations.size());
+    std::vector<double> areaShares;
     for (std::size_t i = 0; i < view.observations.size(); ++i) {
         const Observation &observation = view.observations[i];
         Sighting sighting = sightingOf(view, observation, repeated[i]);
@@ -165,13 +153,72 @@ std::vector<Sighting> placeBody(const ViewTrack &view, const SolidShape &shape,
                   usableCovariance(observation.centreCovariancePx2) + pixel->covariance,
                   middleHeightM(shape));
         if (sighting.seen) {
-            excess[i] = areaExcess(*view.floorView, shape, observation, sighting, axes[i]);
+            placed.excess[i] = areaExcess(*view.floorView, shape, observation, sighting, axes[i]);
             areaShares.push_back(sigmaOfOutline(outlineMoments(observation)).areaShare);
+            if (!sighting.cut)
+                placed.clear.push_back(placed.excess[i]);
         }
-        sightings.push_back(sighting);
+        placed.sightings.push_back(sighting);
     }
-    if (!areaShares.empty())
-        doubtOddAreas(sightings, excess, medianOf(std::move(areaShares)));
+    placed.areaShare = areaShares.empty() ? 0 : medianOf(std::move(areaShares));
+    return placed;
+}
+
+/// Takes the score of outlines that are larger or smaller than a view usually sees the solid.
+void doubtOddAreas(BodySightings &placed, double usual)
+{
+    std::vector<double> deviations;
+    for (const double excess : placed.clear) {
+        if (std::abs(excess - usual) < largestUsualExcess)
+            deviations.push_back(std::abs(excess - usual));
+    }
+    const double scatter = deviations.empty() ? 0 : 1.4826 * medianOf(std::move(deviations));
+    const double limit = std::max(oddAreaScatter * scatter, oddAreaDoubts * placed.areaShare);
+    for (std::size_t i = 0; i < placed.sightings.size(); ++i) {
+        Sighting &sighting = placed.sightings[i];
+        if (sighting.seen && !sighting.cut && std::abs(placed.excess[i] - usual) > limit)
+            sighting.score = 0;
+    }
+}
+
+/// What a view usually sees too much or too little of the solid. A view that mostly sees only a part of it
+/// must not take that for the rule: then it is as for the view that fits best.
+std::vector<double> usualExcess(const std::vector<BodySightings> &views)
+{
+    std::vector<double> usual;
+    double best = HUGE_VAL;
+    for (const BodySightings &view : views) {
+        const double median = view.clear.size() < leastClear ? 0 : medianOf(view.clear);
+        usual.push_back(median);
+        if (view.clear.size() >= leastClear && std::abs(median) < std::abs(best))
+            best = median;
+    }
+    if (std::abs(best) > largestUsualExcess)
+        best = 0;
+    for (double &one : usual) {
+        if (std::abs(one - best) > largestUsualExcess)
+            one = best;
+    }
+    return usual;
+}
+
+} // namespace
+
+std::vector<std::vector<Sighting>> placeBody(const std::vector<ViewTrack> &views, const SolidShape &shape,
+                                             const std::vector<std::vector<BodyAxis>> &axes)
+{
+    std::vector<BodySightings> placed(views.size());
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        if (views[v].floorView)
+            placed[v] = placeInView(views[v], shape, axes[v]);
+    }
+    const std::vector<double> usual = usualExcess(placed);
+    std::vector<std::vector<Sighting>> sightings;
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        if (placed[v].clear.size() >= leastClear)
+            doubtOddAreas(placed[v], usual[v]);
+        sightings.push_back(std::move(placed[v].sightings));
+    }
     return sightings;
 }
 

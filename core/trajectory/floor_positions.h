@@ -26,12 +26,13 @@ struct Sighting
 /// Observations without a usable covariance are given half a pixel.
 std::vector<Sighting> placeObservations(const ViewTrack &view, double planeM);
 
-/// One view's observations, each laid where the solid must stand, turned as `axes` says at its time, that its
-/// silhouette has the centroid that was seen: positions of the footprint's centre. The axis's σ goes into the
-/// pixels' part. An outline whose area is not what this view sees of the solid elsewhere in the run shows a
-/// part of the robot, or more than the robot: its score becomes 0.
-std::vector<Sighting> placeBody(const ViewTrack &view, const SolidShape &shape,
-                                const std::vector<BodyAxis> &axes);
+/// Each view's observations, each laid where the solid must stand, turned as `axes` says at its time, that
+/// its silhouette has the centroid that was seen: positions of the footprint's centre. The axis's σ goes into
+/// the pixels' part. An outline whose area is not that of the solid (but for the few per cent by which a view
+/// may see it larger or smaller throughout) shows a part of the robot, or more than the robot: its score
+/// becomes 0. Views that are not registered give nothing.
+std::vector<std::vector<Sighting>> placeBody(const std::vector<ViewTrack> &views, const SolidShape &shape,
+                                             const std::vector<std::vector<BodyAxis>> &axes);
 
 /// The median distance between successive sightings' times, seen or not; 0 for fewer than two.
 Nanoseconds typicalInterval(const std::vector<Sighting> &sightings);

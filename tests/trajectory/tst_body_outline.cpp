@@ -145,7 +145,7 @@ private Q_SLOTS:
         std::mt19937 random(5);
         const ViewTrack track = filmSolid("A", cameraA(), box, eight, 1e-6, random);
         const auto axes = trackAxis({track}, box);
-        const auto sightings = placeBody(track, box, axes.front());
+        const auto sightings = placeBody({track}, box, axes).front();
         double squares = 0, worst = 0;
         for (std::size_t i = 0; i < sightings.size(); ++i) {
             const double error =
@@ -170,10 +170,25 @@ private Q_SLOTS:
         std::mt19937 random(6);
         ViewTrack track = filmSolid("A", cameraA(), box, eight, 0.05, random);
         track.observations[50].areaPx *= 0.8;
-        const auto sightings = placeBody(track, box, trackAxis({track}, box).front());
+        const auto sightings = placeBody({track}, box, trackAxis({track}, box)).front();
         QCOMPARE(sightings[50].score, 0.0);
         QVERIFY(sightings[49].score > 0.5);
         QVERIFY(sightings[51].score > 0.5);
+    }
+
+    void aViewThatMostlySeesAPartIsNotTheRule()
+    {
+        const SolidShape box{SolidShape::Form::Box, 0.26, 0.19, 0, 0.06};
+        std::mt19937 random(6);
+        const ViewTrack whole = filmSolid("A", cameraA(), box, eight, 0.05, random);
+        ViewTrack covered = filmSolid("B", cameraB(), box, eight, 0.05, random);
+        for (std::size_t i = 0; i < 200; ++i)
+            covered.observations[i].areaPx *= 0.7;
+        const std::vector<ViewTrack> views{whole, covered};
+        const auto sightings = placeBody(views, box, trackAxis(views, box));
+        QCOMPARE(sightings[1][100].score, 0.0);
+        QVERIFY(sightings[1][250].score > 0.5);
+        QVERIFY(sightings[0][100].score > 0.5);
     }
 
     void theShapeIsEstimated_data()
