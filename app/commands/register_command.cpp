@@ -3,23 +3,24 @@
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
 #include "core/workflow/register_job.h"
+#include "core/workflow/register_through_job.h"
 
 namespace odo {
 
 namespace {
 
 const QString camera = QStringLiteral("camera"), layout = QStringLiteral("layout"), pixels = QStringLiteral("pixels"),
-              image = QStringLiteral("image"), video = QStringLiteral("video");
+              through = QStringLiteral("through"), image = QStringLiteral("image"), video = QStringLiteral("video");
 
-QJsonObject answerJson(const RegisterSettings &settings, const FloorRegistration &registration)
+QJsonObject answerJson(const std::string &cameraName, const std::string &layoutName, const FloorRegistration &registration)
 {
     QJsonArray markers;
     for (const MarkerError &marker : registration.markers)
         markers.append(QJsonObject{{QStringLiteral("label"), QString::fromStdString(marker.label)},
                                    {QStringLiteral("error_mm"), toMillimetres(marker.errorM)}});
     const Eigen::Vector3d position = registration.worldFromCamera.translation;
-    return {{QStringLiteral("camera"), QString::fromStdString(settings.camera)},
-            {QStringLiteral("layout"), QString::fromStdString(settings.layout)},
+    return {{QStringLiteral("camera"), QString::fromStdString(cameraName)},
+            {QStringLiteral("layout"), QString::fromStdString(layoutName)},
             {QStringLiteral("rms_px"), registration.rmsPx},
             {QStringLiteral("rms_mm"), toMillimetres(registration.rmsM)},
             {QStringLiteral("camera_position_m"), vectorJson(position)},
@@ -28,28 +29,8 @@ QJsonObject answerJson(const RegisterSettings &settings, const FloorRegistration
             {QStringLiteral("verdict"), QString::fromStdString(registration.verdict)}};
 }
 
-} // namespace
-
-Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel)
+Result<void> registerByMarkers(CommandCall &call)
 {
-    CommandCall call(
-        {QStringLiteral("register"),
-         QStringLiteral("P.odo --camera CAMERA --layout NAME [--pixels pixels.csv | --image F.png | --video F.mp4] [--json]"),
-         1, 1,
-         {{camera, QStringLiteral("The camera to register."), QStringLiteral("CAMERA")},
-          {layout, QStringLiteral("The marker layout it sees."), QStringLiteral("NAME")},
-          {pixels, QStringLiteral("Where the markers are: label,u,v."), QStringLiteral("FILE")},
-          {image, QStringLiteral("A picture to find them in."), QStringLiteral("FILE")},
-          {video, QStringLiteral("A video to find them in."), QStringLiteral("FILE")}}},
-        cancel);
-    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
-        return parsed.map([](bool) {});
-    for (const QString &needed : {camera, layout}) {
-        if (!call.isSet(needed))
-            return call.wrongCall(QStringLiteral("--%1 is missing").arg(needed));
-    }
-    if (call.isSet(image) && call.isSet(video))
-        return call.wrongCall(QStringLiteral("--image and --video exclude each other"));
     const RegisterSettings settings{call.value(camera), call.value(layout), call.value(pixels),
                                     call.isSet(image) ? call.value(image) : call.value(video), {}};
     const auto project = call.openProject(0, Project::Access::ReadWrite);
@@ -59,8 +40,61 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
     if (auto done = runToEnd(job, **project, call.control()); !done)
         return done;
     const FloorRegistration &registration = job.record().registration;
-    call.answer(answerJson(settings, registration), QString::fromStdString(registration.verdict));
+    call.answer(answerJson(settings.camera, settings.layout, registration), QString::fromStdString(registration.verdict));
     return {};
+}
+
+Result<void> registerThroughCamera(CommandCall &call)
+{
+    const RegisterThroughSettings settings{call.value(camera), call.value(through), call.value(pixels)};
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    RegisterThroughJob job(settings);
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    const FloorRegistration &registration = job.record().registration;
+    QJsonObject answer = answerJson(settings.camera, job.layoutName(), registration);
+    answer.insert(through, QString::fromStdString(settings.through));
+    call.answer(answer, QString::fromStdString(registration.verdict));
+    return {};
+}
+
+} // namespace
+
+Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("register"),
+         QStringLiteral("P.odo --camera CAMERA (--layout NAME [--pixels pixels.csv | --image F.png | --video F.mp4] | "
+                        "--through CAMERA --pixels pairs.csv) [--json]"),
+         1, 1,
+         {{camera, QStringLiteral("The camera to register."), QStringLiteral("CAMERA")},
+          {layout, QStringLiteral("The marker layout it sees."), QStringLiteral("NAME")},
+          {through, QStringLiteral("A registered camera that sees the same points of the floor."), QStringLiteral("CAMERA")},
+          {pixels, QStringLiteral("Where the markers are: label,u,v; with --through: label,u,v,through_u,through_v."),
+           QStringLiteral("FILE")},
+          {image, QStringLiteral("A picture to find them in."), QStringLiteral("FILE")},
+          {video, QStringLiteral("A video to find them in."), QStringLiteral("FILE")}}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (!call.isSet(camera))
+        return call.wrongCall(QStringLiteral("--camera is missing"));
+    if (call.isSet(through)) {
+        for (const QString &other : {layout, image, video}) {
+            if (call.isSet(other))
+                return call.wrongCall(QStringLiteral("--through and --%1 exclude each other").arg(other));
+        }
+        if (!call.isSet(pixels))
+            return call.wrongCall(QStringLiteral("--through needs --pixels"));
+        return registerThroughCamera(call);
+    }
+    if (!call.isSet(layout))
+        return call.wrongCall(QStringLiteral("--layout is missing"));
+    if (call.isSet(image) && call.isSet(video))
+        return call.wrongCall(QStringLiteral("--image and --video exclude each other"));
+    return registerByMarkers(call);
 }
 
 } // namespace odo

@@ -214,11 +214,8 @@ std::string verdictOf(const FloorRegistration &registration, const PlanePose &po
                       double layoutM, bool intrinsicsKnown)
 {
     const double worse = std::max(registration.rmsM, sigmaM);
-    const char *grade = worse <= std::max(0.005, 0.0025 * layoutM)   ? "Good: "
-                        : worse <= std::max(0.015, 0.0075 * layoutM) ? "Usable: "
-                                                                     : "Poor, measure the markers again: ";
     const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorM);
-    std::string verdict = grade + std::to_string(registration.markers.size()) + " markers fit to " +
+    std::string verdict = registrationGrade(worse, layoutM) + std::to_string(registration.markers.size()) + " markers fit to " +
                           millimetres(registration.rmsM) + " RMS (worst " + worst->label + ", " +
                           millimetres(worst->errorM) + "), and the floor among them is known to ±" +
                           millimetres(sigmaM) + ".";

@@ -38,14 +38,16 @@ CameraModel scaled(const CameraModel &camera, double focalScale)
     return CameraModel::create(std::move(intrinsics)).value_or(camera);
 }
 
-/// Residuals in pixels over (rotation, position[, log of the focal length]).
+using Weights = std::span<const Eigen::Matrix2d>;
+
+/// Residuals in pixels (or weighted ones) over (rotation, position[, log of the focal length]).
 LeastSquaresProblem<State> problemOf(std::span<const PointPair> pairs, const CameraModel &camera,
-                                     FocalLength focal)
+                                     FocalLength focal, Weights weights)
 {
     const Eigen::Index parameters = focal == FocalLength::Free ? 7 : 6;
     LeastSquaresProblem<State> problem;
-    problem.evaluate = [pairs, camera, parameters](const State &state, Eigen::VectorXd &residuals,
-                                                   Eigen::MatrixXd *byStep) {
+    problem.evaluate = [pairs, camera, parameters, weights](const State &state, Eigen::VectorXd &residuals,
+                                                            Eigen::MatrixXd *byStep) {
         residuals.resize(static_cast<Eigen::Index>(2 * pairs.size()));
         if (byStep)
             byStep->resize(residuals.size(), parameters);
@@ -60,15 +62,16 @@ LeastSquaresProblem<State> problemOf(std::span<const PointPair> pairs, const Cam
             if (!pixel)
                 return false;
             const auto row = static_cast<Eigen::Index>(2 * i);
-            residuals.segment<2>(row) = *pixel - pairs[i].target;
+            const Eigen::Matrix2d weight = weights.empty() ? Eigen::Matrix2d::Identity() : weights[i];
+            residuals.segment<2>(row) = weight * (*pixel - pairs[i].target);
             if (!byStep)
                 continue;
-            const Eigen::Matrix<double, 2, 3> pixelByWorld = pixelByPoint * cameraAxes;
+            const Eigen::Matrix<double, 2, 3> pixelByWorld = weight * pixelByPoint * cameraAxes;
             for (int axis = 0; axis < 3; ++axis)
                 byStep->block<2, 1>(row, axis) = -pixelByWorld * Vector3d::Unit(axis).cross(fromCamera);
             byStep->block<2, 3>(row, 3) = -pixelByWorld;
             if (parameters == 7)
-                byStep->block<2, 1>(row, 6) = *pixel - centre;
+                byStep->block<2, 1>(row, 6) = weight * (*pixel - centre);
         }
         return true;
     };
@@ -126,9 +129,9 @@ RigidTransform startOf(const Homography &raysFromPlane, double focalScale)
 }
 
 std::optional<PlanePose> refined(std::span<const PointPair> pairs, const CameraModel &camera,
-                                 FocalLength focal, const State &start)
+                                 FocalLength focal, const State &start, Weights weights)
 {
-    const LeastSquaresProblem<State> problem = problemOf(pairs, camera, focal);
+    const LeastSquaresProblem<State> problem = problemOf(pairs, camera, focal, weights);
     const State best = minimise(problem, start);
     Eigen::VectorXd residuals;
     Eigen::MatrixXd byStep;
@@ -137,9 +140,11 @@ std::optional<PlanePose> refined(std::span<const PointPair> pairs, const CameraM
     PlanePose pose{scaled(camera, best.focalScale), best.worldFromCamera, {}, 0, 0, {}};
     const Eigen::MatrixXd normal = byStep.transpose() * byStep;
     pose.inverseNormal = Eigen::Matrix<double, 6, 6>(normal.topLeftCorner<6, 6>()).inverse();
-    pose.rmsPx = std::sqrt(residuals.squaredNorm() / static_cast<double>(pairs.size()));
     const auto freedom = static_cast<double>(residuals.size() - byStep.cols());
     pose.sigmaPx = freedom > 0 ? std::sqrt(residuals.squaredNorm() / freedom) : 0;
+    if (!weights.empty())
+        problemOf(pairs, camera, focal, {}).evaluate(best, residuals, nullptr);
+    pose.rmsPx = std::sqrt(residuals.squaredNorm() / static_cast<double>(pairs.size()));
     if (!pose.inverseNormal.allFinite())
         return std::nullopt;
     if (focal == FocalLength::Free)
@@ -169,7 +174,8 @@ RigidTransform poseFromHomography(const Homography &raysFromPlane)
     return RigidTransform{Eigen::Quaterniond(rotation), scale * h.col(2)}.inverse();
 }
 
-Result<PlanePose> fitPlanePose(std::span<const PointPair> pairs, const CameraModel &camera, FocalLength focal)
+Result<PlanePose> fitPlanePose(std::span<const PointPair> pairs, const CameraModel &camera, FocalLength focal,
+                               Weights weights)
 {
     const auto rays = raysFromPlane(pairs, camera);
     if (!rays)
@@ -178,11 +184,11 @@ Result<PlanePose> fitPlanePose(std::span<const PointPair> pairs, const CameraMod
         // The closed form is weak against noise; where it fails the refinement starts from the focal length
         // given.
         const double scale = focalScaleOf(*rays).value_or(1);
-        const auto free = refined(pairs, camera, FocalLength::Free, {startOf(*rays, scale), scale});
+        const auto free = refined(pairs, camera, FocalLength::Free, {startOf(*rays, scale), scale}, weights);
         if (free && isCredible(*free))
             return *free;
     }
-    if (const auto pose = refined(pairs, camera, FocalLength::Known, {startOf(*rays, 1), 1}))
+    if (const auto pose = refined(pairs, camera, FocalLength::Known, {startOf(*rays, 1), 1}, weights))
         return *pose;
     return fail(ErrorCode::Undetermined, "no pose", "the points do not determine where the camera stands",
                 "spread the points over the floor, not along a line");

@@ -36,7 +36,10 @@ enum class FocalLength { Known, Free };
 /// pixels, its decomposition, then Levenberg–Marquardt on the distance in the picture. With FocalLength::Free
 /// the focal length is estimated too (Zhang 2000, equations 3 and 4), where it can be had to 10 %; elsewhere
 /// the one given stays. Errors as Homography::estimate, and for pixels that the lens model cannot have made.
-Result<PlanePose> fitPlanePose(std::span<const PointPair> pairs, const CameraModel &camera,
-                               FocalLength focal);
+/// weights: a matrix for each pair by which its distance in the picture is multiplied before it is squared
+/// (the inverse root of its covariance); sigmaPx and inverseNormal are then of the weighted distances. Empty:
+/// all count alike.
+Result<PlanePose> fitPlanePose(std::span<const PointPair> pairs, const CameraModel &camera, FocalLength focal,
+                               std::span<const Eigen::Matrix2d> weights = {});
 
 } // namespace odo

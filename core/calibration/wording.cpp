@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/wording.h"
 
+#include <algorithm>
+
 namespace odo {
 
 std::string listed(const std::vector<std::string> &names)
@@ -12,6 +14,13 @@ std::string listed(const std::vector<std::string> &names)
         text += names[i];
     }
     return names.empty() ? "none" : text;
+}
+
+std::string registrationGrade(double worseM, double extentM)
+{
+    return worseM <= std::max(0.005, 0.0025 * extentM)   ? "Good: "
+           : worseM <= std::max(0.015, 0.0075 * extentM) ? "Usable: "
+                                                         : "Poor, measure the markers again: ";
 }
 
 } // namespace odo

@@ -18,6 +18,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr const char *what = "no homography";
+constexpr double leastDeterminant = 1e-12; // of a matrix of unit norm; metres to far pixels come to 1e-9
 
 std::string nameOf(std::span<const PointPair> pairs, int index)
 {
@@ -195,6 +196,23 @@ Homography Homography::inverse() const
 Homography Homography::operator*(const Homography &middleFromSource) const
 {
     return Homography(m_matrix * middleFromSource.m_matrix);
+}
+
+Result<Homography> Homography::chain(std::span<const Homography> links)
+{
+    if (links.empty())
+        return fail(ErrorCode::Undetermined, what, "the chain has no links", "give at least one");
+    Homography whole(Matrix3d::Identity());
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        // Written so that a determinant that is not a number is refused too.
+        if (!(std::abs(links[i].m_matrix.determinant()) > leastDeterminant))
+            return fail(ErrorCode::Undetermined, what,
+                        "link " + std::to_string(i + 1) + " of " + std::to_string(links.size()) +
+                            " of the chain is singular",
+                        "use four points in it of which no three are in line");
+        whole = links[i] * whole;
+    }
+    return whole;
 }
 
 } // namespace odo

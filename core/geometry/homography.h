@@ -39,6 +39,11 @@ public:
     Homography inverse() const;
     /// Chains: (targetFromMiddle * middleFromSource).
     Homography operator*(const Homography &middleFromSource) const;
+    /// The map over any number of links in the order they are gone through: the first link's target is the
+    /// second's source, and so on (from view m to view n over the views between). Refuses no links at all,
+    /// and, by its number, a link that maps the plane onto a line (|det| < 1e-12 at unit norm) or is not
+    /// finite.
+    static Result<Homography> chain(std::span<const Homography> links);
 
 private:
     Eigen::Matrix3d m_matrix;

@@ -16,24 +16,6 @@ namespace {
 constexpr int videoStep = 10;
 constexpr int mostPictures = 12;
 
-/// The newest recording of a camera: its file and the size of its pictures.
-Result<std::optional<RecordingRecord>> newestRecording(Project &project, RecordId camera)
-{
-    const auto trials = project.trials().all();
-    if (!trials)
-        return tl::unexpected(trials.error());
-    for (const TrialRecord &trial : *trials) {
-        const auto recordings = project.trials().recordings(trial.id);
-        if (!recordings)
-            return tl::unexpected(recordings.error());
-        for (const RecordingRecord &recording : *recordings) {
-            if (recording.camera == camera)
-                return recording;
-        }
-    }
-    return std::nullopt;
-}
-
 } // namespace
 
 RegisterJob::RegisterJob(RegisterSettings settings) : m_settings(std::move(settings)) {}

@@ -2,6 +2,7 @@
 #include "core/geometry/homography.h"
 
 #include <QTest>
+#include <array>
 #include <random>
 
 using namespace odo;
@@ -171,6 +172,29 @@ private Q_SLOTS:
         const Homography chain =
             *estimated * Homography(Eigen::Matrix3d(Eigen::Vector3d(2, 2, 1).asDiagonal()));
         QVERIFY((*chain.map({0.5, 0.25}) - *estimated->map({1, 0.5})).norm() < 1e-9);
+    }
+    void manyLinksGiveTheClosedForm()
+    {
+        // Shears and projective parts whose product is written down by hand: T(n) = T(1)^n for translations,
+        // and a loop through three oblique views comes back to where it began.
+        const Homography step(Eigen::Matrix3d{{1, 0, 0.25}, {0, 1, -0.5}, {0, 0, 1}});
+        const auto far = Homography::chain(std::vector<Homography>(8, step));
+        QVERIFY(far.has_value());
+        QVERIFY((*far->map({1, 1}) - Vector2d(3, -3)).norm() < 1e-12);
+        const Homography other(Eigen::Matrix3d{{300, -80, 640}, {10, 210, 300}, {-0.02, 0.3, 1.1}});
+        const std::array links{oblique(), oblique().inverse(), other};
+        const auto chained = Homography::chain(links);
+        QVERIFY(chained.has_value());
+        QVERIFY((*chained->map({0.7, 0.9}) - *other.map({0.7, 0.9})).norm() < 1e-9);
+        QVERIFY(std::abs(chained->matrix().norm() - 1) < 1e-12);
+    }
+    void aSingularLinkIsNamed()
+    {
+        const Homography line(Eigen::Matrix3d{{1, 2, 0}, {2, 4, 0}, {0, 0, 1}});
+        const auto chained = Homography::chain(std::array{oblique(), line, oblique()});
+        QVERIFY(!chained.has_value());
+        QVERIFY(chained.error().message().find("link 2 of 3 of the chain is singular") != std::string::npos);
+        QVERIFY(!Homography::chain({}).has_value());
     }
 };
 

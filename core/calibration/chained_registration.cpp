@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/chained_registration.h"
+
+#include "core/base/units.h"
+#include "core/calibration/plane_pose.h"
+#include "core/calibration/wording.h"
+#include "core/geometry/homography.h"
+#include "core/geometry/point_layout.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace odo {
+
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+
+constexpr const char *what = "the camera cannot be registered through another";
+constexpr double pixelSigma = 0.3;    // of a point picked or found in a picture
+constexpr double nearestPixels = 1.0; // points closer than that are one and the same
+constexpr double worstSigma = 0.05;   // of the points' extent on the floor
+
+tl::unexpected<Error> refuse(std::string why, std::string advice)
+{
+    return fail(ErrorCode::Undetermined, what, std::move(why), std::move(advice));
+}
+
+std::string millimetres(double metres)
+{
+    return formatNumber(toMillimetres(metres), 1) + " mm";
+}
+
+Result<void> checkInPicture(const SharedPoint &point, const Vector2d &pixel, const CameraModel &camera,
+                            const std::string &whose)
+{
+    const Intrinsics &lens = camera.intrinsics();
+    if (!pixel.allFinite())
+        return refuse("the pixel of point " + point.label + " is not a finite number", "correct the pixels");
+    if (pixel.x() < -1 || pixel.y() < -1 || pixel.x() > lens.widthPx || pixel.y() > lens.heightPx)
+        return refuse("point " + point.label + " lies outside the picture of " + whose + " (" +
+                          std::to_string(lens.widthPx) + "×" + std::to_string(lens.heightPx) + ")",
+                      "check which columns belong to which camera");
+    return {};
+}
+
+Result<void> checkPoints(const FloorView &through, const std::string &throughName,
+                         const std::vector<SharedPoint> &points, const CameraModel &camera)
+{
+    if (points.size() < 4)
+        return refuse("four points are needed that both cameras see; there are " +
+                          std::to_string(points.size()),
+                      "add points of the floor, such as corners of tiles");
+    std::set<std::string> labels;
+    for (const SharedPoint &point : points) {
+        if (!labels.insert(point.label).second)
+            return refuse("point " + point.label + " is there twice", "give each point a label of its own");
+        if (auto sound = checkInPicture(point, point.pixel, camera, "the camera to register"); !sound)
+            return sound;
+        if (auto sound = checkInPicture(point, point.throughPixel, through.camera(), throughName); !sound)
+            return sound;
+        for (const SharedPoint &other : points) {
+            if (&other == &point)
+                break;
+            if ((other.pixel - point.pixel).norm() < nearestPixels ||
+                (other.throughPixel - point.throughPixel).norm() < nearestPixels)
+                return refuse("points " + other.label + " and " + point.label + " lie on one pixel",
+                              "mark each of them where it is seen");
+        }
+    }
+    return {};
+}
+
+/// The points on the floor, as the other camera lays them, and their pixels; with no words where one is not
+/// there.
+std::optional<std::vector<PointPair>> laid(const FloorView &through, const std::vector<SharedPoint> &points)
+{
+    std::vector<PointPair> pairs;
+    for (const SharedPoint &point : points) {
+        const auto place = through.floorFromPixel(point.throughPixel, 0);
+        if (!place)
+            return std::nullopt;
+        pairs.push_back({*place, point.pixel, point.label});
+    }
+    return pairs;
+}
+
+Result<void> checkHorizon(const FloorView &through, const std::string &throughName,
+                          const std::vector<SharedPoint> &points)
+{
+    for (const SharedPoint &point : points) {
+        if (!through.floorFromPixel(point.throughPixel, 0))
+            return refuse("point " + point.label + " lies at or beyond the horizon of " + throughName,
+                          "choose points of the floor");
+    }
+    return {};
+}
+
+/// Chains floor → rays of the other camera → rays of this one. Both cameras are above the floor, so both see
+/// it the same way round.
+Result<void> checkSide(const FloorView &through, const std::string &throughName,
+                       const std::vector<SharedPoint> &points, const CameraModel &camera)
+{
+    std::vector<PointPair> rays;
+    for (const SharedPoint &point : points) {
+        const auto from = through.camera().unproject(point.throughPixel), to = camera.unproject(point.pixel);
+        if (!from || !to || !(from->z() > 0) || !(to->z() > 0))
+            return refuse("point " + point.label + " lies where a lens cannot have put it",
+                          "check its pixels and the intrinsics of both cameras");
+        rays.push_back({from->hnormalized(), to->hnormalized(), point.label});
+    }
+    const auto raysFromThrough = Homography::estimate(rays);
+    if (!raysFromThrough)
+        return refuse(raysFromThrough.error().why, raysFromThrough.error().advice);
+    const Eigen::Matrix3d axes = through.cameraFromWorld().rotation.toRotationMatrix();
+    Eigen::Matrix3d throughFromFloor;
+    throughFromFloor << axes.leftCols<2>(), through.cameraFromWorld().translation;
+    const std::array links{Homography(throughFromFloor), *raysFromThrough};
+    const auto raysFromFloor = Homography::chain(links);
+    if (!raysFromFloor)
+        return refuse(raysFromFloor.error().why, raysFromFloor.error().advice);
+    if (raysFromFloor->matrix().determinant() > 0)
+        return refuse("the points are mirrored between the pictures of the two cameras",
+                      "check which label belongs to which point in " + throughName + " and in this camera");
+    return {};
+}
+
+/// The inverse root of the covariance that each point's distance in the picture has from the noise of both
+/// pixels.
+std::vector<Matrix2d> weightsOf(const FloorView &through, const FloorView &view,
+                                const std::vector<SharedPoint> &points, const std::vector<PointPair> &pairs)
+{
+    std::vector<Matrix2d> weights;
+    const Matrix2d noise = pixelSigma * pixelSigma * Matrix2d::Identity();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        Matrix2d covariance = noise;
+        const auto place = through.locate(points[i].throughPixel, noise, 0);
+        const Vector3d pointInWorld(pairs[i].source.x(), pairs[i].source.y(), 0);
+        Eigen::Matrix<double, 2, 3> pixelByPoint;
+        if (place && view.camera().project(view.cameraFromWorld() * pointInWorld, pixelByPoint)) {
+            const Matrix2d pixelByPlace =
+                (pixelByPoint * view.cameraFromWorld().rotation.toRotationMatrix()).leftCols<2>();
+            covariance += pixelByPlace * place->pixelCovariance * pixelByPlace.transpose();
+        }
+        weights.push_back(Eigen::SelfAdjointEigenSolver<Matrix2d>(covariance).operatorInverseSqrt());
+    }
+    return weights;
+}
+
+FloorView moved(const FloorView &view, const Vector6d &step)
+{
+    RigidTransform pose = view.worldFromCamera();
+    const Vector3d turn = step.head<3>();
+    if (turn.norm() > 0)
+        pose.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized())) * pose.rotation;
+    pose.translation += step.tail<3>();
+    return FloorView(view.camera(), pose, view.poseCovariance());
+}
+
+Vector6d difference(const RigidTransform &to, const RigidTransform &from)
+{
+    const Eigen::AngleAxisd turn(to.rotation * from.rotation.conjugate());
+    const double angle = turn.angle() > EIGEN_PI ? turn.angle() - 2 * EIGEN_PI : turn.angle();
+    Vector6d step;
+    step << angle * turn.axis(), to.translation - from.translation;
+    return step;
+}
+
+/// What the other camera's pose covariance becomes in the fitted pose.
+std::optional<Matrix6d> carried(const FloorView &through, const std::vector<SharedPoint> &points,
+                                const CameraModel &camera, const std::vector<Matrix2d> &weights)
+{
+    const Eigen::SelfAdjointEigenSolver<Matrix6d> root(through.poseCovariance());
+    Matrix6d sum = Matrix6d::Zero();
+    for (int axis = 0; axis < 6; ++axis) {
+        const Vector6d step =
+            root.eigenvectors().col(axis) * std::sqrt(std::max(0.0, root.eigenvalues()(axis)));
+        if (!(step.norm() > 0))
+            continue;
+        std::array<RigidTransform, 2> poses;
+        for (int side = 0; side < 2; ++side) {
+            const auto pairs = laid(moved(through, side == 0 ? step : Vector6d(-step)), points);
+            const auto pose = pairs ? fitPlanePose(*pairs, camera, FocalLength::Known, weights)
+                                    : Result<PlanePose>(refuse("", ""));
+            if (!pose)
+                return std::nullopt;
+            poses[std::size_t(side)] = pose->worldFromCamera;
+        }
+        const Vector6d change = 0.5 * difference(poses[0], poses[1]);
+        sum += change * change.transpose();
+    }
+    return sum;
+}
+
+/// The largest σ of the floor at any of the points.
+double largestSigma(const FloorView &view, const std::vector<SharedPoint> &points)
+{
+    double largest = 0;
+    for (const SharedPoint &point : points) {
+        const auto place = view.locate(point.pixel, Matrix2d::Zero(), 0);
+        if (place)
+            largest = std::max(
+                largest,
+                Eigen::SelfAdjointEigenSolver<Matrix2d>(place->calibrationCovariance).eigenvalues().y());
+    }
+    return std::sqrt(largest);
+}
+
+Result<void> measure(const std::vector<PointPair> &pairs, const FloorView &view,
+                     FloorRegistration &registration)
+{
+    double squares = 0;
+    registration.markers.clear();
+    for (const PointPair &pair : pairs) {
+        const auto seen = view.floorFromPixel(pair.target, 0);
+        const auto back = view.pixelFromWorld({pair.source.x(), pair.source.y(), 0});
+        if (!seen || !back)
+            return refuse("point " + pair.label + " would lie at or beyond the horizon",
+                          "check its pixels in both pictures");
+        const double errorM = (*seen - pair.source).norm();
+        registration.markers.push_back({pair.label, errorM, (*back - pair.target).norm()});
+        squares += errorM * errorM;
+    }
+    registration.rmsM = std::sqrt(squares / static_cast<double>(pairs.size()));
+    return {};
+}
+
+std::string verdictOf(const FloorRegistration &registration, const std::string &throughName, double sigmaM,
+                      double throughSigmaM, double spanM)
+{
+    const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorM);
+    std::string verdict = registrationGrade(std::max(registration.rmsM, sigmaM), spanM);
+    verdict += "through " + throughName + " " + std::to_string(registration.markers.size()) +
+               " points of the floor fit to " + millimetres(registration.rmsM) + " RMS (worst " +
+               worst->label + ", " + millimetres(worst->errorM) +
+               "), and the floor among them is known to ±" + millimetres(sigmaM) + ", of which ±" +
+               millimetres(throughSigmaM) + " come from " + throughName + ".";
+    if (registration.markers.size() == 4)
+        verdict += " Four points hardly check one another; a fifth would.";
+    return verdict;
+}
+
+/// registerFloor's answer about the laid points: all its checks, the focal length where that is free, and
+/// the pose to begin with.
+Result<FloorRegistration> unweighted(const MarkerLayout &places, const std::vector<MarkerPixel> &pixels,
+                                     const CameraModel &camera, bool intrinsicsKnown)
+{
+    auto registration = registerFloor(places, pixels, camera, intrinsicsKnown);
+    if (registration)
+        return registration;
+    Error error = registration.error();
+    error.what = what;
+    return tl::unexpected(error);
+}
+
+} // namespace
+
+Result<ChainedRegistration> registerThrough(const FloorView &through, const std::string &throughName,
+                                            const std::vector<SharedPoint> &points, const CameraModel &camera,
+                                            bool intrinsicsKnown)
+{
+    if (auto sound = checkPoints(through, throughName, points, camera); !sound)
+        return tl::unexpected(sound.error());
+    if (auto sound = checkHorizon(through, throughName, points); !sound)
+        return tl::unexpected(sound.error());
+    if (auto sound = checkSide(through, throughName, points, camera); !sound)
+        return tl::unexpected(sound.error());
+    const std::vector<PointPair> pairs = *laid(through, points);
+    ChainedRegistration result;
+    std::vector<Vector2d> places;
+    for (const PointPair &pair : pairs) {
+        result.places.markers.push_back({pair.label, pair.source});
+        result.pixels.push_back({pair.label, pair.target});
+        places.push_back(pair.source);
+    }
+    auto first = unweighted(result.places, result.pixels, camera, intrinsicsKnown);
+    if (!first)
+        return tl::unexpected(first.error());
+    result.registration = std::move(*first);
+    FloorRegistration &registration = result.registration;
+    const auto lens = CameraModel::create(registration.intrinsics);
+    if (!lens)
+        return tl::unexpected(lens.error());
+    const auto weights =
+        weightsOf(through, FloorView(*lens, registration.worldFromCamera, Matrix6d::Zero()), points, pairs);
+    const auto pose = fitPlanePose(pairs, *lens, FocalLength::Known, weights);
+    const auto common = carried(through, points, *lens, weights);
+    if (!pose || !common)
+        return refuse("the points do not determine where the camera stands", "spread them over the floor");
+
+    registration.worldFromCamera = pose->worldFromCamera;
+    registration.rmsPx = pose->rmsPx;
+    const double worse = std::max(1.0, pose->sigmaPx);
+    registration.poseCovariance = worse * worse * pose->inverseNormal + *common;
+    const FloorView view(*lens, registration.worldFromCamera, registration.poseCovariance);
+    if (auto measured = measure(pairs, view, registration); !measured)
+        return tl::unexpected(measured.error());
+    const double sigmaM = largestSigma(view, points), spanM = extentOf(places);
+    if (sigmaM > worstSigma * spanM)
+        return refuse("the floor among the points is known only to ±" + millimetres(sigmaM),
+                      "spread the points over the floor, or register " + throughName + " better first");
+    const FloorView commonOnly(*lens, registration.worldFromCamera, *common);
+    registration.verdict =
+        verdictOf(registration, throughName, sigmaM, largestSigma(commonOnly, points), spanM);
+    if (!intrinsicsKnown)
+        registration.verdict += " The camera was taken as free of distortion, its focal length as " +
+                                formatNumber(registration.intrinsics.fxPx, 0) +
+                                " px. Calibrate it for positions to rely on.";
+    return result;
+}
+
+} // namespace odo

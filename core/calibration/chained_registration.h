@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/floor_registration.h"
+
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// A point of the floor that two cameras see, in luma pixels of each.
+struct SharedPoint
+{
+    std::string label;
+    Eigen::Vector2d pixel;        ///< in the camera that is to be registered
+    Eigen::Vector2d throughPixel; ///< in the one that is registered already
+};
+
+/// A camera's registration through another camera.
+struct ChainedRegistration
+{
+    FloorRegistration registration; ///< its verdict says how much of the error is the other camera's
+    MarkerLayout places;            ///< where the other camera lays the points; the name is left empty
+    std::vector<MarkerPixel> pixels;
+};
+
+/// Registers a camera to the floor without markers: the points are laid on the floor by a camera that is
+/// registered (itself through another, if need be), and the pose is fitted to where they lie.
+///
+/// Each point has the covariance of both pixels (0.3 px each, or more where the points fit worse) and counts
+/// by its information. The other camera's pose is common to all points and moves them together: its
+/// covariance goes through the fit (central differences along the columns of its root) into the pose
+/// covariance of this one, so that over a chain of cameras nothing is lost. The lens of the other camera is
+/// taken as exact.
+///
+/// throughName: for messages. Refuses by name what registerFloor refuses, and pixels outside the picture,
+/// points at or beyond the other camera's horizon, and points that are mirrored between the two pictures.
+Result<ChainedRegistration> registerThrough(const FloorView &through, const std::string &throughName,
+                                            const std::vector<SharedPoint> &points, const CameraModel &camera,
+                                            bool intrinsicsKnown);
+
+} // namespace odo
