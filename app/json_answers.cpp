@@ -82,6 +82,14 @@ QJsonArray spikesJson(const std::vector<Spike> &spikes)
     return array;
 }
 
+QJsonArray sentencesJson(const std::vector<std::string> &sentences)
+{
+    QJsonArray array;
+    for (const std::string &sentence : sentences)
+        array.append(QString::fromStdString(sentence));
+    return array;
+}
+
 double metricValue(const Profile &profile, std::string_view name)
 {
     for (const Metric &metric : profile.metrics) {

@@ -15,6 +15,7 @@ QJsonObject recordingJson(const RecordingRecord &recording);
 QJsonArray vectorJson(const Eigen::VectorXd &vector);
 QJsonArray metricsJson(const std::vector<Metric> &metrics);
 QJsonArray spikesJson(const std::vector<Spike> &spikes);
+QJsonArray sentencesJson(const std::vector<std::string> &sentences);
 
 /// The value of a metric by its name; 0 where it could not be computed.
 double metricValue(const Profile &profile, std::string_view name);

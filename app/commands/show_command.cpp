@@ -3,6 +3,7 @@
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
 #include "core/project/repositories.h"
+#include "core/workflow/track_warnings.h"
 #include "core/workflow/truth_accuracy.h"
 
 #include <QDateTime>
@@ -93,6 +94,7 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
         views.insert(QString::fromStdString(recording.cameraName), view);
     }
     QJsonObject robots;
+    std::vector<std::string> warnings;
     QStringList lines(QStringLiteral("Trial %1, team %2, synchronisation: %3, %4 s")
                           .arg(QString::fromStdString(trial->name), QString::fromStdString(trial->teamName),
                                QString::fromStdString(trial->syncMethod))
@@ -115,6 +117,8 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
             robot.insert(QStringLiteral("truth"), truthJson(*accuracy));
         robots.insert(QString::fromStdString(analysis.robotName), robot);
         lines << robotText(analysis, accuracy);
+        for (std::string &warning : analysisWarnings(analysis, trial->name))
+            warnings.push_back(std::move(warning));
     }
     call.answer({{QStringLiteral("trial"), QString::fromStdString(trial->name)},
                  {QStringLiteral("team"), QString::fromStdString(trial->teamName)},
@@ -122,8 +126,11 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
                  {QStringLiteral("notes"), QString::fromStdString(trial->notes)},
                  {QStringLiteral("views"), views},
                  {QStringLiteral("sync"), syncJson(*trial)},
-                 {QStringLiteral("robots"), robots}},
+                 {QStringLiteral("robots"), robots},
+                 {QStringLiteral("warnings"), sentencesJson(warnings)}},
                 lines.join(u'\n'));
+    for (const std::string &warning : warnings)
+        CommandCall::warn(warning);
     return {};
 }
 

@@ -72,10 +72,13 @@ Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
     }
     call.answer({{QStringLiteral("trial"), QString::fromStdString(outcome.trial)},
                  {QStringLiteral("robots"), robots},
+                 {QStringLiteral("warnings"), sentencesJson(outcome.warnings)},
                  {QStringLiteral("wall_s"), outcome.wallS},
                  {QStringLiteral("decode_s"), outcome.decodeS},
                  {QStringLiteral("frames_per_s"), outcome.framesPerSecond}},
                 lines.join(u'\n'));
+    for (const std::string &warning : outcome.warnings)
+        CommandCall::warn(warning);
     return {};
 }
 

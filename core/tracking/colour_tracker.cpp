@@ -14,6 +14,7 @@ namespace {
 constexpr double leastSaturation =
     8.0;                      ///< code values of 128; paler than that a robot cannot be told from its floor
 constexpr double alike = 0.6; ///< overlap of two robots' colours above which colour does not tell them apart
+constexpr double leastLikeness = 0.4; ///< as when a told colour is searched without regard to the background
 
 bool sameLayout(const FrameFormat &a, const FrameFormat &b)
 {
@@ -31,11 +32,13 @@ struct ColourTracker::Impl
     std::vector<Observation> last;
     DuplicateDetector duplicates;
     FrameFormat format{.width = -1};
+    std::vector<double> sharesAlike; ///< of the first picture
     std::vector<std::uint8_t>
         alikes; ///< robots × robots: whether colour does not tell samples of the two apart
 
     bool areAlike(std::size_t a, std::size_t b) const { return alikes[a * followers.size() + b] != 0; }
     void compareColours(std::size_t robot);
+    void measureShares(TrackedFrame &frame);
     ChromaDensity backgroundOf(std::size_t robot, TrackedFrame &frame, const ChromaRect &rect) const;
     bool isTaken(const Candidate &candidate, std::size_t robot) const;
     bool isHidden(std::size_t robot, const TrackedFrame &frame) const;
@@ -63,6 +66,19 @@ void ColourTracker::Impl::compareColours(std::size_t robot)
                                        : own.toldDensity().overlap(theirs.toldDensity());
         const bool same = other != robot && overlap > alike;
         alikes[robot * followers.size() + other] = alikes[other * followers.size() + robot] = same;
+    }
+}
+
+void ColourTracker::Impl::measureShares(TrackedFrame &frame)
+{
+    const ChromaDensity picture = frame.backgroundWithout({});
+    for (const RobotFollower &follower : followers) {
+        double share = 0;
+        for (std::size_t bin = 0; bin < ChromaDensity::binCount; ++bin) {
+            if (likeness(ChromaDensity::centreOf(bin), follower.model().told()) > leastLikeness)
+                share += picture[bin];
+        }
+        sharesAlike.push_back(share);
     }
 }
 
@@ -254,6 +270,11 @@ std::optional<PixelRect> ColourTracker::neededRegion(Nanoseconds time) const
     return m_impl->neededRegion(toSeconds(time));
 }
 
+const std::vector<double> &ColourTracker::sharesAlike() const
+{
+    return m_impl->sharesAlike;
+}
+
 std::vector<Observation> ColourTracker::track(const Frame &frame)
 {
     Impl &d = *m_impl;
@@ -270,6 +291,8 @@ std::vector<Observation> ColourTracker::track(const Frame &frame)
         TrackedFrame tracked(frame);
         d.last.assign(d.followers.size(), Observation());
         if (d.holdsNeeded(frame) || tracked.complete()) {
+            if (d.sharesAlike.empty()) // no robot is followed yet, so the frame is whole
+                d.measureShares(tracked);
             d.followAll(tracked);
             d.findMissing(tracked);
             d.rebuildTables(tracked);

@@ -44,6 +44,10 @@ public:
     /// or format than the one before it starts anew.
     std::vector<Observation> track(const Frame &frame);
 
+    /// Of each target, the part of the first frame's picture that looks like its told colour, 0 to 1: where
+    /// it is larger than any robot could be, the floor has that colour too. Empty before that.
+    const std::vector<double> &sharesAlike() const;
+
 private:
     struct Impl;
     explicit ColourTracker(std::unique_ptr<Impl> impl);

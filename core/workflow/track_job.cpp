@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/registered_view.h"
 #include "core/workflow/robot_names.h"
+#include "core/workflow/track_warnings.h"
 #include "core/workflow/view_tracking.h"
 
 #include <chrono>
@@ -124,14 +125,21 @@ Result<void> TrackJob::Impl::analyseAll(const std::vector<TrackedView> &tracked)
 {
     for (std::size_t r = 0; r < robots.size(); ++r) {
         const RobotRecord &robot = robots[r];
+        const auto floorColour = floorColourOf(robot, trialName, views, tracked, r);
+        if (floorColour && floorColour->hardlyEverFound)
+            return tl::unexpected(floorColour->error);
         AnalysisRecord analysis = newAnalysis(trial, robot, views, options[r]);
         auto profile = analyse(viewTracks(views, tracked, r), shapeOf(robot), analysis.options);
         if (!profile) {
             Error error = profile.error();
-            error.what = "robot '" + robot.name + "' in trial '" + trialName + "'";
-            return tl::unexpected(error);
+            error.what = robotInTrial(robot.name, trialName);
+            return tl::unexpected(floorColour ? floorColour->error : error);
         }
         analysis.profile = std::move(*profile);
+        if (floorColour)
+            outcome.warnings.push_back(floorColour->error.message());
+        for (std::string &warning : analysisWarnings(analysis, trialName))
+            outcome.warnings.push_back(std::move(warning));
 
         TrackedRobot result;
         result.name = robot.name;

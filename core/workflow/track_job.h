@@ -39,6 +39,7 @@ struct TrackOutcome
     double wallS = 0;
     double decodeS = 0;        ///< CPU time of the decoding threads
     double framesPerSecond = 0; ///< of pictures of all views
+    std::vector<std::string> warnings; ///< whole sentences: what makes the figures doubtful, and what to do
 };
 
 /// Tracks the robots of a trial in all its views and analyses them: observations and a new analysis each are stored.

@@ -83,6 +83,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     }
     tracked.damagedFrames = stream.damagedFrames();
     tracked.decodeCpuTime = stream.decodeCpuTime();
+    tracked.sharesAlike = (*tracker)->sharesAlike();
     return tracked;
 }
 

@@ -16,6 +16,8 @@ struct TrackedView
     std::int64_t frames = 0;
     std::int64_t damagedFrames = 0;
     Nanoseconds decodeCpuTime{0};
+    /// Of each robot: the part of the first picture that has its told colour. Empty where nothing was decoded.
+    std::vector<double> sharesAlike;
 };
 
 /// Decodes and tracks all views at once, a thread to track and a thread to decode for each; MJPEG is decoded by the

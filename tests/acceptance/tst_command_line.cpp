@@ -63,6 +63,10 @@ class TestCommandLine : public QObject
         };
         render(scene, 0, "a.mkv");
         render(scene, 1, "b.mkv");
+        SimulatedScene hidden = scene; // a robot that is taken away after 1.2 s
+        hidden.occluders = {{*parseColour("#5c646e"), {-0.3, 0.2}, {3.3, 0.2}, 2.5, 1.2},
+                            {*parseColour("#5c646e"), {-0.3, 0.21}, {3.3, 0.21}, 2.5, 1.2}};
+        render(hidden, 0, "leaving.mkv");
         scene.durationS = 1.0;
         render(scene, 1, "short.mkv");
         scene.cameras[1].framesPerSecond = 15;
@@ -149,6 +153,7 @@ private Q_SLOTS:
         const QJsonObject robot = tracked.json().value(QStringLiteral("robots")).toObject().value(QStringLiteral("red")).toObject();
         QCOMPARE(robot.value(QStringLiteral("frames")).toInt(), 60);
         QVERIFY(robot.value(QStringLiteral("tracked")).toInt() >= 58);
+        QVERIFY(tracked.json().value(QStringLiteral("warnings")).toArray().isEmpty());
         // One metre a second on the circle; the camera's lens is not known here, so only a rough figure can be had.
         QVERIFY(std::abs(robot.value(QStringLiteral("max_speed_m_s")).toDouble() - 1.0) < 0.1);
         for (const char *smoother : {"savgol", "tracker", "none", "rts"})
@@ -174,6 +179,28 @@ private Q_SLOTS:
         QCOMPARE(slower.exitStatus, 0);
         QVERIFY2(slower.err.contains("frames/s"), slower.err);
         QCOMPARE(good("track %P slower --robot red").exitStatus, 0); // joined by time, not by frame
+    }
+
+    void aRobotThatCannotBeFollowedIsSaid()
+    {
+        QCOMPARE(good("import %P --trial leaving --video A=%/leaving.mkv --robot red").exitStatus, 0);
+        const ProgramRun tracked = good("track %P leaving --json");
+        QCOMPARE(tracked.exitStatus, 0);
+        const QJsonArray warnings = tracked.json().value(QStringLiteral("warnings")).toArray();
+        QCOMPARE(warnings.size(), 1);
+        const QString sentence = warnings.first().toString();
+        QVERIFY2(sentence.startsWith(QStringLiteral("robot 'red' in trial 'leaving': no view sees it after 1.2 s")) &&
+                     sentence.contains(QStringLiteral("; move or add a camera so that the whole task is seen")),
+                 qPrintable(sentence));
+        QCOMPARE(tracked.err, "odograph: " + sentence.toUtf8() + '\n');
+        QCOMPARE(good("show %P leaving --json").json().value(QStringLiteral("warnings")).toArray(), warnings);
+
+        QCOMPARE(good("robot add %P dull --colour #b5a898").exitStatus, 0);
+        const ProgramRun dull = runProgram(filled(QStringLiteral("track %P leaving --robot dull")));
+        QVERIFY2(dull.exitStatus == 1 && dull.err.count('\n') == 1, dull.err);
+        QVERIFY2(dull.err.contains("robot 'dull' in trial 'leaving': its colour #b5a898 is also that of the floor (") &&
+                     dull.err.contains("; put a plate of another colour on it, or tell the colour it really has"),
+                 dull.err);
     }
 
     void badCallsFailInOneLine_data()

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+#include "core/workflow/view_tracking.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// How a robot is named in sentences.
+std::string robotInTrial(const std::string &robotName, const std::string &trialName);
+
+/// Whole sentences on an analysis that gave figures, but not of all of the task. From what is stored, so that
+/// they can be told at any time.
+std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName);
+
+/// The told colour of one robot is also the floor's: so much of a view's picture has it as no robot covers.
+/// An error to fail with where the robot was hardly ever found, and else to warn of. nullopt: it is not, or
+/// the views are stored ones, of which the pictures are not known.
+struct FloorColour
+{
+    Error error;
+    bool hardlyEverFound = false;
+};
+std::optional<FloorColour> floorColourOf(const RobotRecord &robot, const std::string &trialName,
+                                         const std::vector<RegisteredView> &views,
+                                         const std::vector<TrackedView> &tracked, std::size_t robotIndex);
+
+} // namespace odo

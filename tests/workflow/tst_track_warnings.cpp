@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/demo_testbed.h"
+#include "core/simulation/renderer.h"
+#include "core/workflow/track_warnings.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+using namespace odo;
+
+/// A told colour that the floor has too, from the picture to the sentence.
+class TestTrackWarnings : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    static constexpr RgbColour wood{176, 148, 112}, red{215, 35, 40};
+
+private Q_SLOTS:
+    void colourOfTheFloor_data()
+    {
+        QTest::addColumn<bool>("woodenFloor");
+        QTest::addColumn<bool>("toldWood");
+        QTest::newRow("another colour") << true << false;
+        QTest::newRow("a grey floor") << false << true;
+        QTest::newRow("the floor's colour") << true << true;
+    }
+    void colourOfTheFloor()
+    {
+        QFETCH(bool, woodenFloor);
+        QFETCH(bool, toldWood);
+        SimulatedScene scene = demoTestbed(8);
+        scene.durationS = 0.4;
+        if (woodenFloor)
+            scene.floor.colour = wood;
+        SimulatedRobot body;
+        body.name = std::string("r");
+        body.colour = toldWood ? wood : red;
+        body.motion = makeLineMotion({1.2, 0.8}, {1.8, 1.2}, 0, 2);
+        scene.robots.push_back(body);
+        RegisteredView view;
+        view.recording.cameraName = std::string("A");
+        view.file = m_folder.filePath(QStringLiteral("a.mkv")).toStdString();
+        VideoWriterOptions options;
+        options.codec = VideoCodec::Mjpeg;
+        QVERIFY(renderVideo(scene, 0, view.file, options, {}));
+
+        RobotRecord robot;
+        robot.name = std::string("r");
+        robot.colour = body.colour;
+        const auto tracked = trackViews({view}, {robot}, {});
+        QVERIFY(tracked.has_value());
+        QCOMPARE(tracked->front().sharesAlike.size(), std::size_t(1));
+        const double share = tracked->front().sharesAlike.front();
+        qInfo("%.1f %% of the picture", 100 * share);
+        const auto said = floorColourOf(robot, "t", {view}, *tracked, 0);
+        QCOMPARE(said.has_value(), woodenFloor && toldWood);
+        if (!said) {
+            QVERIFY(share < 0.05);
+            return;
+        }
+        QCOMPARE(said->error.code, ErrorCode::Undetermined);
+        QCOMPARE(said->error.message(),
+                 "robot 'r' in trial 't': its colour #b09470 is also that of the floor (" +
+                     std::to_string(std::lround(100 * share)) +
+                     " % of view A's picture); put a plate of another colour on it, or tell the colour it really has");
+    }
+
+    void hardlyEverFoundIsAnError()
+    {
+        RobotRecord robot;
+        robot.colour = wood;
+        std::vector<TrackedView> tracked(1);
+        tracked[0].sharesAlike = {0.31};
+        tracked[0].series.resize(1);
+        tracked[0].series[0].observations.resize(100);
+        QVERIFY(floorColourOf(robot, "t", std::vector<RegisteredView>(1), tracked, 0)->hardlyEverFound);
+        for (Observation &observation : tracked[0].series[0].observations)
+            observation.found = true;
+        QVERIFY(!floorColourOf(robot, "t", std::vector<RegisteredView>(1), tracked, 0)->hardlyEverFound);
+        tracked[0].sharesAlike.clear(); // stored observations
+        QVERIFY(!floorColourOf(robot, "t", std::vector<RegisteredView>(1), tracked, 0));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTrackWarnings)
+#include "tst_track_warnings.moc"
