@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace odo {
 
@@ -58,32 +59,6 @@ std::vector<Vector2d> convexHull(std::vector<Vector2d> points)
 }
 
 } // namespace
-
-RegionMoments polygonMoments(const std::vector<Vector2d> &corners)
-{
-    RegionMoments moments;
-    if (corners.size() < 3)
-        return moments;
-    // About the first corner, which keeps the sums well conditioned.
-    const Vector2d origin = corners.front();
-    double area = 0;
-    Vector2d first = Vector2d::Zero();
-    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-        const Vector2d a = corners[i] - origin, b = corners[i + 1] - origin, sum = a + b;
-        const double twice = cross(a, b);
-        area += twice / 2;
-        first += twice / 6 * sum;
-        second += twice / 24 * (a * a.transpose() + b * b.transpose() + sum * sum.transpose());
-    }
-    if (area == 0)
-        return moments;
-    const Vector2d mean = first / area;
-    moments.areaPx2 = std::abs(area);
-    moments.centrePx = origin + mean;
-    moments.covariancePx2 = second / area - mean * mean.transpose();
-    return moments;
-}
 
 std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const SolidShape &shape,
                                                const Vector2d &positionInWorld, double headingRad)

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/geometry/floor_view.h"
+#include "core/geometry/region_moments.h"
 
 #include <Eigen/Core>
 #include <optional>
-#include <vector>
 
 namespace odo {
 
@@ -18,17 +18,6 @@ struct SolidShape
     double lengthM = 0, widthM = 0; ///< along and across the heading; of a cylinder both are the diameter
     double baseM = 0, topM = 0;     ///< above the floor
 };
-
-/// Area, centroid and second central moments of a region of the picture. Pixels.
-struct RegionMoments
-{
-    double areaPx2 = 0;
-    Eigen::Vector2d centrePx = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d covariancePx2 = Eigen::Matrix2d::Zero();
-};
-
-/// Of a polygon with its corners in order, by Green's theorem; no area for fewer than three corners.
-RegionMoments polygonMoments(const std::vector<Eigen::Vector2d> &corners);
 
 /// What a view sees of the solid whose footprint's centre stands at a place of the floor, its length turned
 /// by headingRad from the world's X: the moments of the outline that its projected edges enclose (for a

@@ -285,14 +285,14 @@ void OutlineFit::gather(const ChromaGrid &grid, const std::vector<ScanLine> &lin
         }
     }
     roundOut(outline.points);
-    outline.moments = momentsOf(outline.points);
+    outline.moments = polygonMoments(outline.points);
     // An edge that moves by δ sweeps the area δ · pitch, which draws the centre towards it.
     const double variance = varianceOfEdges(lines);
     outline.centreCovariance.setZero();
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const double pitch = m_scanLines.stride() * (lines[i].alongX ? grid.scale.y() : grid.scale.x());
         const Eigen::Vector2d draw =
-            (outline.points[i] - outline.moments.centre) * (pitch / outline.moments.area);
+            (outline.points[i] - outline.moments.centrePx) * (pitch / outline.moments.areaPx2);
         outline.centreCovariance += variance * draw * draw.transpose();
     }
     outline.centreCovariance.diagonal().array() += modelVariance;
@@ -342,7 +342,7 @@ bool OutlineFit::fit(const Frame &frame, const ChromaGrid &grid, const RegionMas
     fillGaps(lines);
     gather(grid, lines, outline);
     learnLag(outline.lag);
-    return outline.moments.area > 0;
+    return outline.moments.areaPx2 > 0;
 }
 
 } // namespace odo

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/region_moments.h"
 #include "core/tracking/edge_profile.h"
-#include "core/tracking/polygon_moments.h"
 #include "core/tracking/scan_lines.h"
 #include "core/video/frame.h"
 
@@ -21,7 +21,7 @@ struct Outline
 {
     std::vector<Eigen::Vector2d> points; ///< in order, clockwise on the screen
     std::vector<std::uint8_t> found;     ///< 1 where an edge was found, 0 where the hull stands in
-    OutlineMoments moments;
+    RegionMoments moments;
     Eigen::Matrix2d centreCovariance = Eigen::Matrix2d::Zero();
     double solidity = 1;  ///< share of its hull that the region fills
     double goodShare = 0; ///< of the scan lines that found a clear edge

@@ -42,12 +42,12 @@ double OutlineMemory::radiusAt(double direction) const
 void OutlineMemory::keep(const Outline &outline, double timeS)
 {
     m_moments = outline.moments;
-    m_meanRadius = std::sqrt(m_moments.area / std::numbers::pi);
+    m_meanRadius = std::sqrt(m_moments.areaPx2 / std::numbers::pi);
     std::array<bool, directions> set{};
-    Eigen::Vector2d p = outline.points.back() - m_moments.centre;
+    Eigen::Vector2d p = outline.points.back() - m_moments.centrePx;
     double from = directionOf(p);
     for (const Eigen::Vector2d &point : outline.points) {
-        const Eigen::Vector2d q = point - m_moments.centre;
+        const Eigen::Vector2d q = point - m_moments.centrePx;
         const double to = directionOf(q);
         const double way = std::remainder(to - from, directions);
         // The rays between two points meet the straight line that joins them.
@@ -72,7 +72,7 @@ void OutlineMemory::keep(const Outline &outline, double timeS)
 OutlineMemory::Overlay OutlineMemory::lay(const Outline &outline, double timeS) const
 {
     Overlay overlay;
-    overlay.shift = outline.moments.centre - m_moments.centre;
+    overlay.shift = outline.moments.centrePx - m_moments.centrePx;
     const double frames = std::clamp((timeS - m_keptS) * 30, 1.0, 4.0);
     const double tolerance = std::max(leastTolerancePx, tolerancePerRadius * m_meanRadius * frames);
     for (int pass = 0; pass < passes; ++pass) {
@@ -83,7 +83,7 @@ OutlineMemory::Overlay OutlineMemory::lay(const Outline &outline, double timeS) 
         double squares = 0;
         int agreeing = 0, out = 0, in = 0, all = 0;
         for (std::size_t i = 0; i < outline.points.size(); ++i) {
-            const Eigen::Vector2d offset = outline.points[i] - m_moments.centre - overlay.shift;
+            const Eigen::Vector2d offset = outline.points[i] - m_moments.centrePx - overlay.shift;
             const double direction = directionOf(offset) - overlay.turn;
             const double remembered = radiusAt(direction) * (1 + overlay.scale), seen = offset.norm();
             const double slope =
@@ -129,9 +129,9 @@ OutlineVerdict OutlineMemory::replaceBy(const Overlay &overlay, double timeS)
     OutlineVerdict verdict;
     const double grown = 1 + overlay.scale;
     verdict.as = OutlineVerdict::As::Repaired;
-    verdict.moments.centre = m_moments.centre + overlay.shift;
-    verdict.moments.area = m_moments.area * grown * grown;
-    verdict.moments.covariance = m_moments.covariance * grown * grown;
+    verdict.moments.centrePx = m_moments.centrePx + overlay.shift;
+    verdict.moments.areaPx2 = m_moments.areaPx2 * grown * grown;
+    verdict.moments.covariancePx2 = m_moments.covariancePx2 * grown * grown;
     // What agrees fixes the centre the worse the less of the rim it takes up.
     const double sigma = 0.3 + overlay.residual * (1 - overlay.agreeing) * 2 + 0.01 * m_meanRadius;
     verdict.doubt = Eigen::Matrix2d::Identity() * sigma * sigma;
@@ -155,7 +155,7 @@ OutlineVerdict OutlineMemory::judge(const Outline &outline, double timeS)
     }
     const Overlay overlay = lay(outline, timeS);
     const double straying = overlay.strayingOut + overlay.strayingIn;
-    const double drawn = (outline.moments.centre - m_moments.centre - overlay.shift).norm();
+    const double drawn = (outline.moments.centrePx - m_moments.centrePx - overlay.shift).norm();
     if (straying <= mostStraying || drawn < mostDrawnPx + mostDrawnPerRadius * m_meanRadius) {
         keep(outline, timeS);
         return verdict;
@@ -176,7 +176,7 @@ OutlineVerdict OutlineMemory::judge(const Outline &outline, double timeS)
     verdict.doubt = Eigen::Matrix2d::Identity() * (drawn * drawn + 0.04 * m_meanRadius * m_meanRadius);
     verdict.trust = 0.15;
     // The remembered outline waits where the robot may be by now.
-    m_moments.centre = outline.moments.centre;
+    m_moments.centrePx = outline.moments.centrePx;
     m_keptS = timeS;
     return verdict;
 }

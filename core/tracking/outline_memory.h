@@ -15,7 +15,7 @@ struct OutlineVerdict
         Repaired,  ///< a part of it did not: the shape seen before, laid over the rest
         Unreliable ///< too much of it did not
     } as = As::Seen;
-    OutlineMoments moments;
+    RegionMoments moments;
     Eigen::Matrix2d doubt = Eigen::Matrix2d::Zero(); ///< what to add to the centre's covariance, px²
     double trust = 1;                                ///< factor of the score
 };
@@ -53,7 +53,7 @@ private:
 
     bool m_known = false;
     std::array<float, directions> m_radii{};
-    OutlineMoments m_moments;
+    RegionMoments m_moments;
     double m_meanRadius = 0;
     double m_keptS = 0, m_disturbedSinceS = 0, m_lastS = 0;
     bool m_disturbed = false;

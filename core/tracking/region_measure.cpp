@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/region_measure.h"
 
-#include "core/tracking/polygon_moments.h"
+#include "core/tracking/moment_ellipse.h"
 
 #include <algorithm>
 #include <cmath>

@@ -435,9 +435,9 @@ void RobotFollower::doubtSize(Observation &observation) const
 void RobotFollower::adopt(const TrackedFrame &frame, const OutlineVerdict &verdict, RegionShape &shape) const
 {
     const Eigen::Vector2d perLuma = frame.grid().scale.cwiseInverse();
-    shape.area = verdict.moments.area / frame.lumaPerSample();
-    shape.centre = frame.grid().fromLuma(verdict.moments.centre);
-    shape.covariance = perLuma.asDiagonal() * verdict.moments.covariance * perLuma.asDiagonal();
+    shape.area = verdict.moments.areaPx2 / frame.lumaPerSample();
+    shape.centre = frame.grid().fromLuma(verdict.moments.centrePx);
+    shape.covariance = perLuma.asDiagonal() * verdict.moments.covariancePx2 * perLuma.asDiagonal();
     shape.centreCovariance =
         perLuma.asDiagonal() * (m_outline.centreCovariance + verdict.doubt) * perLuma.asDiagonal();
 }

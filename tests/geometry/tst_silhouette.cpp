@@ -85,15 +85,20 @@ class TestSilhouette : public QObject
 private Q_SLOTS:
     void aRectangleHasItsClosedFormMoments()
     {
-        const RegionMoments moments = polygonMoments({{2, 3}, {8, 3}, {8, 5}, {2, 5}});
-        QCOMPARE(moments.areaPx2, 12.0);
-        QVERIFY(moments.centrePx.isApprox(Eigen::Vector2d(5, 4)));
-        QVERIFY(moments.covariancePx2.isApprox(
-            Eigen::Vector2d(36 / 12.0, 4 / 12.0).asDiagonal().toDenseMatrix()));
+        std::vector<Eigen::Vector2d> corners = {{2, 3}, {8, 3}, {8, 5}, {2, 5}};
+        for (int way = 0; way < 2; ++way) { // in either orientation
+            const RegionMoments moments = polygonMoments(corners);
+            QCOMPARE(moments.areaPx2, 12.0);
+            QVERIFY(moments.centrePx.isApprox(Eigen::Vector2d(5, 4)));
+            QVERIFY(moments.covariancePx2.isApprox(
+                Eigen::Vector2d(36 / 12.0, 4 / 12.0).asDiagonal().toDenseMatrix()));
+            std::reverse(corners.begin(), corners.end());
+        }
     }
 
     void fewerThanThreeCornersHaveNoArea()
     {
+        QCOMPARE(polygonMoments({}).areaPx2, 0.0);
         QCOMPARE(polygonMoments({{1, 1}, {2, 2}}).areaPx2, 0.0);
         QCOMPARE(polygonMoments({{1, 1}, {2, 2}, {3, 3}}).areaPx2, 0.0);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/colour_tracker.h"
-#include "core/tracking/polygon_moments.h"
+#include "core/tracking/moment_ellipse.h"
 #include "tests/tracking/painter.h"
 #include "tests/tracking/silhouette.h"
 
@@ -70,7 +70,7 @@ class TestOutline : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void momentsOfPolygons();
+    void ellipseOfMoments();
     void boxWithTwoShades();
     void wrongSiting_data();
     void wrongSiting();
@@ -80,21 +80,8 @@ private Q_SLOTS:
     void statedScatter();
 };
 
-void TestOutline::momentsOfPolygons()
+void TestOutline::ellipseOfMoments()
 {
-    // A rectangle of sides 6 and 4, either way round: area ab, variances a²/12 and b²/12.
-    std::vector<Vector2d> corners = {{10, 20}, {16, 20}, {16, 24}, {10, 24}};
-    for (int way = 0; way < 2; ++way) {
-        const OutlineMoments moments = momentsOf(corners);
-        QVERIFY(std::abs(moments.area - 24) < 1e-12);
-        QVERIFY((moments.centre - Vector2d(13, 22)).norm() < 1e-12);
-        QVERIFY(std::abs(moments.covariance(0, 0) - 3) < 1e-12);
-        QVERIFY(std::abs(moments.covariance(1, 1) - 4.0 / 3) < 1e-12);
-        QVERIFY(std::abs(moments.covariance(0, 1)) < 1e-12);
-        std::reverse(corners.begin(), corners.end());
-    }
-    QCOMPARE(momentsOf({}).area, 0.0);
-    QCOMPARE(momentsOf({{1, 1}, {2, 2}}).area, 0.0);
     // There and back: the covariance of an ellipse.
     Eigen::Matrix2d covariance;
     covariance << 90, 25, 25, 40;
