@@ -109,6 +109,7 @@ private Q_SLOTS:
         const QJsonObject cap = track.json().value(QStringLiteral("robots")).toObject().value(QStringLiteral("cap")).toObject();
         QCOMPARE(cap.value(QStringLiteral("frames")).toInt(), 100);
         QVERIFY(cap.value(QStringLiteral("tracked")).toInt() >= 99);
+        QVERIFY2(track.json().value(QStringLiteral("warnings")).toArray().isEmpty(), track.err);
         compareWithReference();
     }
 

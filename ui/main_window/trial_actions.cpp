@@ -48,8 +48,11 @@ QString trackedWords(const TrackOutcome &outcome)
                      .arg(robot.tracked)
                      .arg(robot.frames)
                      .arg(robot.analysis.profile.spikes.size());
-    return TrialActions::tr("%1 is tracked: %2.")
-        .arg(QString::fromStdString(outcome.trial), parts.join(QStringLiteral("; ")));
+    QStringList sentences{TrialActions::tr("%1 is tracked: %2.")
+                              .arg(QString::fromStdString(outcome.trial), parts.join(QStringLiteral("; ")))};
+    for (const std::string &warning : outcome.warnings)
+        sentences << QString::fromStdString(warning);
+    return sentences.join(QLatin1Char(' '));
 }
 
 QString importedWords(const ImportTrialJob &job)
