@@ -63,15 +63,15 @@ struct EdgeSearch
 inline float moveToEdge(const EdgeProfile &profile, const EdgeSearch &search, float leastContrast,
                         float &place)
 {
-    const float h = search.halfWidth, r = search.reference, d = search.inward;
+    const float h = search.halfWidth, r = search.reference, d = search.inward, perR = d / r;
     // Sums up to the ends of the stretches, from the inside outwards.
     const float inner = profile.upTo(place + d * (h + r)), innerEnd = profile.upTo(place + d * h),
                 outerEnd = profile.upTo(place - d * h), outer = profile.upTo(place - d * (h + r));
-    const float in = d * (inner - innerEnd) / r;
-    float out = d * (outerEnd - outer) / r;
+    const float in = perR * (inner - innerEnd);
+    float out = perR * (outerEnd - outer);
     if (search.leadOn) {
-        const float farther = d * (outer - profile.upTo(place - d * (h + 2 * r))) / r;
-        out += (out - farther) * (0.5f * (h + r) / r);
+        const float farther = perR * (outer - profile.upTo(place - d * (h + 2 * r)));
+        out += (out - farther) * (0.5f + 0.5f * h * d * perR);
     }
     const float contrast = in - out;
     if (std::abs(contrast) < leastContrast)

@@ -73,6 +73,19 @@ void roundOut(std::vector<Eigen::Vector2d> &points)
     }
 }
 
+/// Without the call that the library's costs.
+int floorOf(float value)
+{
+    const int towardsZero = static_cast<int>(value);
+    return towardsZero - (static_cast<float>(towardsZero) > value ? 1 : 0);
+}
+
+/// An index about a ring, from less than once around outside of it.
+std::size_t wrapped(int i, int n)
+{
+    return static_cast<std::size_t>(i < 0 ? i + n : i < n ? i : i - n);
+}
+
 float medianOf(std::vector<float> &values)
 {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -95,7 +108,7 @@ bool OutlineFit::locateInLuma(const Frame &frame, const ScanLine &line, int line
     search.reference = sharpReference + 0.5f * blur;
     search.leadOn = true;
     const float reach = std::min(search.halfWidth + 2 * search.reference + 2.0f, mostReach);
-    const int first = static_cast<int>(std::floor(place - reach));
+    const int first = floorOf(place - reach);
     const int count = std::min(static_cast<int>(2 * reach) + 2, EdgeProfile::mostSamples);
     if (first < 0 || first + count > (line.alongX ? frame.y.width : frame.y.height))
         return false;
@@ -130,7 +143,7 @@ OutlineFit::Edge OutlineFit::locate(const Frame &frame, const ChromaGrid &grid, 
     const auto offset = static_cast<float>(line.alongX ? grid.offset.x() : grid.offset.y());
     const int count = 2 * chromaReach / s;
     const int first =
-        static_cast<int>(std::lround((line.start - offset) / static_cast<float>(s))) - count / 2;
+        floorOf((line.start - offset) / static_cast<float>(s) + 0.5f) - count / 2;
     if (line.room < leastRoom || first < 0 || first + count > (line.alongX ? grid.u.width : grid.u.height) ||
         (line.line + 1) * lines > (line.alongX ? frame.y.height : frame.y.width))
         return edge;
@@ -160,6 +173,16 @@ OutlineFit::Edge OutlineFit::locate(const Frame &frame, const ChromaGrid &grid, 
 
 void OutlineFit::putOutliersAside()
 {
+    // No edge can stray from a median of edges that lie closer together.
+    float least = farthest, most = -farthest;
+    for (const Edge &edge : m_edges) {
+        if (edge.good) {
+            least = std::min(least, edge.outward);
+            most = std::max(most, edge.outward);
+        }
+    }
+    if (most - least < stray)
+        return;
     constexpr int reach = 3;
     const int n = static_cast<int>(m_edges.size());
     m_near.clear();
@@ -167,12 +190,13 @@ void OutlineFit::putOutliersAside()
         std::array<float, 2 * reach + 1> around;
         int count = 0;
         for (int k = -reach; k <= reach; ++k) {
-            const Edge &edge = m_edges[static_cast<std::size_t>((i + k + n) % n)];
+            const Edge &edge = m_edges[wrapped(i + k, n)];
             if (edge.good)
                 around[static_cast<std::size_t>(count++)] = edge.outward;
         }
-        std::sort(around.begin(), around.begin() + count);
-        m_near.push_back(count > 0 ? around[static_cast<std::size_t>(count / 2)] : 0);
+        const auto middle = around.begin() + count / 2;
+        std::nth_element(around.begin(), middle, around.begin() + count);
+        m_near.push_back(count > 0 ? *middle : 0);
     }
     for (int i = 0; i < n; ++i) {
         Edge &edge = m_edges[static_cast<std::size_t>(i)];
@@ -193,7 +217,7 @@ void OutlineFit::heedChroma(const std::vector<ScanLine> &lines)
         float sum = 0;
         int count = 0;
         for (int k = -reach; k <= reach; ++k) {
-            const auto j = static_cast<std::size_t>((i + k + n) % n);
+            const std::size_t j = wrapped(i + k, n);
             if (m_edges[j].good && m_edges[j].byLuma && lines[j].alongX == line.alongX &&
                 lines[j].inward == line.inward) {
                 sum -= m_edges[j].lag * static_cast<float>(line.inward);
@@ -241,7 +265,7 @@ double OutlineFit::varianceOfEdges(const std::vector<ScanLine> &lines)
         constexpr float weights[] = {-1.0f / 6, 4.0f / 6, -1, 4.0f / 6, -1.0f / 6};
         float sum = 0;
         for (int k = -2; k <= 2; ++k) {
-            const auto j = static_cast<std::size_t>((i + k * step + n) % n);
+            const std::size_t j = wrapped(i + k * step, n);
             if (!m_edges[j].good || lines[j].alongX != lines[static_cast<std::size_t>(i)].alongX ||
                 lines[j].inward != lines[static_cast<std::size_t>(i)].inward)
                 return -1;

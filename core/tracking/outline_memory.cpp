@@ -14,6 +14,7 @@ constexpr double staleAfterS = 0.4;
 constexpr double growthBelievedAfterS = 0.5, lossBelievedAfterS = 2.0;
 constexpr double leastTolerancePx = 1.0, tolerancePerRadius = 0.05; ///< the latter in a 30th of a second
 constexpr double mostStraying = 0.08; ///< of the outline without being called disturbed
+constexpr double mostStrayingAtOnce = 0.04; ///< of it, centre upon centre
 constexpr double leastAgreeing = 0.5; ///< of the outline, to repair it
 constexpr double mostDrawnPx = 0.35, mostDrawnPerRadius = 0.01;
 constexpr int passes = 4;
@@ -39,22 +40,27 @@ double OutlineMemory::radiusAt(double direction) const
            part * static_cast<double>(m_radii[static_cast<std::size_t>((i + 1) % directions)]);
 }
 
-void OutlineMemory::keep(const Outline &outline, double timeS)
+/// The outline's distance from its centre in each direction.
+OutlineMemory::Radii OutlineMemory::radiiOf(const Outline &outline)
 {
-    m_moments = outline.moments;
-    m_meanRadius = std::sqrt(m_moments.areaPx2 / std::numbers::pi);
+    Radii radii;
     std::array<bool, directions> set{};
-    Eigen::Vector2d p = outline.points.back() - m_moments.centrePx;
+    const Eigen::Vector2d &centre = outline.moments.centrePx;
+    Eigen::Vector2d p = outline.points.back() - centre;
     double from = directionOf(p);
     for (const Eigen::Vector2d &point : outline.points) {
-        const Eigen::Vector2d q = point - m_moments.centrePx;
+        const Eigen::Vector2d q = point - centre;
         const double to = directionOf(q);
-        const double way = std::remainder(to - from, directions);
+        double way = to - from;
+        if (std::abs(way) > directions / 2.0)
+            way -= std::copysign(static_cast<double>(directions), way);
         // The rays between two points meet the straight line that joins them.
-        for (int k = static_cast<int>(std::ceil(from)); way > 0 && k <= from + way; ++k) {
-            const auto i = static_cast<std::size_t>(k % directions);
+        int k = static_cast<int>(from);
+        k += k < from;
+        for (; way > 0 && k <= from + way; ++k) {
+            const auto i = static_cast<std::size_t>(k) % directions;
             const double part = (k - from) / way;
-            m_radii[i] = static_cast<float>(((1 - part) * p + part * q).norm());
+            radii[i] = static_cast<float>(((1 - part) * p + part * q).norm());
             set[i] = true;
         }
         p = q;
@@ -62,22 +68,46 @@ void OutlineMemory::keep(const Outline &outline, double timeS)
     }
     for (std::size_t i = 0; i < directions; ++i) {
         if (!set[i])
-            m_radii[i] = m_radii[(i + directions - 1) % directions];
+            radii[i] = i > 0 ? radii[i - 1] : static_cast<float>(p.norm());
     }
+    return radii;
+}
+
+void OutlineMemory::keep(const Outline &outline, const Radii &radii, double timeS)
+{
+    m_moments = outline.moments;
+    m_meanRadius = std::sqrt(m_moments.areaPx2 / std::numbers::pi);
+    m_radii = radii;
     m_known = true;
     m_disturbed = false;
     m_keptS = timeS;
+}
+
+double OutlineMemory::tolerance(double timeS) const
+{
+    const double frames = std::clamp((timeS - m_keptS) * 30, 1.0, 4.0);
+    return std::max(leastTolerancePx, tolerancePerRadius * m_meanRadius * frames);
+}
+
+/// Whether the outline need not be laid over the remembered one at all: centre upon centre it agrees already, as
+/// nearly every one does.
+bool OutlineMemory::agrees(const Radii &radii, double tolerancePx) const
+{
+    const auto most = static_cast<float>(tolerancePx);
+    int straying = 0;
+    for (std::size_t i = 0; i < directions; ++i)
+        straying += std::abs(radii[i] - m_radii[i]) > most;
+    return straying <= mostStrayingAtOnce * directions;
 }
 
 OutlineMemory::Overlay OutlineMemory::lay(const Outline &outline, double timeS) const
 {
     Overlay overlay;
     overlay.shift = outline.moments.centrePx - m_moments.centrePx;
-    const double frames = std::clamp((timeS - m_keptS) * 30, 1.0, 4.0);
-    const double tolerance = std::max(leastTolerancePx, tolerancePerRadius * m_meanRadius * frames);
+    const double mostStray = tolerance(timeS);
     for (int pass = 0; pass < passes; ++pass) {
         // Wide at first: the centre of a disturbed outline is a bad start.
-        const double width = tolerance * (pass == 0 ? 6 : pass == 1 ? 3.5 : 2);
+        const double width = mostStray * (pass == 0 ? 6 : pass == 1 ? 3.5 : 2);
         Eigen::Matrix4d normal = Eigen::Vector4d(1e-6, 1e-6, 1e-3 * m_meanRadius, 1e-3).asDiagonal();
         Eigen::Vector4d right = Eigen::Vector4d::Zero();
         double squares = 0;
@@ -91,14 +121,14 @@ OutlineMemory::Overlay OutlineMemory::lay(const Outline &outline, double timeS) 
             const Eigen::Vector2d ray = offset / std::max(seen, 1e-9);
             // Along the outline's normal, which differs from the ray's by the slope of the radius.
             const double perStep = seen * 2 * std::numbers::pi / directions;
-            const double cosine = perStep / std::hypot(perStep, slope);
+            const double cosine = perStep / std::sqrt(perStep * perStep + slope * slope);
             const double stray = (seen - remembered) * cosine;
             ++all;
-            out += stray > tolerance;
-            in += stray < -tolerance;
+            out += stray > mostStray;
+            in += stray < -mostStray;
             if (!outline.found[i] || std::abs(stray) > width)
                 continue;
-            if (std::abs(stray) <= tolerance) {
+            if (std::abs(stray) <= mostStray) {
                 ++agreeing;
                 squares += stray * stray;
             }
@@ -149,15 +179,16 @@ OutlineVerdict OutlineMemory::judge(const Outline &outline, double timeS)
     OutlineVerdict verdict;
     verdict.moments = outline.moments;
     m_lastS = timeS;
-    if (!m_known || timeS - m_keptS > staleAfterS) {
-        keep(outline, timeS);
+    const Radii radii = radiiOf(outline);
+    if (!m_known || timeS - m_keptS > staleAfterS || agrees(radii, tolerance(timeS))) {
+        keep(outline, radii, timeS);
         return verdict;
     }
     const Overlay overlay = lay(outline, timeS);
     const double straying = overlay.strayingOut + overlay.strayingIn;
     const double drawn = (outline.moments.centrePx - m_moments.centrePx - overlay.shift).norm();
     if (straying <= mostStraying || drawn < mostDrawnPx + mostDrawnPerRadius * m_meanRadius) {
-        keep(outline, timeS);
+        keep(outline, radii, timeS);
         return verdict;
     }
     if (!m_disturbed) {
@@ -167,7 +198,7 @@ OutlineVerdict OutlineMemory::judge(const Outline &outline, double timeS)
     const double patience =
         overlay.strayingOut > overlay.strayingIn ? growthBelievedAfterS : lossBelievedAfterS;
     if (timeS - m_disturbedSinceS > patience) {
-        keep(outline, timeS);
+        keep(outline, radii, timeS);
         return verdict;
     }
     if (overlay.agreeing >= leastAgreeing)

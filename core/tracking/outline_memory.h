@@ -45,14 +45,18 @@ private:
         double strayingOut = 0, strayingIn = 0; ///< shares of those that do not
         double residual = 0;                    ///< rms of those that agree, px
     };
+    using Radii = std::array<float, directions>;
     static double directionOf(const Eigen::Vector2d &offset);
+    static Radii radiiOf(const Outline &outline);
     double radiusAt(double direction) const;
-    void keep(const Outline &outline, double timeS);
+    double tolerance(double timeS) const;
+    bool agrees(const Radii &radii, double tolerancePx) const;
+    void keep(const Outline &outline, const Radii &radii, double timeS);
     Overlay lay(const Outline &outline, double timeS) const;
     OutlineVerdict replaceBy(const Overlay &overlay, double timeS);
 
     bool m_known = false;
-    std::array<float, directions> m_radii{};
+    Radii m_radii{};
     RegionMoments m_moments;
     double m_meanRadius = 0;
     double m_keptS = 0, m_disturbedSinceS = 0, m_lastS = 0;
