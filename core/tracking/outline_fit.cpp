@@ -10,21 +10,23 @@ namespace odo {
 namespace {
 
 constexpr int mostLines = 160, leastLines = 16;
-constexpr float leastWidth = 13;    ///< luma pixels: of a smaller region the two sides disturb one another
-constexpr float leastRoom = 5;      ///< luma pixels of the region on a line
-constexpr float leastShare = 0.4f;  ///< of lines that found an edge
-constexpr float leastContrast = 6;  ///< code values
-constexpr int chromaReach = 8;      ///< luma pixels on both sides of the start
-constexpr float farthest = 4;       ///< of the edge from the start
-constexpr float mostLag = 1.5f;     ///< of the luma's edge from the chroma's
-constexpr float stray = 2.5f;       ///< of an edge from the median of its neighbours
-constexpr float mostReach = 8;      ///< of the luma on both sides of the place
-constexpr float leastHeeded = 0.5f; ///< disagreement of luma and chroma along a side
+constexpr float leastWidth = 13;   ///< luma pixels: of a smaller region the two sides disturb one another
+constexpr float leastRoom = 5;     ///< luma pixels of the region on a line
+constexpr float leastShare = 0.4f; ///< of lines that found an edge
+constexpr float leastContrast = 6; ///< code values
+constexpr int chromaReach = 8;     ///< luma pixels on both sides of the start
+constexpr float farthest = 4;      ///< of the edge from the start
+constexpr float mostLag = 1.5f;    ///< of the luma's edge from the chroma's
+constexpr float chromaSettled = 0.3f, lumaSettled = 0.1f; ///< moved by less it stays where it is
+constexpr float stray = 2.5f;                             ///< of an edge from the median of its neighbours
+constexpr float mostReach = 8;                            ///< of the luma on both sides of the place
+constexpr float leastHeeded = 0.5f;                       ///< disagreement of luma and chroma along a side
+constexpr int linesPerSharpness = 3, leastSharpnesses = 6;
 constexpr float sharpHalfWidth = 0.75f, sharpReference = 0.75f;
 constexpr float exposureShare =
     0.05f; ///< of the time between two frames: much of the blur is symmetric and needs no room
 constexpr int fitsForLag = 100;
-constexpr double leastLag = 0.25;   ///< luma pixels
+constexpr double leastLag = 0.25;               ///< luma pixels
 constexpr double unknownVariance = 0.15 * 0.15; ///< of an edge, where there are too few to tell
 constexpr double modelVariance = 0.01 * 0.01;
 
@@ -116,11 +118,15 @@ bool OutlineFit::locateInLuma(const Frame &frame, const ScanLine &line, int line
     const float start = place;
     float contrast = 0;
     for (int pass = 0; pass < 2; ++pass) {
+        const float before = place;
         contrast = moveToEdge(luma, search, leastContrast, place);
         if (std::abs(contrast) < leastContrast || std::abs(place - start) > mostLag)
             return false;
+        if (std::abs(place - before) < lumaSettled)
+            break;
     }
-    if (motion < 0.5f && std::abs(line.slope) < 0.4f && luma.covers(place - 4, place + 4)) {
+    if (line.line % linesPerSharpness == 0 && motion < 0.5f && std::abs(line.slope) < 0.4f &&
+        luma.covers(place - 4, place + 4)) {
         const float d = search.inward;
         const float wide =
             luma.mean(place + d * 2.5f, place + d * 4) - luma.mean(place - d * 4, place - d * 2.5f);
@@ -142,8 +148,7 @@ OutlineFit::Edge OutlineFit::locate(const Frame &frame, const ChromaGrid &grid, 
     const int lines = static_cast<int>(line.alongX ? grid.scale.y() : grid.scale.x());
     const auto offset = static_cast<float>(line.alongX ? grid.offset.x() : grid.offset.y());
     const int count = 2 * chromaReach / s;
-    const int first =
-        floorOf((line.start - offset) / static_cast<float>(s) + 0.5f) - count / 2;
+    const int first = floorOf((line.start - offset) / static_cast<float>(s) + 0.5f) - count / 2;
     if (line.room < leastRoom || first < 0 || first + count > (line.alongX ? grid.u.width : grid.u.height) ||
         (line.line + 1) * lines > (line.alongX ? frame.y.height : frame.y.width))
         return edge;
@@ -153,8 +158,10 @@ OutlineFit::Edge OutlineFit::locate(const Frame &frame, const ChromaGrid &grid, 
     float place = line.start;
     if (moveToEdge(chroma, search, leastContrast, place) < leastContrast)
         return edge;
-    search.halfWidth = std::min(3.0f, most);
-    moveToEdge(chroma, search, leastContrast, place);
+    if (std::abs(place - line.start) > chromaSettled) {
+        search.halfWidth = std::min(3.0f, most);
+        moveToEdge(chroma, search, leastContrast, place);
+    }
     // The chroma's row may lie beside the luma's: along a slanted edge that is a shift.
     const auto across = static_cast<float>(line.alongX ? grid.offset.y() : grid.offset.x());
     place += line.slope * (0.5f * static_cast<float>(lines - 1) - across);
@@ -173,30 +180,30 @@ OutlineFit::Edge OutlineFit::locate(const Frame &frame, const ChromaGrid &grid, 
 
 void OutlineFit::putOutliersAside()
 {
-    // No edge can stray from a median of edges that lie closer together.
-    float least = farthest, most = -farthest;
-    for (const Edge &edge : m_edges) {
-        if (edge.good) {
-            least = std::min(least, edge.outward);
-            most = std::max(most, edge.outward);
-        }
-    }
-    if (most - least < stray)
-        return;
     constexpr int reach = 3;
     const int n = static_cast<int>(m_edges.size());
     m_near.clear();
     for (int i = 0; i < n; ++i) {
+        const float own = m_edges[static_cast<std::size_t>(i)].outward;
         std::array<float, 2 * reach + 1> around;
         int count = 0;
+        float least = own, most = own;
         for (int k = -reach; k <= reach; ++k) {
             const Edge &edge = m_edges[wrapped(i + k, n)];
-            if (edge.good)
-                around[static_cast<std::size_t>(count++)] = edge.outward;
+            if (!edge.good)
+                continue;
+            around[static_cast<std::size_t>(count++)] = edge.outward;
+            least = std::min(least, edge.outward);
+            most = std::max(most, edge.outward);
+        }
+        // No edge strays from the median of such as lie closer together, whatever it is.
+        if (count == 0 || most - least < stray) {
+            m_near.push_back(own);
+            continue;
         }
         const auto middle = around.begin() + count / 2;
         std::nth_element(around.begin(), middle, around.begin() + count);
-        m_near.push_back(count > 0 ? *middle : 0);
+        m_near.push_back(*middle);
     }
     for (int i = 0; i < n; ++i) {
         Edge &edge = m_edges[static_cast<std::size_t>(i)];
@@ -322,8 +329,8 @@ void OutlineFit::gather(const ChromaGrid &grid, const std::vector<ScanLine> &lin
     outline.centreCovariance.diagonal().array() += modelVariance;
 }
 
-/// The chroma's samples lie elsewhere than the stream says when its edges keep away from the luma's, everywhere
-/// in the same direction. A siting is wrong by half a pixel or not at all; less is shading.
+/// The chroma's samples lie elsewhere than the stream says when its edges keep away from the luma's,
+/// everywhere in the same direction. A siting is wrong by half a pixel or not at all; less is shading.
 void OutlineFit::learnLag(const ChromaLag &lag)
 {
     if (m_lagFits >= fitsForLag)
@@ -361,7 +368,7 @@ bool OutlineFit::fit(const Frame &frame, const ChromaGrid &grid, const RegionMas
     outline.goodShare = static_cast<double>(good) / static_cast<double>(lines.size());
     if (good < leastLines || outline.goodShare < static_cast<double>(leastShare))
         return false;
-    if (m_sharpnessCount >= leastLines)
+    if (m_sharpnessCount >= leastSharpnesses)
         m_sharpness += 0.2f * (m_sharpnessSum / static_cast<float>(m_sharpnessCount) - m_sharpness);
     fillGaps(lines);
     gather(grid, lines, outline);

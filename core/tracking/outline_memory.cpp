@@ -13,9 +13,9 @@ namespace {
 constexpr double staleAfterS = 0.4;
 constexpr double growthBelievedAfterS = 0.5, lossBelievedAfterS = 2.0;
 constexpr double leastTolerancePx = 1.0, tolerancePerRadius = 0.05; ///< the latter in a 30th of a second
-constexpr double mostStraying = 0.08; ///< of the outline without being called disturbed
+constexpr double mostStraying = 0.08;       ///< of the outline without being called disturbed
 constexpr double mostStrayingAtOnce = 0.04; ///< of it, centre upon centre
-constexpr double leastAgreeing = 0.5; ///< of the outline, to repair it
+constexpr double leastAgreeing = 0.5;       ///< of the outline, to repair it
 constexpr double mostDrawnPx = 0.35, mostDrawnPerRadius = 0.01;
 constexpr int passes = 4;
 
@@ -89,8 +89,8 @@ double OutlineMemory::tolerance(double timeS) const
     return std::max(leastTolerancePx, tolerancePerRadius * m_meanRadius * frames);
 }
 
-/// Whether the outline need not be laid over the remembered one at all: centre upon centre it agrees already, as
-/// nearly every one does.
+/// Whether the outline need not be laid over the remembered one at all: centre upon centre it agrees already,
+/// as nearly every one does.
 bool OutlineMemory::agrees(const Radii &radii, double tolerancePx) const
 {
     const auto most = static_cast<float>(tolerancePx);
