@@ -14,6 +14,8 @@ namespace {
 
 constexpr double sigmas95 = 1.96;
 constexpr double spikeMm = 20;
+// Several times the stated σ of a sound place: whoever flags a place further off is right.
+constexpr double honestMm = 4;
 constexpr double impactMarginS = 0.2; // half of what a smoother looks at
 constexpr int exchangeFrames = 3;
 
@@ -100,13 +102,14 @@ private:
 
     void addSpike(const Line &line, const MotionState &truth, double timeS)
     {
-        const bool isSpike = line.has("raw_x_mm") &&
-                             (line.pair("raw_x_mm", "raw_y_mm") - truth.position * 1000).norm() > spikeMm;
+        const double rawErrorMm =
+            line.has("raw_x_mm") ? (line.pair("raw_x_mm", "raw_y_mm") - truth.position * 1000).norm() : 0;
+        const bool isSpike = rawErrorMm > spikeMm;
         const bool disturbed = isDisturbed(m_scene.scene, m_robot, timeS), flagged = line.isFlagged();
         m_sums.trueSpikes += isSpike;
         m_sums.foundSpikes += isSpike && flagged;
         m_sums.flagged += flagged;
-        m_sums.justlyFlagged += flagged && (isSpike || disturbed);
+        m_sums.justlyFlagged += flagged && (rawErrorMm > honestMm || disturbed);
         m_sums.disturbed += disturbed;
     }
 
