@@ -40,7 +40,9 @@ QJsonObject syncJson(const TrialRecord &trial)
     return {{QStringLiteral("method"), QString::fromStdString(trial.syncMethod)},
             {QStringLiteral("offset_s"), trial.syncOffsetS},
             {QStringLiteral("offset_sigma_s"), trial.syncOffsetSigmaS},
-            {QStringLiteral("score"), trial.syncScore}};
+            {QStringLiteral("score"), trial.syncScore},
+            {QStringLiteral("rate_ppm"), trial.syncRate * 1e6},
+            {QStringLiteral("rate_sigma_ppm"), trial.syncRateSigma * 1e6}};
 }
 
 QJsonObject recordingJson(const RecordingRecord &recording)
@@ -49,7 +51,9 @@ QJsonObject recordingJson(const RecordingRecord &recording)
     const double interval = recording.framesPerSecond > 0 ? 1 / recording.framesPerSecond : 0;
     return {{QStringLiteral("frames"), qint64(recording.frameTimes.size())},
             {QStringLiteral("fps"), recording.framesPerSecond},
-            {QStringLiteral("duration_s"), duration + interval}};
+            {QStringLiteral("duration_s"), duration + interval},
+            {QStringLiteral("start_offset_s"), recording.startOffsetS},
+            {QStringLiteral("clock_rate_ppm"), recording.clockRate * 1e6}};
 }
 
 QJsonArray vectorJson(const Eigen::VectorXd &vector)

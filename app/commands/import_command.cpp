@@ -25,11 +25,14 @@ Result<ImportSettings> settingsFrom(const CommandCall &call)
     if (const std::string how = call.value(sync); how == "none") {
         settings.sync = ImportSettings::Sync::None;
     } else if (!how.empty() && how != "auto") {
-        const auto offset = call.number(sync);
-        if (!offset)
-            return call.wrongCall(QStringLiteral("--sync is auto, none or a number of seconds"));
         settings.sync = ImportSettings::Sync::Told;
-        settings.offsetS = *offset;
+        for (const QString &text : QString::fromStdString(how).split(u',')) {
+            const auto offset = parseNumber(text.trimmed().toStdString());
+            if (!offset)
+                return call.wrongCall(
+                    QStringLiteral("--sync is auto, none or seconds, one number for each view but the first"));
+            settings.offsetsS.push_back(*offset);
+        }
     }
     settings.team = call.value(team);
     settings.robots = call.texts(robot);
@@ -47,13 +50,13 @@ Result<ImportSettings> settingsFrom(const CommandCall &call)
 Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("import"),
-                      QStringLiteral("P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--sync auto|none|SECONDS] "
+                      QStringLiteral("P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--sync auto|none|SECONDS[,SECONDS]...] "
                                      "[--team T] [--robot R]... [--rate 240] [--json]"),
                       1, 1,
                       {{trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
                        {video, QStringLiteral("A view: the camera's name and the file."), QStringLiteral("CAMERA=FILE")},
-                       {sync, QStringLiteral("How much later the second view's first frame was taken."),
-                        QStringLiteral("auto|none|SECONDS")},
+                       {sync, QStringLiteral("How much later each other view's first frame was taken than the first view's."),
+                        QStringLiteral("auto|none|SECONDS[,SECONDS]...")},
                        {team, QStringLiteral("The team that ran."), QStringLiteral("T")},
                        {robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
                        {rate, QStringLiteral("The camera's frame rate where the file has another."), QStringLiteral("FPS")}}},

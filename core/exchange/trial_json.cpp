@@ -44,7 +44,9 @@ QJsonObject trialObject(const TrialRecord &trial)
     const QJsonObject sync{{QStringLiteral("method"), qtText(trial.syncMethod)},
                            {QStringLiteral("offset_s"), numberOrNull(trial.syncOffsetS)},
                            {QStringLiteral("offset_sigma_s"), numberOrNull(trial.syncOffsetSigmaS)},
-                           {QStringLiteral("score"), numberOrNull(trial.syncScore)}};
+                           {QStringLiteral("score"), numberOrNull(trial.syncScore)},
+                           {QStringLiteral("rate"), numberOrNull(trial.syncRate)},
+                           {QStringLiteral("rate_sigma"), numberOrNull(trial.syncRateSigma)}};
     return {{QStringLiteral("name"), qtText(trial.name)},
             {QStringLiteral("team"), qtText(trial.teamName)},
             {QStringLiteral("class"), qtText(trial.className)},
@@ -65,6 +67,7 @@ QJsonObject viewObject(const RecordingRecord &recording)
             {QStringLiteral("height_px"), recording.heightPx},
             {QStringLiteral("frames_per_second"), numberOrNull(recording.framesPerSecond)},
             {QStringLiteral("start_offset_s"), numberOrNull(recording.startOffsetS)},
+            {QStringLiteral("clock_rate"), numberOrNull(recording.clockRate)},
             {QStringLiteral("frames"), static_cast<qint64>(recording.frameTimes.size())}};
 }
 

@@ -83,9 +83,11 @@ struct TrialRecord
     std::string task;
     Instant date;
     std::string notes;
-    std::string syncMethod;       ///< "none", "told", "auto"
+    std::string syncMethod;       ///< "none", "told", "auto" (from the motion), "flash"
     double syncOffsetS = 0;       ///< how much later the second view's first frame was taken than the first's
     double syncOffsetSigmaS = 0;
+    double syncRate = 0;          ///< by how much the second view's clock runs faster than the first's
+    double syncRateSigma = 0;     ///< 0: not looked for
     double syncScore = 0;
     std::vector<RecordId> robots; ///< that are expected in it
     std::vector<std::string> robotNames; ///< read only, joined
@@ -107,6 +109,7 @@ struct RecordingRecord
     int widthPx = 0, heightPx = 0;
     double framesPerSecond = 0;
     double startOffsetS = 0;     ///< against the first view
+    double clockRate = 0;        ///< by how much its clock runs faster than the first view's
     std::vector<Nanoseconds> frameTimes;
 };
 

@@ -128,12 +128,23 @@ std::vector<std::string> overrules()
     };
 }
 
+/// Cameras' clocks do not only start apart, they drift apart as well.
+std::vector<std::string> clockRates()
+{
+    return {
+        "ALTER TABLE recording ADD COLUMN clock_rate REAL NOT NULL DEFAULT 0",
+        "ALTER TABLE trial ADD COLUMN sync_rate REAL NOT NULL DEFAULT 0",
+        "ALTER TABLE trial ADD COLUMN sync_rate_sigma REAL NOT NULL DEFAULT 0",
+    };
+}
+
 } // namespace
 
 std::vector<Migration> projectMigrations()
 {
     return {sqlMigration("the first schema", firstSchema()),
-            sqlMigration("samples overruled by hand", overrules())};
+            sqlMigration("samples overruled by hand", overrules()),
+            sqlMigration("rates of the cameras' clocks", clockRates())};
 }
 
 } // namespace odo

@@ -12,7 +12,7 @@ namespace {
 const QString trialColumns = QStringLiteral(
     "SELECT trial.id, trial.name, trial.team_id, team.name, class.name, task.name, date_ms, notes, "
     "sync_method, "
-    "sync_offset_s, sync_offset_sigma_s, sync_score, duration_s, "
+    "sync_offset_s, sync_offset_sigma_s, sync_score, duration_s, sync_rate, sync_rate_sigma, "
     "(SELECT COUNT(*) FROM recording WHERE recording.trial_id=trial.id) "
     "FROM trial LEFT JOIN team ON team.id=trial.team_id LEFT JOIN class ON class.id=team.class_id "
     "LEFT JOIN task ON task.id=trial.task_id ");
@@ -33,7 +33,9 @@ Result<TrialRecord> readTrial(const ProjectConnection &connection, const Stateme
     trial.syncOffsetSigmaS = row.real(10);
     trial.syncScore = row.real(11);
     trial.durationS = row.real(12);
-    trial.viewCount = row.smallInteger(13);
+    trial.syncRate = row.real(13);
+    trial.syncRateSigma = row.real(14);
+    trial.viewCount = row.smallInteger(15);
     Statement robots(connection, QStringLiteral("SELECT robot.id, robot.name FROM trial_robot JOIN robot "
                                                 "ON robot.id=trial_robot.robot_id WHERE trial_id=? "
                                                 "ORDER BY trial_robot.position"));
@@ -60,12 +62,12 @@ Result<RecordId> addRow(ProjectConnection &connection, const TrialRecord &trial)
         return tl::unexpected(task.error());
     Statement insert(connection,
                      QStringLiteral("INSERT INTO trial (name, team_id, task_id, date_ms, notes, sync_method, "
-                                    "sync_offset_s, sync_offset_sigma_s, sync_score, duration_s) "
-                                    "VALUES (?,?,?,?,?,?,?,?,?,?)"));
+                                    "sync_offset_s, sync_offset_sigma_s, sync_score, duration_s, sync_rate, sync_rate_sigma) "
+                                    "VALUES (?,?,?,?,?,?,?,?,?,?,?,?)"));
     insert.bind(trial.name).bindReference(trial.team).bindReference(*task);
     insert.bind(static_cast<std::int64_t>(trial.date.time_since_epoch().count())).bind(trial.notes);
     insert.bind(trial.syncMethod).bind(trial.syncOffsetS).bind(trial.syncOffsetSigmaS).bind(trial.syncScore);
-    if (auto done = insert.bind(trial.durationS).run(); !done)
+    if (auto done = insert.bind(trial.durationS).bind(trial.syncRate).bind(trial.syncRateSigma).run(); !done)
         return tl::unexpected(done.error());
     return insert.insertedId();
 }
@@ -176,17 +178,20 @@ Result<void> TrialRepository::setSync(const TrialRecord &trial)
         if (auto known = get(trial.id); !known)
             return tl::unexpected(known.error());
         Statement update(m_connection, QStringLiteral("UPDATE trial SET sync_method=?, sync_offset_s=?, "
-                                                      "sync_offset_sigma_s=?, sync_score=? WHERE id=?"));
+                                                      "sync_offset_sigma_s=?, sync_score=?, sync_rate=?, "
+                                                      "sync_rate_sigma=? WHERE id=?"));
         update.bind(trial.syncMethod)
             .bind(trial.syncOffsetS)
             .bind(trial.syncOffsetSigmaS)
-            .bind(trial.syncScore);
+            .bind(trial.syncScore)
+            .bind(trial.syncRate)
+            .bind(trial.syncRateSigma);
         if (auto done = update.bind(trial.id).run(); !done)
             return done;
         Statement second(
             m_connection,
-            QStringLiteral("UPDATE recording SET start_offset_s=? WHERE trial_id=? AND position=1"));
-        return second.bind(trial.syncOffsetS).bind(trial.id).run();
+            QStringLiteral("UPDATE recording SET start_offset_s=?, clock_rate=? WHERE trial_id=? AND position=1"));
+        return second.bind(trial.syncOffsetS).bind(trial.syncRate).bind(trial.id).run();
     });
 }
 

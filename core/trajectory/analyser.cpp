@@ -14,6 +14,7 @@
 #include "core/trajectory/shape_estimation.h"
 #include "core/trajectory/spike_flags.h"
 #include "core/trajectory/view_alignment.h"
+#include "core/trajectory/view_clock.h"
 #include "core/trajectory/view_interpolation.h"
 
 #include <algorithm>
@@ -230,7 +231,7 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
     std::vector<Nanoseconds> times;
     std::vector<std::int64_t> frames;
     for (const Observation &observation : views.front().observations) {
-        times.push_back(observation.time + views.front().startOffset);
+        times.push_back(timeOf(views.front(), observation));
         frames.push_back(observation.frame);
     }
 

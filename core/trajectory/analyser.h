@@ -31,6 +31,7 @@ struct ViewTrack
         floorView;              ///< empty: the camera is not registered; its observations are left out
     Nanoseconds startOffset{0}; ///< how much later this view's first frame was taken than the first view's
     std::vector<Observation> observations; ///< in order of time
+    double clockRate = 0; ///< by how much its clock runs faster than the first view's (core/trajectory/view_clock.h)
 };
 
 struct RobotShape

@@ -3,6 +3,7 @@
 
 #include "core/trajectory/axis_path.h"
 #include "core/trajectory/kalman_smoother.h"
+#include "core/trajectory/view_clock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ std::vector<AxisNode> look(const std::vector<ViewTrack> &views, const SolidShape
     for (std::size_t v = 0; v < views.size(); ++v) {
         for (std::size_t i = 0; i < views[v].observations.size(); ++i) {
             const Observation &observation = views[v].observations[i];
-            AxisNode one{v, i, {}, {toSeconds(observation.time + views[v].startOffset), false, {}, {}}, 0};
+            AxisNode one{v, i, {}, {toSeconds(timeOf(views[v], observation)), false, {}, {}}, 0};
             const bool clear = views[v].floorView && observation.found && !observation.duplicateFrame &&
                                !observation.touchesBorder && observation.score >= sureScore;
             if (clear)

@@ -14,6 +14,11 @@ constexpr double halfWindowS = 0.2;      // of the smoothing: robots do not turn
 constexpr double longestBridgeS = 0.15;  // positions further apart are not joined
 constexpr double correlationTimeS = 0.5; // of what is left when the tracks lie on one another
 constexpr std::size_t fewestPairs = 30;
+constexpr double scaleSigma = 0.01;         // 6 cm of height told wrong, seen from cameras at 2 and at 3 m
+constexpr double largestScale = 0.05;       // more is no height: a motion in the opposite direction, say
+constexpr double largestRate = 0.005;       // no camera's clock is that wrong
+constexpr double closestRivalS = 0.5;       // nearer ones are the same
+constexpr std::size_t searchedPairs = 1000; // on the grid
 
 tl::unexpected<Error> undetermined(const std::string &why)
 {
@@ -35,11 +40,14 @@ double medianStepS(const std::vector<TimedPosition> &track)
 struct PlaceAndVelocity
 {
     Eigen::Vector2d point, velocity;
+    double velocityVariance =
+        0; ///< of both components together, from how the positions scatter about the parabola
 };
 
-/// The track at a time, by a parabola fitted to what lies within ±0.2 s, nearer positions weighing more (local quadratic
-/// regression, Cleveland 1979). Plain interpolation between two noisy positions will not do: its noise is least half-way
-/// between them, which draws the offset towards half frames. nullopt outside the track and where it has a gap.
+/// The track at a time, by a parabola fitted to what lies within ±0.2 s, nearer positions weighing more
+/// (local quadratic regression, Cleveland 1979). Plain interpolation between two noisy positions will not do:
+/// its noise is least half-way between them, which draws the offset towards half frames. nullopt outside the
+/// track and where it has a gap.
 std::optional<PlaceAndVelocity> trackAt(const std::vector<TimedPosition> &track, double timeS)
 {
     const auto isBefore = [](const TimedPosition &p, double t) { return p.timeS < t; };
@@ -62,55 +70,120 @@ std::optional<PlaceAndVelocity> trackAt(const std::vector<TimedPosition> &track,
     if (solver.info() != Eigen::Success || solver.vectorD().minCoeff() < 1e-6 * solver.vectorD().maxCoeff())
         return std::nullopt;
     const Eigen::Matrix<double, 3, 2> parabola = solver.solve(right);
-    return PlaceAndVelocity{parabola.row(0).transpose(), parabola.row(1).transpose() / halfWindowS};
+    double squares = 0;
+    for (auto p = begin; p != end; ++p) {
+        const double u = (p->timeS - timeS) / halfWindowS;
+        squares += (p->pointInWorld - parabola.transpose() * Eigen::Vector3d(1, u, u * u)).squaredNorm();
+    }
+    const double variance = squares / std::max(1.0, double(end - begin) - 3);
+    const double gain = solver.solve(Eigen::Vector3d(0, 1, 0)).y() / (halfWindowS * halfWindowS);
+    return PlaceAndVelocity{parabola.row(0).transpose(), parabola.row(1).transpose() / halfWindowS,
+                            variance * gain};
 }
 
-/// How well the tracks lie on one another at one offset.
-struct Agreement
+/// How the second view's times are mapped to the first's.
+struct ClockGuess
 {
-    std::size_t pairs = 0;
-    double variance = 0;       ///< m², of the difference about its mean
-    double velocitySpread = 0; ///< Σ|v − mean v|², the information on the offset
-    double step = 0;           ///< Gauss–Newton step of the offset
-    double motionVariance = 0; ///< m², of the second track's positions about their mean
+    double offsetS = 0, rate = 0;
 };
 
-Agreement agreementAt(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second, double offsetS)
+/// The two tracks at equal times under a guess.
+struct Pairs
 {
-    std::vector<Eigen::Vector2d> differences, velocities, points;
-    for (const TimedPosition &p : first) {
-        if (const auto other = trackAt(second, p.timeS - offsetS)) {
-            differences.push_back(p.pointInWorld - other->point);
-            velocities.push_back(other->velocity);
-            points.push_back(other->point);
-        }
+    std::vector<double> sinceStartS;                              ///< of the second clip
+    std::vector<Eigen::Vector2d> differences, velocities, points; ///< points about their mean
+    std::vector<double> velocityVariances;
+    double motionVariance = 0; ///< m², of the second track's positions about their mean
+
+    std::size_t size() const { return differences.size(); }
+};
+
+Pairs pairsAt(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
+              const ClockGuess &guess, std::size_t stride)
+{
+    Pairs pairs;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (std::size_t i = 0; i < first.size(); i += stride) {
+        const double sinceStartS = first[i].timeS - guess.offsetS;
+        const auto other = trackAt(second, sinceStartS * (1 + guess.rate));
+        if (!other)
+            continue;
+        pairs.sinceStartS.push_back(sinceStartS);
+        pairs.differences.push_back(first[i].pointInWorld - other->point);
+        pairs.velocities.push_back(other->velocity);
+        pairs.velocityVariances.push_back(other->velocityVariance);
+        pairs.points.push_back(other->point);
+        mean += other->point;
     }
+    mean /= std::max(1.0, double(pairs.size()));
+    for (Eigen::Vector2d &point : pairs.points) {
+        point -= mean;
+        pairs.motionVariance += point.squaredNorm() / double(pairs.size());
+    }
+    return pairs;
+}
+
+/// How well the tracks lie on one another under a guess, and how to better it.
+struct Agreement
+{
+    double variance = 0;                                   ///< m², of what shift and scale leave
+    Eigen::Vector2d step = Eigen::Vector2d::Zero();        ///< Gauss–Newton step of offset and rate
+    Eigen::Matrix2d information = Eigen::Matrix2d::Zero(); ///< on offset and rate, per m² of noise
+};
+
+/// One linear least-squares problem in (offset, rate, shift x, shift y, scale). Near the guess the difference
+/// changes by +v for each second of offset and by −v·u for each unit of rate, u the time since the clip's
+/// start. noiseM2: variance of an independent residual, against which the scale's prior weighs.
+Agreement agreementOf(const Pairs &pairs, bool withRate, double noiseM2)
+{
+    using Rows = Eigen::Matrix<double, 2, 5>;
+    Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
+    Eigen::Matrix<double, 5, 1> right = Eigen::Matrix<double, 5, 1>::Zero();
+    Eigen::Matrix2d fromNoise = Eigen::Matrix2d::Zero();
+    const auto rowsOf = [&](std::size_t i) {
+        Rows rows;
+        rows << pairs.velocities[i], -pairs.velocities[i] * (withRate ? pairs.sinceStartS[i] : 0.0),
+            Eigen::Matrix2d::Identity(), pairs.points[i];
+        return rows;
+    };
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const Rows rows = rowsOf(i);
+        normal += rows.transpose() * rows;
+        right -= rows.transpose() * pairs.differences[i];
+        const Eigen::Vector2d lever(1, withRate ? -pairs.sinceStartS[i] : 0.0);
+        fromNoise += pairs.velocityVariances[i] * lever * lever.transpose();
+    }
+    normal(4, 4) += noiseM2 / (scaleSigma * scaleSigma);
     Agreement result;
-    result.pairs = differences.size();
-    if (differences.empty())
+    if (pairs.size() == 0)
         return result;
-    Eigen::Vector2d meanDifference = Eigen::Vector2d::Zero(), meanVelocity = meanDifference, meanPoint = meanDifference;
-    for (std::size_t i = 0; i < differences.size(); ++i) {
-        meanDifference += differences[i];
-        meanVelocity += velocities[i];
-        meanPoint += points[i];
+    const Eigen::LDLT<Eigen::Matrix3d> nuisance(Eigen::Matrix3d(normal.bottomRightCorner<3, 3>()));
+    const Eigen::Matrix<double, 3, 2> coupling = normal.bottomLeftCorner<3, 2>();
+    Eigen::Vector3d left = nuisance.solve(right.tail<3>());
+    // The points lie about their mean, so that the shift does not depend on the scale.
+    left.z() = std::clamp(left.z(), -largestScale, largestScale);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        result.variance +=
+            (pairs.differences[i] + rowsOf(i).rightCols<3>() * left).squaredNorm() / double(pairs.size());
+
+    Eigen::Matrix2d schur = normal.topLeftCorner<2, 2>() - coupling.transpose() * nuisance.solve(coupling);
+    Eigen::Vector2d gradient = right.head<2>() - coupling.transpose() * left;
+    result.information = schur - fromNoise;
+    if (!withRate) {
+        schur(1, 1) = 1;
+        gradient.y() = 0;
     }
-    const double n = double(differences.size());
-    meanDifference /= n;
-    meanVelocity /= n;
-    meanPoint /= n;
-    double gradient = 0;
-    for (std::size_t i = 0; i < differences.size(); ++i) {
-        const Eigen::Vector2d residual = differences[i] - meanDifference;
-        const Eigen::Vector2d velocity = velocities[i] - meanVelocity;
-        result.variance += residual.squaredNorm() / n;
-        result.velocitySpread += velocity.squaredNorm();
-        result.motionVariance += (points[i] - meanPoint).squaredNorm() / n;
-        gradient += residual.dot(velocity);
-    }
-    // d(residual)/d(offset) = +velocity, for the second track is read at t − offset.
-    result.step = result.velocitySpread > 0 ? -gradient / result.velocitySpread : 0;
+    const Eigen::Vector2d step = schur.ldlt().solve(gradient);
+    if (step.allFinite())
+        result.step = step;
     return result;
+}
+
+/// Variance of one residual as if each stood alone, though neighbours share what is left.
+double independentVariance(double variance, double frameS)
+{
+    const double least = 1e-6; // never surer than 1 mm of disagreement
+    return std::max(variance, least) / 2 * std::max(1.0, correlationTimeS / frameS);
 }
 
 struct Candidate
@@ -119,79 +192,127 @@ struct Candidate
     double variance = 0;
 };
 
-/// The best offset on the grid, and the best one at least half a second away from it.
+/// The best offset on the grid, and the best one of those away from it to which every way leads uphill.
 struct GridSearch
 {
     std::optional<Candidate> best, rival;
 };
 
-GridSearch searchGrid(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second, double stepS,
-                      double longestOffsetS)
+GridSearch searchGrid(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
+                      double frameS, double longestOffsetS)
 {
-    const std::size_t enough = std::max(fewestPairs, std::min(first.size(), second.size()) / 2);
+    const std::size_t stride = 1 + first.size() / searchedPairs;
+    const std::size_t enough = std::max(fewestPairs, std::min(first.size(), second.size()) / 2) / stride;
+    const double stepS = frameS / 2;
     std::vector<Candidate> candidates;
     const int steps = int(std::ceil(longestOffsetS / stepS));
     for (int i = -steps; i <= steps; ++i) {
-        const Agreement agreement = agreementAt(first, second, i * stepS);
-        if (agreement.pairs >= enough)
-            candidates.push_back({i * stepS, agreement.variance});
+        const Pairs pairs = pairsAt(first, second, {i * stepS, 0}, stride);
+        if (pairs.size() >= enough)
+            candidates.push_back(
+                {i * stepS, agreementOf(pairs, false, independentVariance(0, frameS)).variance});
     }
     GridSearch found;
     for (const Candidate &c : candidates) {
         if (!found.best || c.variance < found.best->variance)
             found.best = c;
     }
-    for (const Candidate &c : candidates) {
-        if (std::abs(c.offsetS - found.best->offsetS) > 0.5 && (!found.rival || c.variance < found.rival->variance))
+    for (std::size_t i = 1; i + 1 < candidates.size(); ++i) {
+        const Candidate &c = candidates[i];
+        const bool lowest =
+            c.variance <= candidates[i - 1].variance && c.variance <= candidates[i + 1].variance;
+        if (lowest && std::abs(c.offsetS - found.best->offsetS) > closestRivalS &&
+            (!found.rival || c.variance < found.rival->variance))
             found.rival = c;
     }
     return found;
 }
 
-/// Gauss–Newton from a point of the grid.
-double refine(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second, double offsetS,
-              double frameS)
+/// A guess bettered as far as it goes.
+struct Fit
 {
-    for (int iteration = 0; iteration < 10; ++iteration) {
-        const double step = agreementAt(first, second, offsetS).step;
-        offsetS += std::clamp(step, -frameS, frameS);
-        if (std::abs(step) < 1e-6)
+    ClockGuess clock;
+    Agreement agreement;
+    double motionVariance = 0;
+};
+
+/// Gauss–Newton from a guess.
+Fit refine(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
+           ClockGuess guess, bool withRate, double frameS)
+{
+    double noise = independentVariance(0, frameS);
+    Fit fit;
+    for (int iteration = 0; iteration < 20; ++iteration) {
+        const Pairs pairs = pairsAt(first, second, guess, 1);
+        fit = {guess, agreementOf(pairs, withRate, noise), pairs.motionVariance};
+        noise = independentVariance(fit.agreement.variance, frameS);
+        const Eigen::Vector2d step = fit.agreement.step;
+        if (iteration > 1 && std::abs(step.x()) < 1e-6 && std::abs(step.y()) < 1e-8)
             break;
+        guess.offsetS += std::clamp(step.x(), -frameS, frameS);
+        guess.rate = std::clamp(guess.rate + step.y(), -2 * largestRate, 2 * largestRate);
     }
-    return offsetS;
+    return fit;
+}
+
+ClipOffset offsetFrom(const Fit &fit, double frameS)
+{
+    const double noise = independentVariance(fit.agreement.variance, frameS),
+                 told = fit.agreement.information(0, 0);
+    ClipOffset result;
+    result.offsetS = fit.clock.offsetS;
+    result.sigmaS = told > 0 ? std::sqrt(noise / told) : 1e9;
+    result.score =
+        fit.motionVariance > 0 ? std::clamp(1 - fit.agreement.variance / fit.motionVariance, 0.0, 1.0) : 0;
+    return result;
+}
+
+/// Takes the rate as well, where the motion tells it.
+ClipOffset withRate(const ClipOffset &plain, const Fit &plainFit, const Fit &fit, double frameS)
+{
+    const Eigen::Matrix2d &told = fit.agreement.information;
+    ClipOffset result = plain;
+    if (told(0, 0) <= 0 || told(1, 1) <= 0 || told.determinant() <= 0)
+        return result;
+    const Eigen::Matrix2d covariance = independentVariance(fit.agreement.variance, frameS) * told.inverse();
+    result.rateSigma = std::sqrt(covariance(1, 1));
+    if (std::abs(fit.clock.rate) <= 3 * result.rateSigma || std::abs(fit.clock.rate) > largestRate ||
+        fit.agreement.variance >= plainFit.agreement.variance)
+        return result;
+    result = offsetFrom(fit, frameS);
+    result.sigmaS = std::sqrt(covariance(0, 0));
+    result.rate = fit.clock.rate;
+    result.rateSigma = std::sqrt(covariance(1, 1));
+    return result;
 }
 
 } // namespace
 
-Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
-                                      double longestOffsetS)
+Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &first,
+                                      const std::vector<TimedPosition> &second, double longestOffsetS)
 {
     if (first.size() < fewestPairs || second.size() < fewestPairs)
-        return undetermined("one view saw the robot in fewer than " + std::to_string(fewestPairs) + " pictures");
+        return undetermined("one view saw the robot in fewer than " + std::to_string(fewestPairs) +
+                            " pictures");
     const double frameS = std::max(medianStepS(first), 1e-3);
-    const GridSearch grid = searchGrid(first, second, frameS / 2, longestOffsetS);
+    const GridSearch grid = searchGrid(first, second, frameS, longestOffsetS);
     if (!grid.best)
         return undetermined("the views hardly ever saw the robot at the same time");
 
-    const double offsetS = refine(first, second, grid.best->offsetS, frameS);
-    const Agreement there = agreementAt(first, second, offsetS);
-    const double independent = std::max(1.0, correlationTimeS / frameS);
-    const double noise = std::max(there.variance, 1e-6); // never surer than 1 mm of disagreement
-    ClipOffset result;
-    result.offsetS = offsetS;
-    result.sigmaS = there.velocitySpread > 0 ? std::sqrt(noise * independent / 2 / there.velocitySpread) : 1e9;
-    result.score = there.motionVariance > 0 ? std::clamp(1 - there.variance / there.motionVariance, 0.0, 1.0) : 0;
-    if (result.sigmaS > frameS)
+    const Fit fit = refine(first, second, {grid.best->offsetS, 0}, false, frameS);
+    const ClipOffset plain = offsetFrom(fit, frameS);
+    if (plain.sigmaS > frameS)
         return undetermined("the robot stood still or ran straight at constant speed, so every offset fits");
-    if (result.score < 0.8)
+    if (plain.score < 0.8)
         return undetermined("the views' tracks do not resemble one another");
-    if (!grid.rival)
-        return result;
-    const double rivalS = refine(first, second, grid.rival->offsetS, frameS);
-    if (agreementAt(first, second, rivalS).variance < 2 * noise)
-        return undetermined("the motion repeats itself: offsets of " + std::to_string(offsetS) + " s and " + std::to_string(rivalS) +
-                            " s fit alike");
-    return result;
+    if (grid.rival) {
+        const Fit rival = refine(first, second, {grid.rival->offsetS, 0}, false, frameS);
+        if (std::abs(rival.clock.offsetS - plain.offsetS) > closestRivalS / 2 &&
+            rival.agreement.variance < 2 * std::max(fit.agreement.variance, 1e-6))
+            return undetermined("the motion repeats itself: offsets of " + std::to_string(plain.offsetS) +
+                                " s and " + std::to_string(rival.clock.offsetS) + " s fit alike");
+    }
+    return withRate(plain, fit, refine(first, second, fit.clock, true, frameS), frameS);
 }
 
 } // namespace odo

@@ -2,6 +2,7 @@
 #include "core/trajectory/common_outlines.h"
 
 #include "core/trajectory/body_outline.h"
+#include "core/trajectory/view_clock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,16 +28,16 @@ std::optional<RegionMoments> outlineAt(const ViewTrack &view, Nanoseconds time)
 {
     const auto after = std::lower_bound(view.observations.begin(), view.observations.end(), time,
                                         [&view](const Observation &observation, Nanoseconds t) {
-                                            return observation.time + view.startOffset < t;
+                                            return timeOf(view, observation) < t;
                                         });
     if (after == view.observations.end() || !isClear(*after))
         return std::nullopt;
-    const Nanoseconds behind = after->time + view.startOffset;
+    const Nanoseconds behind = timeOf(view, *after);
     if (behind == time)
         return outlineMoments(*after);
     if (after == view.observations.begin() || !isClear(*(after - 1)))
         return std::nullopt;
-    const Nanoseconds before = (after - 1)->time + view.startOffset;
+    const Nanoseconds before = timeOf(view, *(after - 1));
     if (behind - before > longestStep)
         return std::nullopt;
     const double fraction = toSeconds(time - before) / toSeconds(behind - before);
@@ -79,7 +80,7 @@ std::vector<CommonOutlines> commonOutlines(const std::vector<ViewTrack> &views, 
         for (const Observation &observation : view.observations) {
             if (!isClear(observation))
                 continue;
-            CommonOutlines common = outlinesAt(views, observation.time + view.startOffset);
+            CommonOutlines common = outlinesAt(views, timeOf(view, observation));
             if (common.outlines.size() > 1)
                 several.push_back(std::move(common));
             else if (!common.outlines.empty())

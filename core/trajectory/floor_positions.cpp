@@ -2,6 +2,7 @@
 #include "core/trajectory/floor_positions.h"
 
 #include "core/trajectory/repeated_pictures.h"
+#include "core/trajectory/view_clock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ Eigen::Matrix2d usableCovariance(const Eigen::Matrix2d &covariancePx2)
 Sighting sightingOf(const ViewTrack &view, const Observation &observation, bool repeated)
 {
     Sighting sighting;
-    sighting.time = observation.time + view.startOffset;
+    sighting.time = timeOf(view, observation);
     sighting.score = observation.score;
     sighting.cut = observation.touchesBorder;
     sighting.duplicate = observation.found && (observation.duplicateFrame || repeated);

@@ -24,6 +24,7 @@ struct NamedView
     Nanoseconds startOffset{0};         ///< how much later its first frame was taken than the first view's
     std::vector<std::vector<Observation>>
         robots; ///< for each robot its observations; equally many, of equal frames
+    double clockRate = 0; ///< by how much its clock runs faster than the first view's
 };
 
 /// Decides which robot is which, in all views at once, where colours alone may not have: robots that overlap

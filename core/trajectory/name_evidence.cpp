@@ -2,6 +2,7 @@
 #include "core/trajectory/name_evidence.h"
 
 #include "core/tracking/chroma.h"
+#include "core/trajectory/view_clock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ class SlotReader
 {
 public:
     SlotReader(const NamedView &view, const std::vector<Observation> &observations)
-        : m_view(view), m_observations(observations), m_offsetS(toSeconds(view.startOffset))
+        : m_view(view), m_observations(observations)
     {
     }
 
@@ -45,11 +46,10 @@ public:
     }
 
 private:
-    double timeOf(std::size_t i) const { return toSeconds(m_observations[i].time) + m_offsetS; }
+    double timeOf(std::size_t i) const { return toSeconds(odo::timeOf(m_view, m_observations[i])); }
 
     const NamedView &m_view;
     const std::vector<Observation> &m_observations;
-    const double m_offsetS;
     std::size_t m_next = 0;
 };
 
@@ -62,9 +62,8 @@ std::vector<FloorMoment> gatherMoments(const std::vector<NamedView> &views,
         const auto &any = views[v].robots[considered.front()];
         if (!views[v].floorView || any.empty())
             continue;
-        const double offsetS = toSeconds(views[v].startOffset);
-        beginS = std::min(beginS, toSeconds(any.front().time) + offsetS);
-        endS = std::max(endS, toSeconds(any.back().time) + offsetS);
+        beginS = std::min(beginS, toSeconds(timeOf(views[v], any.front())));
+        endS = std::max(endS, toSeconds(timeOf(views[v], any.back())));
         for (const std::size_t robot : considered)
             readers[v].emplace_back(views[v], views[v].robots[robot]);
     }
@@ -130,7 +129,7 @@ NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vect
     for (std::size_t v = 0; v < views.size(); ++v) {
         for (std::size_t slot = 0; slot < considered.size(); ++slot) {
             for (const Tracklet &tracklet :
-                 cutIntoTracklets(views[v].robots[considered[slot]], toSeconds(views[v].startOffset)))
+                 cutIntoTracklets(views[v].robots[considered[slot]], clockOf(views[v])))
                 evidence.tracklets.push_back({v, slot, tracklet});
         }
         evidence.hueShiftRad.push_back(hueShiftOf(views[v], considered, evidence.toldHueRad));

@@ -18,11 +18,11 @@ constexpr double accelerationRadii = 16.0; ///< per s²: 2 m/s² of a robot whos
 constexpr double placeSigmaRadii = 0.3, speedSigmaRadii = 0.5;
 
 Tracklet::End endAt(const std::vector<Observation> &observations, std::size_t at, std::size_t inner,
-                    double startOffsetS)
+                    const ViewClock &clock)
 {
     const Observation &outermost = observations[at], &other = observations[inner];
     Tracklet::End end;
-    end.timeS = toSeconds(outermost.time) + startOffsetS;
+    end.timeS = toSeconds(clock.commonTime(outermost.time));
     end.positionPx = outermost.ellipse.centrePx;
     const double dt = toSeconds(outermost.time) - toSeconds(other.time);
     if (dt != 0)
@@ -32,12 +32,12 @@ Tracklet::End endAt(const std::vector<Observation> &observations, std::size_t at
 }
 
 Tracklet trackletOf(const std::vector<Observation> &observations, std::size_t first, std::size_t last,
-                    double startOffsetS)
+                    const ViewClock &clock)
 {
     Tracklet tracklet{first, last, {}, {}, {}};
-    tracklet.begin = endAt(observations, first, std::min(last, first + framesOfVelocity), startOffsetS);
+    tracklet.begin = endAt(observations, first, std::min(last, first + framesOfVelocity), clock);
     tracklet.end =
-        endAt(observations, last, std::max(first + framesOfVelocity, last) - framesOfVelocity, startOffsetS);
+        endAt(observations, last, std::max(first + framesOfVelocity, last) - framesOfVelocity, clock);
     double coloured = 0;
     for (std::size_t i = first; i <= last; ++i) {
         const Eigen::Vector2d &chroma = observations[i].meanChroma;
@@ -58,7 +58,7 @@ bool isSure(const Observation &observation)
     return observation.found && observation.score >= leastScore && observation.ellipse.centrePx.allFinite();
 }
 
-std::vector<Tracklet> cutIntoTracklets(const std::vector<Observation> &observations, double startOffsetS)
+std::vector<Tracklet> cutIntoTracklets(const std::vector<Observation> &observations, const ViewClock &clock)
 {
     std::vector<Tracklet> tracklets;
     for (std::size_t i = 0; i < observations.size(); ++i) {
@@ -66,7 +66,7 @@ std::vector<Tracklet> cutIntoTracklets(const std::vector<Observation> &observati
         while (i < observations.size() && isSure(observations[i]))
             ++i;
         if (i >= first + leastFrames)
-            tracklets.push_back(trackletOf(observations, first, i - 1, startOffsetS));
+            tracklets.push_back(trackletOf(observations, first, i - 1, clock));
     }
     return tracklets;
 }

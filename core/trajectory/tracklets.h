@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/tracking/observation.h"
+#include "core/trajectory/view_clock.h"
 
 #include <cstddef>
 #include <vector>
@@ -30,7 +31,7 @@ bool isSure(const Observation &observation);
 
 /// Cuts a robot's observations (in order of time) into tracklets. Stretches of fewer than three frames are
 /// left out: they tell nothing of a motion.
-std::vector<Tracklet> cutIntoTracklets(const std::vector<Observation> &observations, double startOffsetS);
+std::vector<Tracklet> cutIntoTracklets(const std::vector<Observation> &observations, const ViewClock &clock);
 
 /// What speaks against one robot having run from the end of one tracklet to the begin of a later one: half
 /// the squared standard deviations, capped, of where both motions put it halfway and of the change of

@@ -43,6 +43,12 @@ Result<void> ImportTrialJob::prepare(Project &project)
     const std::string what = "import of trial '" + m_settings.trial + "'";
     if (m_settings.videos.empty())
         return fail(ErrorCode::InvalidInput, what, "no video was given", "give one view or more, like --video A=a.mp4");
+    const std::size_t toShift = m_settings.videos.size() - 1;
+    if (m_settings.sync == ImportSettings::Sync::Told && m_settings.offsetsS.size() != std::max<std::size_t>(toShift, 1))
+        return fail(ErrorCode::InvalidInput, what,
+                    std::to_string(m_settings.videos.size()) + " views were given and the offsets of " +
+                        std::to_string(m_settings.offsetsS.size()),
+                    "give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto");
     if (project.trials().find(m_settings.trial))
         return fail(ErrorCode::AlreadyExists, what, "the project has a trial of that name", "choose another name");
     std::set<std::string> names;
@@ -143,8 +149,9 @@ Result<void> ImportTrialJob::synchronise(const JobControl &control)
         return {};
     if (m_settings.sync == ImportSettings::Sync::Told) {
         m_trial.syncMethod = "told";
-        m_trial.syncOffsetS = m_settings.offsetS;
-        m_recordings[1].startOffsetS = m_settings.offsetS;
+        m_trial.syncOffsetS = m_settings.offsetsS.front();
+        for (std::size_t view = 1; view < m_recordings.size(); ++view)
+            m_recordings[view].startOffsetS = m_settings.offsetsS[view - 1];
         m_trial.syncScore = 1;
         return {};
     }
@@ -160,10 +167,13 @@ Result<void> ImportTrialJob::synchronise(const JobControl &control)
             continue;
         }
         m_recordings[view].startOffsetS = offset->offsetS;
+        m_recordings[view].clockRate = offset->rate;
         if (view == 1) {
             m_trial.syncMethod = "auto";
             m_trial.syncOffsetS = offset->offsetS;
             m_trial.syncOffsetSigmaS = offset->sigmaS;
+            m_trial.syncRate = offset->rate;
+            m_trial.syncRateSigma = offset->rateSigma;
             m_trial.syncScore = offset->score;
         }
     }

@@ -20,7 +20,7 @@ struct ImportSettings
     std::string trial;
     std::vector<std::pair<std::string, std::filesystem::path>> videos; ///< camera's name and file, first view first
     Sync sync = Sync::Automatic;
-    double offsetS = 0; ///< when told: how much later the second view's first frame was taken
+    std::vector<double> offsetsS; ///< when told: for each view but the first, how much later its first frame was taken
     std::string team;   ///< made when new; empty: none
     std::string task;
     std::vector<std::string> robots;

@@ -18,6 +18,7 @@ void settleNames(const std::vector<RegisteredView> &views, const std::vector<Rob
         NamedView &view = seen.emplace_back();
         view.floorView = views[v].floorView;
         view.startOffset = fromSeconds(views[v].recording.startOffsetS);
+        view.clockRate = views[v].recording.clockRate;
         for (ObservationSeries &series : tracked[v].series)
             view.robots.push_back(std::move(series.observations));
     }

@@ -119,7 +119,8 @@ std::vector<ViewTrack> viewTracks(const std::vector<RegisteredView> &views, cons
     std::vector<ViewTrack> tracks;
     for (std::size_t v = 0; v < views.size(); ++v)
         tracks.push_back({views[v].recording.cameraName, views[v].floorView,
-                          fromSeconds(views[v].recording.startOffsetS), tracked[v].series[robot].observations});
+                          fromSeconds(views[v].recording.startOffsetS), tracked[v].series[robot].observations,
+                          views[v].recording.clockRate});
     return tracks;
 }
 

@@ -258,6 +258,8 @@ private Q_SLOTS:
         row("import %P --trial run2 --video A=%/a.mkv --video A=%/b.mkv", 1, "two videos");
         row("import %P --trial run2 --video A=%/a.mkv --video B=%/b.mkv --sync 100", 1, "no time in common");
         row("import %P --trial run2 --video A=%/a.mkv --sync soon", 2, "--sync");
+        row("import %P --trial run2 --video A=%/a.mkv --video B=%/b.mkv --video C=%/b.mkv --sync 0.1", 1,
+            "give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto");
         row("import %P --trial run2 --video A=%/a.mkv --robot blue", 1, "blue");
         row("import %P --trial run2 --video A=%/a.mkv --rate 0", 2, "--rate");
         row("track %P run1 --robot blue", 1, "blue");

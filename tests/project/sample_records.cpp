@@ -77,6 +77,7 @@ RecordingRecord RecordSource::recording(RecordId camera, std::size_t frames)
     record.heightPx = 1920;
     record.framesPerSecond = positive();
     record.startOffsetS = number();
+    record.clockRate = number();
     for (std::size_t i = 0; i < frames; ++i)
         record.frameTimes.emplace_back(integer());
     return record;

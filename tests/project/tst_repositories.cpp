@@ -284,7 +284,8 @@ private Q_SLOTS:
             QCOMPARE(a.cameraName, std::string("A"));
             QVERIFY(a.path == b.path && a.sha256 == b.sha256 && a.bytes == b.bytes && a.widthPx == b.widthPx);
             QVERIFY(a.heightPx == b.heightPx && same(a.framesPerSecond, b.framesPerSecond));
-            QVERIFY(same(a.startOffsetS, b.startOffsetS) && a.frameTimes == b.frameTimes);
+            QVERIFY(same(a.startOffsetS, b.startOffsetS) && same(a.clockRate, b.clockRate));
+            QVERIFY(a.frameTimes == b.frameTimes);
         }
     }
 
@@ -307,12 +308,17 @@ private Q_SLOTS:
         QVERIFY(m_project->trials().setRobots(trial.id, {robot}));
         trial.syncMethod = "told";
         trial.syncOffsetS = 0.25;
+        trial.syncRate = 2e-4;
+        trial.syncRateSigma = 3e-6;
         QVERIFY(m_project->trials().setSync(trial));
         const auto changed = m_project->trials().get(trial.id);
         QCOMPARE(changed->notes, std::string("wet floor"));
         QVERIFY(changed->robots == std::vector<RecordId>{robot});
         QCOMPARE(changed->syncMethod, std::string("told"));
+        QCOMPARE(changed->syncRate, 2e-4);
+        QCOMPARE(changed->syncRateSigma, 3e-6);
         QCOMPARE(m_project->trials().recordings(trial.id)->at(1).startOffsetS, 0.25);
+        QCOMPARE(m_project->trials().recordings(trial.id)->at(1).clockRate, 2e-4);
         QCOMPARE(m_project->trials().setNotes(999, "").error().code, ErrorCode::NotFound);
     }
 

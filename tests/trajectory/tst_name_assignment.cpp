@@ -163,13 +163,13 @@ void TestNameAssignment::cutsAtLowScores()
     std::mt19937 random(1);
     auto filmed = filmAll({{cameraA(), 0, {{2, 3}}, {}}}, {shuttle(0, 0.9, 4), shuttle(0.35, -0.9, 4)},
                           {red, red}, random);
-    const auto tracklets = cutIntoTracklets(filmed[0].robots[0], 0.5);
+    const auto tracklets = cutIntoTracklets(filmed[0].robots[0], {std::chrono::milliseconds(500), 0});
     QCOMPARE(tracklets.size(), std::size_t(2));
     QCOMPARE(tracklets[0].last, std::size_t(59));
     QCOMPARE(tracklets[1].first, std::size_t(90));
     QVERIFY(std::abs(tracklets[1].begin.timeS - 3.5) < 1e-6);
     QVERIFY((tracklets[0].meanChroma - chromaFor(red)).norm() < 0.5);
-    QVERIFY(cutIntoTracklets({}, 0).empty());
+    QVERIFY(cutIntoTracklets({}, {}).empty());
 }
 
 void TestNameAssignment::joiningPrefersTheMotion()

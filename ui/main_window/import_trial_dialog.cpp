@@ -152,7 +152,7 @@ ImportSettings ImportTrialDialog::settings() const
             settings.videos.emplace_back(camera, row.file->path());
     }
     settings.sync = static_cast<ImportSettings::Sync>(m_sync->currentData().toInt());
-    settings.offsetS = m_offset->value();
+    settings.offsetsS = {m_offset->value()};
     if (m_rateTold->isChecked())
         settings.rate = m_rate->value();
     return settings;

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/trajectory/view_clock.h"
 #include "core/workflow/registered_view.h"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ Result<void> loadViews(Project &project, const std::vector<AnalysisRecord> &anal
         view.camera = recording.cameraName;
         view.file = project.resolve(recording);
         view.startOffset = fromSeconds(recording.startOffsetS);
+        view.clockRate = recording.clockRate;
         auto registration = registrationOf(project, scene.views.size(), recording.camera, analyses);
         if (!registration)
             return passOn(registration);
@@ -112,7 +114,7 @@ std::optional<std::int64_t> TrialScene::frameAt(std::size_t view, Nanoseconds ti
     const std::vector<Nanoseconds> &times = seen.recording.frameTimes;
     if (times.empty())
         return std::nullopt;
-    const Nanoseconds own = time - seen.startOffset;
+    const Nanoseconds own = clockOf(seen).ownTime(time);
     const Nanoseconds interval =
         times.size() < 2 ? Nanoseconds(0)
                          : (times.back() - times.front()) / static_cast<std::int64_t>(times.size() - 1);

@@ -25,6 +25,7 @@ struct SceneView
     std::optional<FloorView> floorView;            ///< empty: the camera is not registered
     std::optional<FloorRegistration> registration; ///< as floorView
     Nanoseconds startOffset{0}; ///< how much later its first frame was taken than the first view's
+    double clockRate = 0;       ///< by how much its clock runs faster than the first view's
 };
 
 /// One robot of a trial.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/picture_overlay.h"
 
+#include "core/trajectory/view_clock.h"
 #include "ui/views/axis_ticks.h"
 #include "ui/views/halo_text.h"
 
@@ -184,8 +185,8 @@ void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, st
     const auto &analysis = scene.robots[robot].analysis;
     if (!analysis)
         return;
-    const Nanoseconds time = scene.views[view].recording.frameTimes.at(static_cast<std::size_t>(frame)) +
-                             scene.views[view].startOffset;
+    const Nanoseconds time = clockOf(scene.views[view])
+                                 .commonTime(scene.views[view].recording.frameTimes.at(static_cast<std::size_t>(frame)));
     const auto first = scene.frameAt(0, time);
     const Nanoseconds sampleTime = first ? scene.frameTimes()[static_cast<std::size_t>(*first)] : time;
     if (const Spike *spike = spikeAt(analysis->profile, sampleTime))
