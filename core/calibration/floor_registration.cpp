@@ -2,12 +2,12 @@
 #include "core/calibration/floor_registration.h"
 
 #include "core/base/units.h"
+#include "core/calibration/lens_influence.h"
 #include "core/calibration/marker_order.h"
 #include "core/calibration/plane_pose.h"
 #include "core/calibration/wording.h"
 #include "core/geometry/point_layout.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -19,7 +19,11 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr const char *what = "the floor cannot be registered";
-constexpr double leastSigmaPx = 0.3; // a marker is hardly known better, whatever four residuals say
+// What is believed of a marker's pixel before its residual is seen, and how many residuals that belief weighs:
+// four markers leave two, which alone would often call the noise nearly nothing. It holds for tags as well: the
+// program finds them better than that, but the layout's places were measured too.
+constexpr double priorSigmaPx = 0.3, priorFreedom = 4;
+constexpr double refutedBeyond = 3; // times the prior: then the residuals alone speak
 constexpr double leastHeightM = 0.05, mostHeightM = 100;
 constexpr double nearestPixels = 1.0;     // markers closer than that are one and the same
 constexpr double nearestPlaces = 1e-3;    // of the layout's extent
@@ -171,17 +175,48 @@ Result<void> checkPlace(const PlanePose &pose)
     return {};
 }
 
-double largestSigma(const Eigen::Matrix2d &covariance)
+/// Of one coordinate of a marker's pixel: the mean of the prior's and the residuals' variances by their degrees
+/// of freedom (the mode of a scaled inverse χ² posterior, Gelman et al., Bayesian Data Analysis, 2.6).
+double markerSigmaPx(const PlanePose &pose, std::size_t markers)
 {
+    const double freedom = 2.0 * static_cast<double>(markers) - (pose.focalSigmaPx ? 7 : 6);
+    if (pose.sigmaPx > refutedBeyond * priorSigmaPx)
+        return pose.sigmaPx;
     return std::sqrt(
-        std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues().y()));
+        (priorFreedom * priorSigmaPx * priorSigmaPx + freedom * pose.sigmaPx * pose.sigmaPx) /
+        (priorFreedom + freedom));
 }
 
-/// Fills the errors of the markers; returns the largest σ of the floor at any of them.
-Result<double> measureMarkers(const std::vector<PointPair> &pairs, const FloorView &view,
+/// The lens of a pose; where its focal length was estimated, with the covariance of that: one number, by which
+/// both focal lengths scale.
+CameraModel lensOf(const PlanePose &pose)
+{
+    Intrinsics intrinsics = pose.camera.intrinsics();
+    if (!pose.focalSigmaPx)
+        return pose.camera;
+    const auto values = static_cast<Eigen::Index>(4 + intrinsics.distortion.size());
+    Eigen::VectorXd byScale = Eigen::VectorXd::Zero(values);
+    byScale.head<2>() << intrinsics.fxPx, intrinsics.fyPx;
+    const double sigma = *pose.focalSigmaPx / intrinsics.fxPx;
+    intrinsics.covariance = sigma * sigma * byScale * byScale.transpose();
+    return CameraModel::create(std::move(intrinsics)).value_or(pose.camera);
+}
+
+FloorView viewOf(const PlanePose &pose, const CameraModel &lens, const std::vector<PointPair> &pairs)
+{
+    const double sigmaPx = markerSigmaPx(pose, pairs.size());
+    std::vector<Vector2d> places;
+    for (const PointPair &pair : pairs)
+        places.push_back(pair.source);
+    return FloorView(lens, pose.worldFromCamera, sigmaPx * sigmaPx * pose.inverseNormal,
+                     poseByLens(lens, pose.worldFromCamera, places));
+}
+
+/// Fills the errors of the markers and the σ of the floor among them.
+Result<void> measureMarkers(const std::vector<PointPair> &pairs, const FloorView &view,
                               FloorRegistration &registration)
 {
-    double worstSigmaM = 0, squares = 0;
+    double squares = 0;
     for (const PointPair &pair : pairs) {
         const auto seen = view.locate(pair.target, Eigen::Matrix2d::Zero(), 0);
         const auto back = view.pixelFromWorld({pair.source.x(), pair.source.y(), 0});
@@ -191,10 +226,10 @@ Result<double> measureMarkers(const std::vector<PointPair> &pairs, const FloorVi
         const double errorM = (seen->pointInWorld - pair.source).norm();
         registration.markers.push_back({pair.label, errorM, (*back - pair.target).norm()});
         squares += errorM * errorM;
-        worstSigmaM = std::max(worstSigmaM, largestSigma(seen->calibrationCovariance));
+        registration.floorSigmaM = std::max(registration.floorSigmaM, largestSigmaM(*seen));
     }
     registration.rmsM = std::sqrt(squares / static_cast<double>(pairs.size()));
-    return worstSigmaM;
+    return {};
 }
 
 std::string lensWords(const PlanePose &pose, bool intrinsicsKnown)
@@ -210,9 +245,10 @@ std::string lensWords(const PlanePose &pose, bool intrinsicsKnown)
     return words + " Calibrate it for positions to rely on.";
 }
 
-std::string verdictOf(const FloorRegistration &registration, const PlanePose &pose, double sigmaM,
-                      double layoutM, bool intrinsicsKnown)
+std::string verdictOf(const FloorRegistration &registration, const PlanePose &pose, double layoutM,
+                      bool intrinsicsKnown)
 {
+    const double sigmaM = registration.floorSigmaM;
     const double worse = std::max(registration.rmsM, sigmaM);
     const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorM);
     std::string verdict = registrationGrade(worse, layoutM) + std::to_string(registration.markers.size()) + " markers fit to " +
@@ -243,15 +279,14 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
         return tl::unexpected(sound.error());
 
     FloorRegistration registration;
-    registration.intrinsics = pose->camera.intrinsics();
+    const CameraModel lens = lensOf(*pose);
+    registration.intrinsics = lens.intrinsics();
     registration.worldFromCamera = pose->worldFromCamera;
     registration.rmsPx = pose->rmsPx;
-    const double sigmaPx = std::max(pose->sigmaPx, leastSigmaPx);
-    registration.poseCovariance = sigmaPx * sigmaPx * pose->inverseNormal;
-    const FloorView view(pose->camera, registration.worldFromCamera, registration.poseCovariance);
-    const auto sigmaM = measureMarkers(*pairs, view, registration);
-    if (!sigmaM)
-        return tl::unexpected(sigmaM.error());
+    const FloorView view = viewOf(*pose, lens, *pairs);
+    registration.poseCovariance = view.poseCovariance();
+    if (auto measured = measureMarkers(*pairs, view, registration); !measured)
+        return tl::unexpected(measured.error());
     if (registration.rmsPx > worstMisfit * extentPx(*pairs)) {
         const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorPx);
         return refuse("the markers do not fit a flat floor: " + formatNumber(registration.rmsPx, 1) +
@@ -259,11 +294,11 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
                           " px)",
                       "check the layout, the labels and the intrinsics");
     }
-    if (*sigmaM > worstSigma * layoutM)
+    if (registration.floorSigmaM > worstSigma * layoutM)
         return refuse("the markers lie so nearly on one line that the floor is known only to ±" +
-                          millimetres(*sigmaM),
+                          millimetres(registration.floorSigmaM),
                       "spread the markers over the floor");
-    registration.verdict = verdictOf(registration, *pose, *sigmaM, layoutM, intrinsicsKnown);
+    registration.verdict = verdictOf(registration, *pose, layoutM, intrinsicsKnown);
     const std::string better = doubtOfOrder(*pairs, *pose, camera, focal);
     if (!better.empty())
         registration.verdict += " But " + better + ": check these labels.";

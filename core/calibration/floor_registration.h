@@ -22,8 +22,10 @@ struct MarkerError
 struct FloorRegistration
 {
     RigidTransform worldFromCamera;
-    Eigen::Matrix<double, 6, 6> poseCovariance; ///< as FloorView says; the intrinsics are taken as exact
+    Eigen::Matrix<double, 6, 6> poseCovariance; ///< as FloorView says: what it would be if the intrinsics were exact
     double rmsPx = 0, rmsM = 0;
+    /// The largest σ of the floor at any marker, from the pose and, where its covariance is known, the lens.
+    double floorSigmaM = 0;
     std::vector<MarkerError> markers;
     std::string verdict; ///< one sentence for a person; says when the camera was taken as free of distortion
     /// The lens that worldFromCamera belongs to: the one given, or with the focal length that was estimated.
@@ -31,8 +33,8 @@ struct FloorRegistration
 };
 
 /// Homography by normalised DLT from undistorted pixels, decomposed to a pose (Zhang 2000), refined with the
-/// lens model on pixel distance (Levenberg–Marquardt); covariance from the Jacobian with the larger of the
-/// residual σ and 0.3 px. Refuses by name: fewer than four markers common to both lists, doubled labels or
+/// lens model on pixel distance (Levenberg–Marquardt); covariance from the Jacobian with the residuals' σ,
+/// steadied by a prior of 0.3 px that weighs as four residuals. Refuses by name: fewer than four markers common to both lists, doubled labels or
 /// points, collinear markers, mirrored or swapped order, non-finite values, a camera below the floor, markers
 /// beyond the horizon, markers that fit no plane, a floor known worse than 5 % of the layout's extent, and a
 /// camera lower than 5 cm or higher than 100 m (a wrong unit).

@@ -63,6 +63,22 @@ Vector2d distort(const std::array<double, 8> &k, const Vector2d &ideal, Matrix2d
             y * radial + p1 * (u + 2 * y * y) + 2 * p2 * x * y};
 }
 
+/// distort() by k1 k2 p1 p2 k3 k4 k5 k6.
+Eigen::Matrix<double, 2, 8> distortedByCoefficients(const std::array<double, 8> &k, const Vector2d &ideal)
+{
+    const double x = ideal.x(), y = ideal.y(), u = ideal.squaredNorm();
+    const double below = 1 + u * (k[5] + u * (k[6] + u * k[7]));
+    const double radial = (1 + u * (k[0] + u * (k[1] + u * k[4]))) / below;
+    Eigen::Matrix<double, 2, 8> by;
+    by.col(0) = ideal * (u / below);
+    by.col(1) = u * by.col(0);
+    by.col(2) = Vector2d(2 * x * y, u + 2 * y * y);
+    by.col(3) = Vector2d(u + 2 * x * x, 2 * x * y);
+    by.col(4) = u * by.col(1);
+    by.rightCols<3>() = -radial * by(Eigen::all, {0, 1, 4});
+    return by;
+}
+
 } // namespace
 
 Result<CameraModel> CameraModel::create(Intrinsics intrinsics)
@@ -156,6 +172,33 @@ std::optional<Vector2d> CameraModel::projectFisheye(const Vector3d &point,
     pixelByPoint.col(2) = -slope * radius / squared * outward;
     pixelByPoint = focal.asDiagonal() * pixelByPoint;
     return Vector2d(centre + focal.cwiseProduct(bent * outward));
+}
+
+PixelByLens CameraModel::pixelByLens(const Vector3d &pointInCamera) const
+{
+    const auto coefficients = static_cast<Eigen::Index>(m_intrinsics.distortion.size());
+    const Vector2d focal(m_intrinsics.fxPx, m_intrinsics.fyPx);
+    Vector2d bent = Vector2d::Zero();
+    Eigen::Matrix<double, 2, 8> byCoefficients = Eigen::Matrix<double, 2, 8>::Zero();
+    if (m_intrinsics.model == LensModel::Fisheye) {
+        const double radius = pointInCamera.head<2>().norm();
+        if (radius > 0) {
+            const Vector2d outward = pointInCamera.head<2>() / radius;
+            const double angle = std::atan2(radius, pointInCamera.z());
+            bent = LensCurve(m_coefficients, true).value(angle) * outward;
+            for (int i = 0; i < 4; ++i)
+                byCoefficients.col(i) = std::pow(angle, 3 + 2 * i) * outward;
+        }
+    } else {
+        const Vector2d ideal = pointInCamera.hnormalized();
+        Matrix2d unused;
+        bent = distort(m_coefficients, ideal, unused);
+        byCoefficients = distortedByCoefficients(m_coefficients, ideal);
+    }
+    PixelByLens by(2, 4 + coefficients);
+    by.leftCols<4>() << bent.x(), 0, 1, 0, 0, bent.y(), 0, 1;
+    by.rightCols(coefficients) = focal.asDiagonal() * byCoefficients.leftCols(coefficients);
+    return by;
 }
 
 std::optional<Vector3d> CameraModel::unproject(const Vector2d &pixel) const

@@ -28,6 +28,9 @@ struct Intrinsics
     Eigen::MatrixXd covariance;
 };
 
+/// Derivative of a pixel by the values of a lens, a column each of (fx, fy, cx, cy, distortion...).
+using PixelByLens = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, 12>;
+
 /// Maps between pixels and viewing directions of one camera, with lens distortion.
 /// Camera frame: x right, y down, z forward. Immutable, safe to share between threads.
 class CameraModel
@@ -48,6 +51,10 @@ public:
     /// As project, with the derivative of the pixel by the point (2×3).
     std::optional<Eigen::Vector2d> project(const Eigen::Vector3d &pointInCamera,
                                            Eigen::Matrix<double, 2, 3> &pixelByPoint) const;
+
+    /// Derivative of project's pixel by the lens (2 × (4 + the number of coefficients)); to be asked only for
+    /// points that project() has a pixel for.
+    PixelByLens pixelByLens(const Eigen::Vector3d &pointInCamera) const;
 
     /// Direction (x, y, 1) in the camera frame seen by a pixel; for a fisheye beyond 90° (x, y, z) with unit
     /// norm. nullopt where the inversion does not converge (Newton, to 1e-12).

@@ -20,12 +20,25 @@ Eigen::Matrix3d crossMatrix(const Vector3d &v)
     return matrix;
 }
 
+/// Of (pose, lens), where the pose follows the lens.
+Eigen::MatrixXd jointCovariance(const Eigen::Matrix<double, 6, 6> &pose, const Eigen::MatrixXd &lens,
+                                const PoseByLens &poseByLens)
+{
+    if (lens.size() == 0 || poseByLens.cols() != lens.rows() || !poseByLens.allFinite())
+        return pose;
+    Eigen::MatrixXd joint(6 + lens.rows(), 6 + lens.rows());
+    const Eigen::MatrixXd together = poseByLens * lens;
+    joint << pose + together * poseByLens.transpose(), together, together.transpose(), lens;
+    return joint;
+}
+
 } // namespace
 
 FloorView::FloorView(CameraModel camera, RigidTransform worldFromCamera,
-                     Eigen::Matrix<double, 6, 6> poseCovariance)
+                     Eigen::Matrix<double, 6, 6> poseCovariance, const PoseByLens &poseByLens)
     : m_camera(std::move(camera)), m_worldFromCamera(worldFromCamera),
-      m_cameraFromWorld(worldFromCamera.inverse()), m_poseCovariance(std::move(poseCovariance))
+      m_cameraFromWorld(worldFromCamera.inverse()), m_poseCovariance(std::move(poseCovariance)),
+      m_jointCovariance(jointCovariance(m_poseCovariance, m_camera.intrinsics().covariance, poseByLens))
 {
 }
 
@@ -51,9 +64,10 @@ std::optional<FloorPosition> FloorView::locate(const Vector2d &pixel, const Eige
     const Vector3d point(floor->x(), floor->y(), heightM);
     const Vector3d fromCamera = point - m_worldFromCamera.translation;
     Eigen::Matrix<double, 2, 3> pixelByPoint;
-    if (!m_camera.project(m_cameraFromWorld * point, pixelByPoint))
+    const Vector3d pointInCamera = m_cameraFromWorld * point;
+    if (!m_camera.project(pointInCamera, pixelByPoint))
         return std::nullopt;
-    // The pixel is a function of point, rotation and camera position; it stays where it is, so by the
+    // The pixel is a function of point, rotation, camera position and lens; it stays where it is, so by the
     // implicit function theorem each derivative of the point is the negative quotient of the pixel's
     // derivatives.
     const Eigen::Matrix<double, 2, 3> pixelByWorld =
@@ -61,11 +75,15 @@ std::optional<FloorPosition> FloorView::locate(const Vector2d &pixel, const Eige
     const Eigen::Matrix2d pointByPixel = pixelByWorld.leftCols<2>().inverse();
     if (!pointByPixel.allFinite())
         return std::nullopt;
-    Eigen::Matrix<double, 2, 6> pixelByPose;
-    pixelByPose << pixelByWorld * crossMatrix(fromCamera), -pixelByWorld;
-    const Eigen::Matrix<double, 2, 6> pointByPose = -pointByPixel * pixelByPose;
+    Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, 18> pixelByJoint(2, m_jointCovariance.rows());
+    pixelByJoint.leftCols<3>() = pixelByWorld * crossMatrix(fromCamera);
+    pixelByJoint.middleCols<3>(3) = -pixelByWorld;
+    if (hasLensPart())
+        pixelByJoint.rightCols(pixelByJoint.cols() - 6) = m_camera.pixelByLens(pointInCamera);
+    const Eigen::Matrix2d pixelCalibration =
+        pixelByJoint.lazyProduct(m_jointCovariance).eval().lazyProduct(pixelByJoint.transpose());
     return FloorPosition{*floor, pointByPixel * pixelCovariance * pointByPixel.transpose(),
-                         pointByPose * m_poseCovariance * pointByPose.transpose(),
+                         pointByPixel * pixelCalibration * pointByPixel.transpose(),
                          -pointByPixel * pixelByWorld.col(2)};
 }
 

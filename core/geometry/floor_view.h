@@ -15,13 +15,23 @@ struct FloorPosition
     Eigen::Vector2d pointInWorld = Eigen::Vector2d::Zero();
     /// m², from the pixel alone: independent from frame to frame.
     Eigen::Matrix2d pixelCovariance = Eigen::Matrix2d::Zero();
-    /// m², from the camera's pose: common to all frames.
+    /// m², from the camera's pose and its lens: common to all frames.
     Eigen::Matrix2d calibrationCovariance = Eigen::Matrix2d::Zero();
     /// d(pointInWorld)/d(height): how an error of the height shifts it.
     Eigen::Vector2d displacementPerMetreHeight = Eigen::Vector2d::Zero();
 };
 
-/// One camera registered to the floor: its lens, its place, and the covariance of its place.
+/// Derivative of a camera's fitted pose by the lens that it was fitted with: rows as FloorView's
+/// poseCovariance, a column each of (fx, fy, cx, cy, distortion...).
+using PoseByLens = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+/// One camera registered to the floor: its lens, its place, and the covariance of both.
+///
+/// Whoever fits a pose with a wrong lens gets a wrong pose, and on the floor between the markers the two
+/// errors cancel in part. So the errors of pose p and lens l are taken together, δp = ε + G·δl with ε of
+/// poseCovariance and G = poseByLens: cov(p) = P + GΣGᵀ, cov(p, l) = GΣ, cov(l) = Σ, and a floor point has
+/// P_x + KΣKᵀ with K = (dx/dp)·G + dx/dl (first order; the usual elimination of nuisance parameters).
+///
 /// World: X along O→U, Y towards V, Z up, right-handed, floor at z = 0. Immutable, safe to share between
 /// threads.
 class FloorView
@@ -29,7 +39,11 @@ class FloorView
 public:
     /// poseCovariance: 6×6 of (rotation vector of a left-applied perturbation of the camera's axes, in
     /// radians, in the world frame; then camera position, in metres, in the world frame); zero where unknown.
-    FloorView(CameraModel camera, RigidTransform worldFromCamera, Eigen::Matrix<double, 6, 6> poseCovariance);
+    /// It is what the pose would have if the lens were exact. poseByLens (6 × (4 + the number of
+    /// coefficients)): how the pose follows the lens. Without it, or without a covariance in the camera's
+    /// intrinsics, the lens is taken as exact.
+    FloorView(CameraModel camera, RigidTransform worldFromCamera, Eigen::Matrix<double, 6, 6> poseCovariance,
+              const PoseByLens &poseByLens = PoseByLens(6, 0));
 
     const CameraModel &camera() const { return m_camera; }
     const RigidTransform &worldFromCamera() const { return m_worldFromCamera; }
@@ -40,6 +54,9 @@ public:
     /// Where the ray of a pixel meets the plane z = heightM; nullopt at or beyond the horizon, or within 1°
     /// of it.
     std::optional<Eigen::Vector2d> floorFromPixel(const Eigen::Vector2d &pixel, double heightM) const;
+
+    /// How the errors of the lens reach the floor is known.
+    bool hasLensPart() const { return m_jointCovariance.rows() > 6; }
 
     /// As floorFromPixel, with covariances propagated to first order.
     std::optional<FloorPosition> locate(const Eigen::Vector2d &pixel, const Eigen::Matrix2d &pixelCovariance,
@@ -53,6 +70,7 @@ private:
     CameraModel m_camera;
     RigidTransform m_worldFromCamera, m_cameraFromWorld;
     Eigen::Matrix<double, 6, 6> m_poseCovariance;
+    Eigen::MatrixXd m_jointCovariance; ///< of (pose, lens); 6×6, of the pose alone, where the lens is exact
 };
 
 } // namespace odo

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The registrations of CameraRepository.
+#include "core/calibration/lens_influence.h"
 #include "core/project/connection.h"
 #include "core/project/lens_rows.h"
 #include "core/project/names.h"
@@ -75,6 +76,25 @@ Result<void> readMarkers(const ProjectConnection &connection, RegistrationRecord
     });
 }
 
+/// Not stored, since it follows from the rest: registrations made by older versions have it too.
+Result<void> addFloorSigma(const ProjectConnection &connection, RegistrationRecord &record)
+{
+    Intrinsics used = record.assumedIntrinsics;
+    if (record.intrinsics != 0) {
+        Statement select(connection, QStringLiteral("SELECT lens_id FROM intrinsics WHERE id=?"));
+        const auto found = select.bind(record.intrinsics).firstRow();
+        if (!found)
+            return tl::unexpected(found.error());
+        auto stored = lens(connection, *found ? select.integer(0) : 0);
+        if (!stored)
+            return tl::unexpected(stored.error());
+        used = std::move(*stored);
+    }
+    if (const auto camera = CameraModel::create(std::move(used)))
+        record.registration.floorSigmaM = floorSigmaM(record.registration, *camera, record.pixels);
+    return {};
+}
+
 Result<RegistrationRecord> readRegistration(const ProjectConnection &connection, const Statement &row)
 {
     RegistrationRecord record;
@@ -103,6 +123,8 @@ Result<RegistrationRecord> readRegistration(const ProjectConnection &connection,
     record.assumedIntrinsics = std::move(*assumed);
     if (auto read = readMarkers(connection, record); !read)
         return tl::unexpected(read.error());
+    if (auto added = addFloorSigma(connection, record); !added)
+        return tl::unexpected(added.error());
     return record;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/registered_view.h"
 
+#include "core/calibration/lens_influence.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 
@@ -24,8 +25,7 @@ Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &regist
     auto camera = CameraModel::create(std::move(intrinsics));
     if (!camera)
         return tl::unexpected(camera.error());
-    return FloorView(std::move(*camera), registration.registration.worldFromCamera,
-                     registration.registration.poseCovariance);
+    return floorViewOf(registration.registration, *camera, registration.pixels);
 }
 
 Result<std::vector<RegisteredView>> registeredViews(Project &project, const TrialRecord &trial)

@@ -21,7 +21,8 @@ struct RegisteredView
     std::optional<FloorView> floorView; ///< empty: not registered, or registered at another picture shape
 };
 
-/// The camera registered to the floor, from the stored registration and the intrinsics that it was made with.
+/// The camera registered to the floor, from the stored registration and the intrinsics that it was made with, whose
+/// uncertainty it carries to the floor.
 Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &registration);
 
 /// The views of a trial in their order. A recording of another picture size than its camera was calibrated at is an

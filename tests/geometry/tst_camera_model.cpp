@@ -73,6 +73,30 @@ private Q_SLOTS:
         }
         QCOMPARE(seen, 42 * 65);
     }
+    void derivativesByTheLensAgreeWithDifferences_data() { addLenses(); }
+    void derivativesByTheLensAgreeWithDifferences()
+    {
+        QFETCH(int, model);
+        QFETCH(QVector<double>, distortion);
+        const CameraModel camera = cameraOfRow(model, distortion);
+        const auto moved = [&](Eigen::Index value, double step) {
+            Intrinsics in = camera.intrinsics();
+            double *const pinhole[] = {&in.fxPx, &in.fyPx, &in.cxPx, &in.cyPx};
+            (value < 4 ? *pinhole[value] : in.distortion[static_cast<std::size_t>(value - 4)]) += step;
+            return CameraModel::create(in).value();
+        };
+        for (const Vector3d &point : {Vector3d(0.3, -0.2, 1), Vector3d(-0.8, 0.5, 2), Vector3d(0, 0, 3)}) {
+            const PixelByLens stated = camera.pixelByLens(point);
+            QCOMPARE(stated.cols(), Eigen::Index(4 + distortion.size()));
+            for (Eigen::Index value = 0; value < stated.cols(); ++value) {
+                const double step = value < 4 ? 1e-3 : 1e-6;
+                const Vector2d numeric =
+                    (*moved(value, step).project(point) - *moved(value, -step).project(point)) / (2 * step);
+                QVERIFY2((stated.col(value) - numeric).norm() < 1e-5 * (1 + numeric.norm()),
+                         qPrintable(QString::number(value)));
+            }
+        }
+    }
     void agreesWithOpenCv_data() { addLenses(); }
     void agreesWithOpenCv()
     {

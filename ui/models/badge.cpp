@@ -4,6 +4,7 @@
 #include "ui/models/figure_text.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 namespace odo {
 
@@ -12,10 +13,12 @@ Badge registrationBadge(const std::optional<FloorRegistration> &registration)
     constexpr double goodBelowM = 0.005, badFromM = 0.020;
     if (!registration)
         return {QCoreApplication::translate("odo::Badge", "not registered"), BadgeState::Bad};
-    const QString text = QChar(0x00b1) + millimetresText(registration->rmsM);
-    if (registration->rmsM <= goodBelowM)
+    // Markers may fit by chance, and closely under a lens that is hardly known: the worse of the two counts.
+    const double worseM = std::max(registration->rmsM, registration->floorSigmaM);
+    const QString text = QChar(0x00b1) + millimetresText(worseM);
+    if (worseM <= goodBelowM)
         return {text, BadgeState::Good};
-    return {text, registration->rmsM < badFromM ? BadgeState::Warning : BadgeState::Bad};
+    return {text, worseM < badFromM ? BadgeState::Warning : BadgeState::Bad};
 }
 
 } // namespace odo

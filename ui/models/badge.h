@@ -17,7 +17,7 @@ struct Badge
     BadgeState state = BadgeState::Neutral;
 };
 
-/// How well a camera is registered: "±1.6 mm". Good up to 5 mm, bad from 20 mm on.
+/// How well a camera is registered: "±1.6 mm", the larger of the markers' misfit and the floor's σ. Good up to 5 mm, bad from 20 mm on.
 Badge registrationBadge(const std::optional<FloorRegistration> &registration);
 
 } // namespace odo

@@ -60,7 +60,7 @@ QString CameraListModel::display(const CameraRow &row, int column) const
     case RegistrationColumn:
         if (!row.registration)
             return tr("not registered");
-        return tr("registered, \u00b1%1").arg(millimetresText(row.registration->registration.rmsM));
+        return tr("registered, %1").arg(registrationBadge(row.registration->registration).text);
     case VerdictColumn:
         if (row.registration)
             return QString::fromStdString(row.registration->registration.verdict);
