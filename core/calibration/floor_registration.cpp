@@ -19,9 +19,9 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr const char *what = "the floor cannot be registered";
-// What is believed of a marker's pixel before its residual is seen, and how many residuals that belief weighs:
-// four markers leave two, which alone would often call the noise nearly nothing. It holds for tags as well: the
-// program finds them better than that, but the layout's places were measured too.
+// What is believed of a marker's pixel before its residual is seen, and how many residuals that belief
+// weighs: four markers leave two, which alone would often call the noise nearly nothing. It holds for tags as
+// well: the program finds them better than that, but the layout's places were measured too.
 constexpr double priorSigmaPx = 0.3, priorFreedom = 4;
 constexpr double refutedBeyond = 3; // times the prior: then the residuals alone speak
 constexpr double leastHeightM = 0.05, mostHeightM = 100;
@@ -175,20 +175,20 @@ Result<void> checkPlace(const PlanePose &pose)
     return {};
 }
 
-/// Of one coordinate of a marker's pixel: the mean of the prior's and the residuals' variances by their degrees
-/// of freedom (the mode of a scaled inverse χ² posterior, Gelman et al., Bayesian Data Analysis, 2.6).
+/// Of one coordinate of a marker's pixel: the mean of the prior's and the residuals' variances by what each
+/// weighs, which is the posterior mean of the variance under a scaled inverse χ² prior (Gelman et al.,
+/// Bayesian Data Analysis, 2.6) of that mean and priorFreedom + 2 degrees of freedom.
 double markerSigmaPx(const PlanePose &pose, std::size_t markers)
 {
     const double freedom = 2.0 * static_cast<double>(markers) - (pose.focalSigmaPx ? 7 : 6);
     if (pose.sigmaPx > refutedBeyond * priorSigmaPx)
         return pose.sigmaPx;
-    return std::sqrt(
-        (priorFreedom * priorSigmaPx * priorSigmaPx + freedom * pose.sigmaPx * pose.sigmaPx) /
-        (priorFreedom + freedom));
+    return std::sqrt((priorFreedom * priorSigmaPx * priorSigmaPx + freedom * pose.sigmaPx * pose.sigmaPx) /
+                     (priorFreedom + freedom));
 }
 
-/// The lens of a pose; where its focal length was estimated, with the covariance of that: one number, by which
-/// both focal lengths scale.
+/// The lens of a pose; where its focal length was estimated, with the covariance of that: one number, by
+/// which both focal lengths scale.
 CameraModel lensOf(const PlanePose &pose)
 {
     Intrinsics intrinsics = pose.camera.intrinsics();
@@ -214,7 +214,7 @@ FloorView viewOf(const PlanePose &pose, const CameraModel &lens, const std::vect
 
 /// Fills the errors of the markers and the σ of the floor among them.
 Result<void> measureMarkers(const std::vector<PointPair> &pairs, const FloorView &view,
-                              FloorRegistration &registration)
+                            FloorRegistration &registration)
 {
     double squares = 0;
     for (const PointPair &pair : pairs) {

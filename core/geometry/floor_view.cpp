@@ -75,7 +75,8 @@ std::optional<FloorPosition> FloorView::locate(const Vector2d &pixel, const Eige
     const Eigen::Matrix2d pointByPixel = pixelByWorld.leftCols<2>().inverse();
     if (!pointByPixel.allFinite())
         return std::nullopt;
-    Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, 18> pixelByJoint(2, m_jointCovariance.rows());
+    Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, 18> pixelByJoint(2,
+                                                                                  m_jointCovariance.rows());
     pixelByJoint.leftCols<3>() = pixelByWorld * crossMatrix(fromCamera);
     pixelByJoint.middleCols<3>(3) = -pixelByWorld;
     if (hasLensPart())
