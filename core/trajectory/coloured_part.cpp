@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/coloured_part.h"
 
+#include "core/base/upper_median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,7 +13,8 @@ namespace {
 
 constexpr double markShare = 0.5; // of the span from foot to top; a body covers all of it and more
 
-/// The outline's length along the picture of a vertical from the floor to heightM, as a share of that vertical.
+/// The outline's length along the picture of a vertical from the floor to heightM, as a share of that
+/// vertical.
 std::optional<double> verticalShare(const FloorView &view, const Ellipse &ellipse, double heightM)
 {
     const auto place = view.floorFromPixel(ellipse.centrePx, heightM);
@@ -25,7 +28,8 @@ std::optional<double> verticalShare(const FloorView &view, const Ellipse &ellips
     if (span.norm() < 1)
         return std::nullopt; // seen from straight above: nothing can be told
     const double angle = std::atan2(span.y(), span.x()) - ellipse.angleRad;
-    const double extent = 2 * std::hypot(ellipse.semiMajorPx * std::cos(angle), ellipse.semiMinorPx * std::sin(angle));
+    const double extent =
+        2 * std::hypot(ellipse.semiMajorPx * std::cos(angle), ellipse.semiMinorPx * std::sin(angle));
     return extent / span.norm();
 }
 
@@ -46,9 +50,7 @@ bool isMarkAtTop(const std::vector<ViewTrack> &views, double heightM)
     }
     if (shares.empty())
         return false;
-    const auto middle = shares.begin() + static_cast<std::ptrdiff_t>(shares.size() / 2);
-    std::nth_element(shares.begin(), middle, shares.end());
-    return *middle < markShare;
+    return upperMedian(std::move(shares)) < markShare;
 }
 
 } // namespace odo

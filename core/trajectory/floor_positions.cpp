@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/floor_positions.h"
 
+#include "core/base/upper_median.h"
 #include "core/trajectory/repeated_pictures.h"
 #include "core/trajectory/view_clock.h"
 
@@ -120,13 +121,6 @@ double areaExcess(const FloorView &view, const SolidShape &shape, const Observat
                : 0;
 }
 
-double medianOf(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// One view's sightings of the body, with what its outlines' areas say.
 struct BodySightings
 {
@@ -161,7 +155,7 @@ BodySightings placeInView(const ViewTrack &view, const SolidShape &shape, const 
         }
         placed.sightings.push_back(sighting);
     }
-    placed.areaShare = areaShares.empty() ? 0 : medianOf(std::move(areaShares));
+    placed.areaShare = areaShares.empty() ? 0 : upperMedian(std::move(areaShares));
     return placed;
 }
 
@@ -173,7 +167,7 @@ void doubtOddAreas(BodySightings &placed, double usual)
         if (std::abs(excess - usual) < largestUsualExcess)
             deviations.push_back(std::abs(excess - usual));
     }
-    const double scatter = deviations.empty() ? 0 : 1.4826 * medianOf(std::move(deviations));
+    const double scatter = deviations.empty() ? 0 : 1.4826 * upperMedian(std::move(deviations));
     const double limit = std::max(oddAreaScatter * scatter, oddAreaDoubts * placed.areaShare);
     for (std::size_t i = 0; i < placed.sightings.size(); ++i) {
         Sighting &sighting = placed.sightings[i];
@@ -189,7 +183,7 @@ std::vector<double> usualExcess(const std::vector<BodySightings> &views)
     std::vector<double> usual;
     double best = HUGE_VAL;
     for (const BodySightings &view : views) {
-        const double median = view.clear.size() < leastClear ? 0 : medianOf(view.clear);
+        const double median = view.clear.size() < leastClear ? 0 : upperMedian(view.clear);
         usual.push_back(median);
         if (view.clear.size() >= leastClear && std::abs(median) < std::abs(best))
             best = median;
@@ -230,9 +224,7 @@ Nanoseconds typicalInterval(const std::vector<Sighting> &sightings)
         intervals.push_back(sightings[i].time - sightings[i - 1].time);
     if (intervals.empty())
         return Nanoseconds{0};
-    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-    std::nth_element(intervals.begin(), middle, intervals.end());
-    return *middle;
+    return upperMedian(std::move(intervals));
 }
 
 } // namespace odo

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/free_height.h"
 
+#include "core/base/upper_median.h"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -12,8 +14,9 @@ namespace {
 constexpr std::size_t leastTimes = 10;
 constexpr double highestJumpM = 0.15;
 constexpr double neighbourSigmaM = 0.01; // of a height taken from the frames around
-constexpr std::size_t medianReach = 8; // frames to either side; a quarter of a second at 30 frames/s
-constexpr double leastParallax = 0.05; // metres on the floor per metre of height: below it the rays are as good as one
+constexpr std::size_t medianReach = 8;   // frames to either side; a quarter of a second at 30 frames/s
+constexpr double leastParallax =
+    0.05; // metres on the floor per metre of height: below it the rays are as good as one
 
 struct TimedHeight
 {
@@ -31,7 +34,8 @@ std::optional<TimedHeight> heightAt(const std::vector<std::vector<Sighting>> &vi
                 continue;
             const Eigen::Vector2d perMetre =
                 first.place.displacementPerMetreHeight - second.place.displacementPerMetreHeight;
-            const Eigen::Matrix2d weight = (first.place.pixelCovariance + second.place.pixelCovariance).inverse();
+            const Eigen::Matrix2d weight =
+                (first.place.pixelCovariance + second.place.pixelCovariance).inverse();
             information += perMetre.dot(weight * perMetre);
             projection -= perMetre.dot(weight * (first.place.pointInWorld - second.place.pointInWorld));
             parallax = std::max(parallax, perMetre.norm());
@@ -40,13 +44,6 @@ std::optional<TimedHeight> heightAt(const std::vector<std::vector<Sighting>> &vi
     if (parallax < leastParallax || !(information > 0))
         return std::nullopt;
     return TimedHeight{projection / information, 1 / information};
-}
-
-double medianOf(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// Median of the known heights near a time, the reach widened until there are some.
@@ -60,7 +57,7 @@ double medianNear(const std::vector<std::optional<TimedHeight>> &heights, std::s
                 near.push_back(heights[k]->heightM);
         }
         if (!near.empty())
-            return medianOf(std::move(near));
+            return upperMedian(std::move(near));
     }
 }
 
@@ -90,7 +87,7 @@ std::optional<FreeHeightSightings> freeHeight(std::vector<std::vector<Sighting>>
                 variance * place.displacementPerMetreHeight * place.displacementPerMetreHeight.transpose();
         }
     }
-    return FreeHeightSightings{std::move(views), medianOf(std::move(known))};
+    return FreeHeightSightings{std::move(views), upperMedian(std::move(known))};
 }
 
 double heightScatterM(const std::vector<std::vector<Sighting>> &views, double heightM)
@@ -100,7 +97,7 @@ double heightScatterM(const std::vector<std::vector<Sighting>> &views, double he
         if (const auto height = heightAt(views, i))
             deviations.push_back(std::abs(height->heightM - heightM));
     }
-    return deviations.size() < leastTimes ? 0 : 1.4826 * medianOf(std::move(deviations));
+    return deviations.size() < leastTimes ? 0 : 1.4826 * upperMedian(std::move(deviations));
 }
 
 } // namespace odo

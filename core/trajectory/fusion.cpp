@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/fusion.h"
 
+#include "core/base/upper_median.h"
 #include "core/trajectory/kalman_smoother.h"
 
 #include <Eigen/LU>
@@ -81,14 +82,9 @@ AgreementGate::AgreementGate(const std::vector<std::vector<Sighting>> &views)
     }
     if (distances.empty())
         return;
-    const auto median = [](std::vector<double> &values) {
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::nth_element(values.begin(), middle, values.end());
-        return *middle;
-    };
     constexpr double medianOfChiSquared2 = 1.3863;
-    m_scale = std::max(1.0, median(distances) / medianOfChiSquared2);
-    const double variance = median(variances);
+    m_scale = std::max(1.0, upperMedian(std::move(distances)) / medianOfChiSquared2);
+    const double variance = upperMedian(std::move(variances));
     m_scale = std::max(1.0, std::min(m_scale, largestSigmaM * largestSigmaM / variance));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/height_estimation.h"
 
+#include "core/base/upper_median.h"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -53,9 +55,7 @@ double medianHeight(const std::vector<Pair> &pairs)
     }
     if (heights.empty())
         return 0;
-    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-    std::nth_element(heights.begin(), middle, heights.end());
-    return *middle;
+    return upperMedian(std::move(heights));
 }
 
 double distanceAt(const Pair &pair, double height)
@@ -78,10 +78,7 @@ std::optional<PlaneEstimate> estimatePlane(const std::vector<std::vector<Sightin
         std::vector<double> distances;
         for (const Pair &pair : pairs)
             distances.push_back(distanceAt(pair, height));
-        std::vector<double> sorted = distances;
-        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-        std::nth_element(sorted.begin(), middle, sorted.end());
-        const double scale = std::max(1.0, *middle / 1.177); // median of a Rayleigh variable
+        const double scale = std::max(1.0, upperMedian(distances) / 1.177); // median of a Rayleigh variable
 
         double projection = 0, weightSum = 0, residual = 0;
         information = 0;

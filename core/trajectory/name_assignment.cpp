@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/name_assignment.h"
 
+#include "core/base/upper_median.h"
 #include "core/tracking/chroma.h"
 #include "core/trajectory/name_search.h"
 
@@ -222,13 +223,6 @@ private:
     const std::size_t m_views;
 };
 
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// The height of best agreement, each pair's own in the median.
 double planeOf(const std::vector<Lessons::Pair> &pairs)
 {
@@ -238,7 +232,7 @@ double planeOf(const std::vector<Lessons::Pair> &pairs)
         if (square > 0.01)
             heights.push_back(-pair.apart.dot(pair.perMetreHeight) / square);
     }
-    return heights.empty() ? usualPlaneM : std::clamp(median(std::move(heights)), 0.0, highestPlaneM);
+    return heights.empty() ? usualPlaneM : std::clamp(upperMedian(std::move(heights)), 0.0, highestPlaneM);
 }
 
 double disagreementOf(const std::vector<Lessons::Pair> &pairs, double planeM)
@@ -246,7 +240,7 @@ double disagreementOf(const std::vector<Lessons::Pair> &pairs, double planeM)
     std::vector<double> distances;
     for (const Lessons::Pair &pair : pairs)
         distances.push_back((pair.apart + planeM * pair.perMetreHeight).norm());
-    return distances.empty() ? 0 : median(std::move(distances));
+    return distances.empty() ? 0 : upperMedian(std::move(distances));
 }
 
 std::vector<std::size_t> decideNames(const NameEvidence &evidence, std::size_t views,

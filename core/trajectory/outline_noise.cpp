@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/outline_noise.h"
 
+#include "core/base/upper_median.h"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
@@ -111,13 +113,11 @@ double typicalChange(const std::vector<Disagreement> &series)
         squared.push_back((series[i].whitened - series[i - 8].whitened).squaredNorm());
     if (squared.empty())
         return 0;
-    const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
-    std::nth_element(squared.begin(), middle, squared.end());
-    return *middle;
+    return upperMedian(std::move(squared));
 }
 
-} // namespace
-
+/// Length of the way up to each sighting's time, from the first view that saw the robot there: metres, over
+/// five sightings each, so that pixel noise is no way. Times without a sighting continue from the last.
 std::vector<double> travelOf(const std::vector<std::vector<Sighting>> &views)
 {
     const std::size_t times = views.empty() ? 0 : views.front().size();
@@ -135,6 +135,8 @@ std::vector<double> travelOf(const std::vector<std::vector<Sighting>> &views)
         travel[i] = travel[i - 1] + step(i);
     return travel;
 }
+
+} // namespace
 
 MeasurementNoise estimateOutlineNoise(const std::vector<std::vector<Sighting>> &views)
 {

@@ -8,10 +8,6 @@
 
 namespace odo {
 
-/// Length of the way up to each sighting's time, from the first view that saw the robot there: metres, over
-/// five sightings each, so that pixel noise is no way. Times without a sighting continue from the last.
-std::vector<double> travelOf(const std::vector<std::vector<Sighting>> &views);
-
 /// How large the errors of the outlines are, and how they hang together, from the disagreement of the views,
 /// in which the robot's motion cancels: half the mean squared change of the whitened disagreement over a way
 /// s is σ²w + σ²s (1 − exp(−s/ℓ)) (the variogram of an Ornstein–Uhlenbeck process beside white noise:

@@ -58,17 +58,7 @@ TrialDetail::TrialDetail(Project &project, QWidget *parent)
     : QWidget(parent), m_project(project), m_facts(new FactList), m_notes(new QPlainTextEdit),
       m_open(new QPushButton(tr("Open in Review"))), m_saveTimer(new QTimer(this))
 {
-    auto *body = new QWidget;
-    body->setObjectName(QStringLiteral("cardBody"));
-    auto *bodyLayout = new QVBoxLayout(body);
-    bodyLayout->setContentsMargins(0, 0, 0, 0);
-    bodyLayout->addWidget(m_facts);
-    bodyLayout->addStretch(1);
-    auto *scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidget(body);
-    scroll->setAccessibleName(tr("Facts of the trial"));
+    auto *scroll = scrolled(m_facts, tr("Facts of the trial"));
 
     m_notes->setAccessibleName(tr("Notes of the trial"));
     m_notes->setPlaceholderText(tr("What was changed on the robot? What should be remembered?"));

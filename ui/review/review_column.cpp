@@ -30,18 +30,8 @@ ReviewColumn::ReviewColumn(Timeline &timeline, QWidget *chooser, QWidget *parent
     : QWidget(parent), m_track(makeTrackCard()), m_result(new ResultPanel), m_spikes(new SpikeList(timeline)),
       m_trial(new Card(tr("Trial"))), m_facts(new FactList)
 {
-    auto *body = new QWidget;
-    body->setObjectName(QStringLiteral("cardBody"));
-    auto *bodyLayout = new QVBoxLayout(body);
-    bodyLayout->setContentsMargins(0, 0, 0, 0);
-    bodyLayout->addWidget(m_facts);
-    bodyLayout->addStretch(1);
-    auto *scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
+    auto *scroll = scrolled(m_facts, tr("Facts of the trial"));
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setAccessibleName(tr("Facts of the trial"));
-    scroll->setWidget(body);
     m_trial->setContent(scroll);
 
     auto *layout = new QVBoxLayout(this);

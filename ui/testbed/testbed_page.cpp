@@ -139,18 +139,8 @@ QWidget *TestbedPage::makeCameraCard()
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             &TestbedPage::showCamera);
 
-    auto *body = new QWidget;
-    body->setObjectName(QStringLiteral("cardBody"));
-    auto *bodyLayout = new QVBoxLayout(body);
-    bodyLayout->setContentsMargins(0, 0, 0, 0);
-    bodyLayout->addWidget(m_facts);
-    bodyLayout->addStretch(1);
-    auto *scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
+    auto *scroll = scrolled(m_facts, tr("What is known of the camera"));
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setAccessibleName(tr("What is known of the camera"));
-    scroll->setWidget(body);
     m_factCard = new Card(tr("Camera"));
     m_factCard->setContent(scroll);
 

@@ -7,6 +7,8 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QScrollArea>
+#include <QVBoxLayout>
 
 namespace odo {
 namespace {
@@ -65,6 +67,22 @@ void FactList::paintEvent(QPaintEvent *)
     for (int row = 0; row < m_layout->rowCount(); ++row)
         if (const QLayoutItem *value = m_layout->itemAtPosition(row, 1))
             painter.drawLine(0, value->geometry().bottom(), width(), value->geometry().bottom());
+}
+
+QScrollArea *scrolled(FactList *facts, const QString &accessibleName)
+{
+    auto *body = new QWidget;
+    body->setObjectName(QStringLiteral("cardBody"));
+    auto *layout = new QVBoxLayout(body);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(facts);
+    layout->addStretch(1);
+    auto *scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setAccessibleName(accessibleName);
+    scroll->setWidget(body);
+    return scroll;
 }
 
 } // namespace odo

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 class QGridLayout;
+class QScrollArea;
 
 namespace odo {
 
@@ -34,5 +35,8 @@ private:
     void addRow(int row, const Fact &fact);
     QGridLayout *m_layout;
 };
+
+/// A frameless scroll area for a card, with the facts at its top.
+QScrollArea *scrolled(FactList *facts, const QString &accessibleName);
 
 } // namespace odo
