@@ -37,6 +37,7 @@ constexpr NamedCommand commands[] = {
     {"show", "show a trial's figures, spikes and provenance", runShow, false},
     {"export", "write a trial's samples to a file", runExport, false},
     {"snapshot", "paint the window into a picture file", runSnapshot, true},
+    {"target", "write a board or floor markers to print", runTarget, true},
     {"check", "check a project and its recordings", runCheck, false},
 };
 

@@ -27,6 +27,7 @@ Result<void> runList(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runShow(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runExport(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel);
 
 } // namespace odo

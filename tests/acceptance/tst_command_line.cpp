@@ -167,6 +167,7 @@ private Q_SLOTS:
             QCOMPARE(good((QByteArray("export %P run1 -o %/out.txt --format ") + format).constData()).exitStatus, 0);
         QCOMPARE(good("check %P").exitStatus, 0);
         QCOMPARE(good("snapshot %P run1 -o %/run1.png --size 1000x700").exitStatus, 0);
+        QCOMPARE(good("target tags -o %/tags.pdf --labels O,U,V,D,C --json").json().value(QStringLiteral("sheets")).toInt(), 5);
         QVERIFY(QDir(m_folder.path()).entryList({QStringLiteral("class.odo-*")}).isEmpty()); // closed to a single file
     }
 
@@ -293,6 +294,9 @@ private Q_SLOTS:
         row("snapshot %P run1 -o %/x.png --size 10x10", 2, "--size");
         row("snapshot %P run1 -o %/nowhere/x.png", 1, "x.png");
         row("snapshot %P run1 -o %/x.png --mode dance", 2, "--mode");
+        row("target checkerboard", 2, "-o is missing");
+        row("target hexagon -o %/t.pdf", 2, "hexagon");
+        row("target tags -o %/t.pdf --size 300mm", 1, "do not fit");
         row("check %/foreign.odo", 1, "foreign.odo");
     }
 

@@ -8,6 +8,7 @@
 #include "ui/models/timeline.h"
 #include "ui/testbed/calibrate_dialog.h"
 #include "ui/testbed/register_dialog.h"
+#include "ui/testbed/targets/target_dialog.h"
 #include "ui/testbed/testbed_state.h"
 #include "ui/views/camera_view.h"
 #include "ui/views/card.h"
@@ -33,7 +34,7 @@ namespace {
 
 constexpr int tableHeight = 100; // header and two cameras
 
-enum ToolAction { CalibrateAction, RegisterAction, ImportLensAction, ImportLayoutAction };
+enum ToolAction { CalibrateAction, RegisterAction, ImportLensAction, ImportLayoutAction, PrintAction };
 
 QPushButton *buttonFor(QAction *action)
 {
@@ -115,11 +116,14 @@ void TestbedPage::makeActions()
         tr("Take a camera's lens from a ROS or OpenCV YAML file"), &TestbedPage::importLens);
     add(QStringLiteral("add"), tr("Import marker &layout…"),
         tr("Take the places of the markers from a table"), &TestbedPage::importLayout);
+    add(QStringLiteral("print"), tr("Print &targets…"),
+        tr("Boards for the lens and markers for the floor, to scale"), &TestbedPage::printTargets);
     // Short words for the buttons below the camera table; the menu has the long ones.
     m_actions.at(CalibrateAction)->setIconText(tr("Calibrate…"));
     m_actions.at(RegisterAction)->setIconText(tr("Register…"));
     m_actions.at(ImportLensAction)->setIconText(tr("Import lens…"));
     m_actions.at(ImportLayoutAction)->setIconText(tr("Import layout…"));
+    m_actions.at(PrintAction)->setIconText(tr("Print targets…"));
 }
 
 QWidget *TestbedPage::makeCameraCard()
@@ -180,7 +184,8 @@ QWidget *TestbedPage::makeLayoutCard()
     auto *buttons = new QHBoxLayout;
     buttons->setContentsMargins(10, 8, 10, 8);
     buttons->setSpacing(8);
-    buttons->addWidget(buttonFor(m_actions.at(ImportLayoutAction)));
+    for (const ToolAction action : {ImportLayoutAction, PrintAction})
+        buttons->addWidget(buttonFor(m_actions.at(action)));
     buttons->addStretch(1);
     layout->addLayout(buttons);
     auto *card = new Card(tr("Marker layouts"));
@@ -324,6 +329,16 @@ void TestbedPage::importLens()
     }
     refresh();
     Q_EMIT changed(tr("The lens of camera %1 was taken from %2.").arg(camera, QFileInfo(file).fileName()));
+}
+
+void TestbedPage::printTargets()
+{
+    QStringList labels;
+    if (const int row = m_layoutList->currentRow(); row >= 0) {
+        for (const Marker &marker : m_layouts.at(static_cast<std::size_t>(row)).layout.markers)
+            labels << QString::fromStdString(marker.label);
+    }
+    TargetDialog(TargetKind::Checkerboard, labels, this).exec();
 }
 
 void TestbedPage::importLayout()

@@ -60,6 +60,7 @@ private:
     void registerCamera();
     void importLens();
     void importLayout();
+    void printTargets();
     void showCamera();
     void showLayout();
     QStringList cameraNames() const;

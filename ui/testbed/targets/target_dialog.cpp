@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/targets/target_dialog.h"
+
+#include "core/base/units.h"
+#include "ui/testbed/targets/target_painter.h"
+#include "ui/testbed/targets/target_preview.h"
+#include "ui/views/theme.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+namespace odo {
+namespace {
+
+constexpr int formWidth = 300;
+constexpr double smallestMm = 5, largestMm = 400;
+
+QDoubleSpinBox *lengthBox(double mm)
+{
+    auto *box = new QDoubleSpinBox;
+    box->setRange(smallestMm, largestMm);
+    box->setDecimals(1);
+    box->setSuffix(TargetDialog::tr(" mm"));
+    box->setValue(mm);
+    return box;
+}
+
+QSpinBox *countBox(int count, const QString &name)
+{
+    auto *box = new QSpinBox;
+    box->setRange(3, 30);
+    box->setValue(count);
+    box->setAccessibleName(name);
+    return box;
+}
+
+} // namespace
+
+TargetDialog::TargetDialog(TargetKind kind, const QStringList &labels, QWidget *parent)
+    : QDialog(parent), m_kind(new QComboBox), m_paper(new QComboBox),
+      m_columns(countBox(9, tr("Inner corners along the board"))), m_rows(countBox(6, tr("Inner corners across the board"))),
+      m_square(lengthBox(25)), m_marker(lengthBox(150)), m_labels(new QLineEdit), m_form(new QFormLayout),
+      m_corners(new QWidget), m_preview(new TargetPreview), m_message(new QLabel),
+      m_buttons(new QDialogButtonBox(QDialogButtonBox::Close))
+{
+    setWindowTitle(tr("Print targets"));
+    auto *content = new QHBoxLayout;
+    content->addWidget(makeForm(labels));
+    content->addWidget(m_preview, 1);
+    auto *pdf = m_buttons->addButton(tr("&Save as PDF…"), QDialogButtonBox::ActionRole);
+    auto *paper = m_buttons->addButton(tr("&Print…"), QDialogButtonBox::ActionRole);
+    connect(pdf, &QPushButton::clicked, this, &TargetDialog::askPdf);
+    connect(paper, &QPushButton::clicked, this, &TargetDialog::print);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto *layout = new QVBoxLayout(this);
+    layout->addLayout(content, 1);
+    layout->addWidget(m_buttons);
+    pdf->setDefault(true);
+    resize(980, 640);
+    m_kind->setCurrentIndex(m_kind->findData(int(kind)));
+    connect(m_kind, &QComboBox::currentIndexChanged, this, &TargetDialog::refresh);
+    connect(m_paper, &QComboBox::currentIndexChanged, this, &TargetDialog::suggestSizes);
+    for (QSpinBox *box : {m_columns, m_rows})
+        connect(box, &QSpinBox::valueChanged, this, &TargetDialog::refresh);
+    for (QDoubleSpinBox *box : {m_square, m_marker})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &TargetDialog::refresh);
+    connect(m_labels, &QLineEdit::textChanged, this, &TargetDialog::refresh);
+    refresh();
+}
+
+QWidget *TargetDialog::makeForm(const QStringList &labels)
+{
+    m_kind->addItem(tr("Checkerboard"), int(TargetKind::Checkerboard));
+    m_kind->addItem(tr("ChArUco board"), int(TargetKind::Charuco));
+    m_kind->addItem(tr("Floor markers: tags"), int(TargetKind::Tags));
+    m_kind->addItem(tr("Floor markers: rings"), int(TargetKind::Rings));
+    m_paper->addItem(tr("A4"), QPageSize::A4);
+    m_paper->addItem(tr("Letter"), QPageSize::Letter);
+    m_paper->addItem(tr("A3"), QPageSize::A3);
+    m_labels->setText((labels.isEmpty() ? TargetSpec().labels : labels).join(QStringLiteral(", ")));
+    auto *corners = new QHBoxLayout(m_corners);
+    corners->setContentsMargins(0, 0, 0, 0);
+    corners->addWidget(m_columns);
+    corners->addWidget(new QLabel(tr("×")));
+    corners->addWidget(m_rows);
+    corners->addStretch(1);
+    m_form->addRow(tr("&Target"), m_kind);
+    m_form->addRow(tr("Pape&r"), m_paper);
+    m_form->addRow(tr("&Inner corners"), m_corners);
+    m_form->addRow(tr("S&quare"), m_square);
+    m_form->addRow(tr("Si&ze"), m_marker);
+    m_form->addRow(tr("&Labels"), m_labels);
+    m_message->setWordWrap(true);
+    m_message->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_message->setAccessibleName(tr("What is printed"));
+    auto *form = new QWidget;
+    form->setFixedWidth(formWidth);
+    auto *layout = new QVBoxLayout(form);
+    layout->setContentsMargins(0, 0, 8, 0);
+    layout->addLayout(m_form);
+    layout->addSpacing(12);
+    layout->addWidget(m_message);
+    layout->addStretch(1);
+    return form;
+}
+
+TargetSpec TargetDialog::spec() const
+{
+    TargetSpec spec;
+    spec.kind = TargetKind(m_kind->currentData().toInt());
+    spec.paper = QPageSize::PageSizeId(m_paper->currentData().toInt());
+    spec.columns = m_columns->value();
+    spec.rows = m_rows->value();
+    spec.squareM = fromMillimetres(m_square->value());
+    spec.markerM = fromMillimetres(m_marker->value());
+    spec.labels.clear();
+    for (const QString &label : m_labels->text().split(QLatin1Char(','), Qt::SkipEmptyParts))
+        if (!label.trimmed().isEmpty())
+            spec.labels << label.trimmed();
+    return spec;
+}
+
+/// A larger sheet is wanted for larger squares.
+void TargetDialog::suggestSizes()
+{
+    const bool large = m_paper->currentData().toInt() == QPageSize::A3;
+    m_square->setValue(large ? 36 : 25);
+    m_marker->setValue(large ? 220 : 150);
+    refresh();
+}
+
+void TargetDialog::refresh()
+{
+    const TargetSpec wanted = spec();
+    const bool board = isBoard(wanted.kind);
+    const std::pair<QWidget *, bool> rows[] = {{m_corners, board}, {m_square, board}, {m_marker, !board}, {m_labels, !board}};
+    for (const auto &[field, shown] : rows) {
+        field->setVisible(shown);
+        m_form->labelForField(field)->setVisible(shown);
+    }
+    auto sheets = layOutTarget(wanted);
+    for (QAbstractButton *button : m_buttons->buttons())
+        if (m_buttons->buttonRole(button) == QDialogButtonBox::ActionRole)
+            button->setEnabled(sheets.has_value());
+    if (sheets)
+        tell({}, board ? tr("One sheet. Afterwards measure a square on the paper: printers often shrink by 2 to 4 %.")
+                       : tr("One sheet for each marker. A tag's number is the place of its label in the layout."));
+    else
+        tell(tl::unexpected(sheets.error()), {});
+    m_preview->setSheets(wanted, sheets ? std::move(*sheets) : std::vector<TargetSheet>());
+}
+
+void TargetDialog::askPdf()
+{
+    const QString file = QFileDialog::getSaveFileName(this, tr("Save targets"), tr("targets.pdf"), tr("PDF (*.pdf)"));
+    if (!file.isEmpty())
+        savePdf(file);
+}
+
+bool TargetDialog::savePdf(const QString &file)
+{
+    const Result<void> written = writeTargetPdf(spec(), file);
+    tell(written, tr("Saved as %1.").arg(file));
+    return written.has_value();
+}
+
+void TargetDialog::print()
+{
+    const auto sheets = layOutTarget(spec());
+    QPrinter printer(QPrinter::HighResolution);
+    QPrintDialog dialog(&printer, this);
+    if (sheets && dialog.exec() == QDialog::Accepted)
+        tell(printTarget(printer, spec(), *sheets), tr("Sent to the printer."));
+}
+
+void TargetDialog::tell(const Result<void> &outcome, const QString &success)
+{
+    const ThemeColours colours = ThemeColours::of(palette());
+    QPalette words = palette();
+    words.setColor(QPalette::WindowText, outcome ? colours.muted : colours.spike);
+    m_message->setPalette(words);
+    m_message->setText(outcome ? success
+                               : tr("%1: %2.").arg(QString::fromStdString(outcome.error().why), QString::fromStdString(outcome.error().advice)));
+}
+
+} // namespace odo

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/testbed/targets/target_sheet.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QDialogButtonBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+
+namespace odo {
+
+class TargetPreview;
+
+/// Chooses a board or floor markers, shows the sheets as they will come out, and prints them or writes a PDF.
+class TargetDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// labels: of the markers, in the order of the layout; empty: O, U, V, D.
+    explicit TargetDialog(TargetKind kind, const QStringList &labels, QWidget *parent = nullptr);
+
+    TargetSpec spec() const;
+    /// As Save as PDF does once the file is chosen; what went wrong is told in the dialog.
+    bool savePdf(const QString &file);
+
+private:
+    QWidget *makeForm(const QStringList &labels);
+    void suggestSizes();
+    void refresh();
+    void askPdf();
+    void print();
+    void tell(const Result<void> &outcome, const QString &success);
+
+    QComboBox *m_kind, *m_paper;
+    QSpinBox *m_columns, *m_rows;
+    QDoubleSpinBox *m_square, *m_marker;
+    QLineEdit *m_labels;
+    QFormLayout *m_form;
+    QWidget *m_corners;
+    TargetPreview *m_preview;
+    QLabel *m_message;
+    QDialogButtonBox *m_buttons;
+};
+
+} // namespace odo

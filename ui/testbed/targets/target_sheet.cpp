@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/targets/target_sheet.h"
+
+#include "core/base/units.h"
+#include "core/calibration/charuco_layout.h"
+#include "core/simulation/tag_pattern.h"
+
+#include <QTransform>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace odo {
+namespace {
+
+constexpr int fewestCorners = 3, mostCorners = 30;
+constexpr int mostTags = 587;         // of the family 36h11
+constexpr int mostCharucoMarkers = 250; // of the dictionary 6X6_250
+constexpr double charucoMarkerRatio = 0.6;
+constexpr double ringHole = 0.5; // inner over outer diameter
+
+const QString what = QStringLiteral("target");
+
+/// The dark cells as one outline, in cells: drawn one by one they would leave hairlines on the screen and on paper.
+QPainterPath darkCells(const TagPattern &pattern)
+{
+    QPainterPath path;
+    for (int row = 0; row < pattern.side; ++row) {
+        for (int column = 0; column < pattern.side; ++column)
+            if (pattern.isBlack(column, row))
+                path.addRect(column, row, 1, 1);
+    }
+    return path.simplified();
+}
+
+/// The squares of one colour, and in the others the markers; in squares.
+QPainterPath boardInk(const TargetSpec &spec)
+{
+    const CharucoLayout layout{spec.columns + 1, spec.rows + 1, false};
+    QPainterPath path;
+    for (int y = 0; y < layout.squaresY; ++y) {
+        for (int x = y % 2; x < layout.squaresX; x += 2)
+            path.addRect(x, y, 1, 1);
+    }
+    for (int id = 0; spec.kind == TargetKind::Charuco && id < layout.markerCount(); ++id) {
+        const Eigen::Vector2i square = *layout.squareOf(id);
+        const TagPattern pattern = arucoPattern(id);
+        const double cell = charucoMarkerRatio / pattern.side, edge = 0.5 * (1 - charucoMarkerRatio);
+        path.addPath(
+            QTransform(cell, 0, 0, cell, square.x() + edge, square.y() + edge).map(darkCells(pattern)));
+    }
+    return path;
+}
+
+/// A tag of side 1 between (0,0) and (1,1); its white rim lies outside.
+QPainterPath tagInk(int tag)
+{
+    const TagPattern pattern = aprilTagPattern(tag);
+    const double cell = 1.0 / (pattern.side - 2);
+    return QTransform(cell, 0, 0, cell, -cell, -cell).map(darkCells(pattern));
+}
+
+QPainterPath ringInk()
+{
+    QPainterPath path; // odd-even: the second circle is the hole
+    path.addEllipse(QPointF(0.5, 0.5), 0.5, 0.5);
+    path.addEllipse(QPointF(0.5, 0.5), 0.5 * ringHole, 0.5 * ringHole);
+    return path;
+}
+
+std::string rounded(double mm) { return formatNumber(mm, 0); }
+
+tl::unexpected<Error> refuse(std::string why, std::string advice)
+{
+    return fail(ErrorCode::InvalidInput, what.toStdString(), std::move(why), std::move(advice));
+}
+
+Result<void> checkDrawable(const TargetSpec &spec)
+{
+    if (!isBoard(spec.kind)) {
+        if (spec.labels.isEmpty())
+            return refuse("there is no marker to print", "name at least one, as O");
+        if (spec.labels.size() > mostTags)
+            return refuse("there are only " + std::to_string(mostTags) + " tags", "print fewer markers");
+        return {};
+    }
+    if (std::min(spec.columns, spec.rows) < fewestCorners || std::max(spec.columns, spec.rows) > mostCorners)
+        return refuse("a board has 3 to 30 inner corners each way", "give a size as 9x6");
+    if (spec.kind == TargetKind::Charuco && (spec.rows + 1) % 2 == 0)
+        return refuse("a ChArUco board of " + std::to_string(spec.rows + 1) +
+                          " rows of squares is numbered in two ways by different programs",
+                      "take an even number of rows of inner corners, as 9x6");
+    if (spec.kind == TargetKind::Charuco &&
+        CharucoLayout{spec.columns + 1, spec.rows + 1, false}.markerCount() > mostCharucoMarkers)
+        return refuse("there are only 250 markers for a ChArUco board", "take fewer squares");
+    return {};
+}
+
+/// How much larger a figure could be made on a paper of this size.
+double roomFor(QSizeF paperMm, QSizeF figureMm)
+{
+    return std::min((paperMm.width() - 2 * targetMarginMm) / figureMm.width(),
+                    (paperMm.height() - 2 * targetMarginMm - targetFootMm) / figureMm.height());
+}
+
+} // namespace
+
+bool isBoard(TargetKind kind) { return kind == TargetKind::Checkerboard || kind == TargetKind::Charuco; }
+
+Result<std::vector<TargetSheet>> layOutTarget(const TargetSpec &spec)
+{
+    if (const auto drawable = checkDrawable(spec); !drawable)
+        return tl::unexpected(drawable.error());
+    const bool board = isBoard(spec.kind);
+    const double unitMm = toMillimetres(board ? spec.squareM : spec.markerM);
+    if (!std::isfinite(unitMm) || unitMm <= 0)
+        return refuse("its size is not a length", board ? "give the side of a square, as 25mm" : "give its size, as 150mm");
+    const QSizeF figureMm = board ? unitMm * QSizeF(spec.columns + 1, spec.rows + 1) : QSizeF(unitMm, unitMm);
+    // A tag can only be read with a white rim of one of its eight cells.
+    const QSizeF roomMm = spec.kind == TargetKind::Tags ? figureMm * 1.25 : figureMm;
+    const QSizeF upright = QPageSize(spec.paper).size(QPageSize::Millimeter);
+    const QSizeF paperMm = roomFor(upright, roomMm) >= roomFor(upright.transposed(), roomMm) ? upright : upright.transposed();
+    if (const double room = roomFor(paperMm, roomMm); room < 1)
+        return refuse(rounded(roomMm.width()) + " by " + rounded(roomMm.height()) + " mm do not fit on " +
+                          QPageSize(spec.paper).name().toStdString(),
+                      std::string(board ? "make the squares " : "make it ") + rounded(std::floor(room * unitMm)) +
+                          " mm at most, or take a larger paper");
+    const QRectF placeMm(QPointF(0.5 * (paperMm.width() - figureMm.width()),
+                                 0.5 * (paperMm.height() - targetFootMm - figureMm.height())),
+                         figureMm);
+    const QTransform onPaper(unitMm, 0, 0, unitMm, placeMm.x(), placeMm.y());
+    if (board)
+        return std::vector<TargetSheet>{{paperMm, placeMm, onPaper.map(boardInk(spec)), {}, -1}};
+    std::vector<TargetSheet> sheets;
+    for (int i = 0; i < spec.labels.size(); ++i) {
+        const bool tag = spec.kind == TargetKind::Tags;
+        sheets.push_back({paperMm, placeMm, onPaper.map(tag ? tagInk(i) : ringInk()), spec.labels.at(i), tag ? i : -1});
+    }
+    return sheets;
+}
+
+} // namespace odo

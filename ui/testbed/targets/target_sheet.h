@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QPageSize>
+#include <QPainterPath>
+#include <QPointF>
+#include <QRectF>
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+namespace odo {
+
+/// What is printed: a board that is held before the camera, or markers that lie on the floor.
+enum class TargetKind { Checkerboard, Charuco, Tags, Rings };
+
+bool isBoard(TargetKind kind);
+
+struct TargetSpec
+{
+    TargetKind kind = TargetKind::Checkerboard;
+    QPageSize::PageSizeId paper = QPageSize::A4;
+    int columns = 9, rows = 6; ///< of a board: inner corners
+    double squareM = 0.025;    ///< of a board
+    double markerM = 0.15;     ///< side of a tag's black square, outer diameter of a ring
+    /// One sheet a marker, in the order of the layout: a tag's number is the place of its label.
+    QStringList labels{QStringLiteral("O"), QStringLiteral("U"), QStringLiteral("V"), QStringLiteral("D")};
+};
+
+/// One sheet of paper. Millimetres from its top left corner, y down.
+struct TargetSheet
+{
+    QSizeF paperMm; ///< turned as it is to be printed
+    QRectF figureMm; ///< what the ink covers
+    QPainterPath ink;
+    QString label; ///< of a marker; empty for a board
+    int tag = -1;  ///< number of a tag
+};
+
+/// Room that is left free at each edge of the paper, where printers cannot print, and beneath the figure for the
+/// ruler and the words.
+inline constexpr double targetMarginMm = 8, targetFootMm = 18;
+
+/// A board's squares or a marker, in the middle of the paper, which is turned where it fits better. Refuses what is
+/// not drawn so (fewer than 3 inner corners, a ChArUco board of an even number of rows of squares, which programs
+/// number in two ways, more markers than there are numbers) and what does not fit, saying how large it may be.
+Result<std::vector<TargetSheet>> layOutTarget(const TargetSpec &spec);
+
+} // namespace odo
