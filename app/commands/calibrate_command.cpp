@@ -33,10 +33,12 @@ Result<CalibrateSettings> settingsFrom(const CommandCall &call)
             return tl::unexpected(side.error());
         settings.board.squareM = *side;
     }
-    const std::string patternName = call.isSet(pattern) ? call.value(pattern) : "checkerboard";
+    const std::string patternName = call.value(pattern);
     if (patternName == "charuco")
         settings.board.pattern = BoardPattern::Charuco;
-    else if (patternName != "checkerboard")
+    else if (patternName == "checkerboard")
+        settings.board.pattern = BoardPattern::Checkerboard;
+    else if (call.isSet(pattern))
         return call.wrongCall(QStringLiteral("--pattern is checkerboard or charuco"));
     const std::string modelName = call.isSet(model) ? call.value(model) : "standard";
     if (modelName == "rational")
@@ -78,7 +80,7 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
                       3, -1,
                       {{board, QStringLiteral("Inner corners; found out when not given."), QStringLiteral("CxR")},
                        {square, QStringLiteral("Side of a square."), QStringLiteral("LENGTH")},
-                       {pattern, QStringLiteral("What is printed on the board."), QStringLiteral("PATTERN")},
+                       {pattern, QStringLiteral("What is printed on the board; found out when not given."), QStringLiteral("PATTERN")},
                        {model, QStringLiteral("How the lens is modelled."), QStringLiteral("MODEL")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)

@@ -24,8 +24,12 @@ Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std
         return fail(ErrorCode::InvalidInput, source, "the squares have no size", "give it like 25mm");
     try {
         const cv::Mat luma = lumaMatrix(frame);
-        return spec.pattern == BoardPattern::Charuco ? findCharucoBoard(luma, spec, source)
-                                                     : findCheckerboard(luma, spec, source);
+        if (spec.pattern == BoardPattern::Checkerboard)
+            return findCheckerboard(luma, spec, source);
+        auto charuco = findCharucoBoard(luma, spec, source);
+        if (charuco || spec.pattern)
+            return charuco;
+        return findCheckerboard(luma, spec, source);
     } catch (const cv::Exception &exception) {
         return fail(ErrorCode::Internal, source, exception.what(), "use another picture");
     }

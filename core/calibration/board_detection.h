@@ -16,7 +16,7 @@ enum class BoardPattern { Checkerboard, Charuco };
 /// What board to look for. Columns and rows count inner corners.
 struct BoardSpec
 {
-    BoardPattern pattern = BoardPattern::Checkerboard;
+    std::optional<BoardPattern> pattern; ///< nullopt: find out
     int columns = 0, rows = 0;    ///< 0: find out
     double squareM = 0.025;
     double markerRatio = 0.5;     ///< ChArUco: marker side / square side
@@ -30,6 +30,8 @@ struct BoardView
     int columns = 0, rows = 0;
     std::vector<Eigen::Vector2d> pixels;
     std::vector<Eigen::Vector2d> pointsOnBoard;
+    BoardPattern pattern = BoardPattern::Checkerboard;
+    double edgeWidthPx = 0; ///< from 10 to 90 % of an edge's step, the upper quartile; 0 where it is not measured
 };
 
 /// Looks for the board in the luma plane. Error Undetermined with the reason: none found, another size found, too

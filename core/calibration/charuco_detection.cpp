@@ -128,7 +128,7 @@ std::vector<ForetoldCorner> foretellCorners(const std::vector<ReadMarker> &marke
 BoardView refined(const cv::Mat &luma, const std::vector<ForetoldCorner> &corners,
                   const CharucoLayout &layout, const BoardSpec &spec, const std::string &source)
 {
-    BoardView view{source, layout.squaresX - 1, layout.squaresY - 1, {}, {}};
+    BoardView view{source, layout.squaresX - 1, layout.squaresY - 1, {}, {}, BoardPattern::Charuco};
     for (const ForetoldCorner &corner : corners) {
         // The window must not reach the markers, whose corners would pull.
         const int half =

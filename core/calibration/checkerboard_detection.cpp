@@ -166,10 +166,9 @@ float blurOf(const cv::Mat &luma, const CornerGrid &grid)
     return widths[widths.size() * 3 / 4];
 }
 
-Result<CornerGrid> refined(const cv::Mat &luma, const CornerGrid &grid, const std::string &source)
+Result<CornerGrid> refined(const cv::Mat &luma, const CornerGrid &grid, float blur, const std::string &source)
 {
     const float spacing = grid.spacing();
-    const float blur = blurOf(luma, grid);
     if (blur > worstBlurOfSpacing * spacing || blur > worstBlurPx)
         return refuse(source,
                       "the board is blurred: its edges are " + formatNumber(static_cast<double>(blur), 0) +
@@ -238,10 +237,13 @@ Result<BoardView> findCheckerboard(const cv::Mat &luma, const BoardSpec &spec, c
     const auto upright = matched(luma, grid, spec, source);
     if (!upright)
         return tl::unexpected(upright.error());
-    const auto sharp = refined(luma, *upright, source);
+    const float blur = blurOf(luma, *upright);
+    const auto sharp = refined(luma, *upright, blur, source);
     if (!sharp)
         return tl::unexpected(sharp.error());
-    return viewOf(*sharp, spec, source);
+    BoardView view = viewOf(*sharp, spec, source);
+    view.edgeWidthPx = static_cast<double>(blur);
+    return view;
 }
 
 } // namespace odo

@@ -88,6 +88,7 @@ void CalibrateJob::searchPicture(const Frame &frame, const std::string &name)
         return;
     }
     // What the first board turned out to be holds for the rest: it is one board, and a known size is found faster.
+    m_settings.board.pattern = view->pattern;
     m_settings.board.columns = view->columns;
     m_settings.board.rows = view->rows;
     m_views.push_back(std::move(*view));

@@ -21,7 +21,7 @@ constexpr double usualSquareMm = 25;
 }
 
 CalibrateDialog::CalibrateDialog(const QStringList &cameras, const QString &current, QWidget *parent)
-    : QDialog(parent), m_camera(new QComboBox), m_files(new QListWidget), m_pattern(new QComboBox),
+    : QDialog(parent), m_camera(new QComboBox), m_files(new QListWidget),
       m_square(new QDoubleSpinBox), m_lens(new QComboBox),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
 {
@@ -29,9 +29,6 @@ CalibrateDialog::CalibrateDialog(const QStringList &cameras, const QString &curr
     m_camera->setEditable(true);
     m_camera->addItems(cameras);
     m_camera->setCurrentText(current);
-    m_pattern->addItem(tr("Checkerboard (any size, found out)"),
-                       static_cast<int>(BoardPattern::Checkerboard));
-    m_pattern->addItem(tr("ChArUco"), static_cast<int>(BoardPattern::Charuco));
     m_square->setRange(1, 1000);
     m_square->setDecimals(2);
     m_square->setSuffix(tr(" mm"));
@@ -48,7 +45,6 @@ CalibrateDialog::CalibrateDialog(const QStringList &cameras, const QString &curr
     auto *form = new QFormLayout;
     form->addRow(tr("&Camera"), m_camera);
     form->addRow(tr("&Pictures and videos"), makeFileList());
-    form->addRow(tr("&Board"), m_pattern);
     form->addRow(tr("&Side of a square, measured"), m_square);
     form->addRow(tr("&Lens"), m_lens);
     QPushButton *accept = m_buttons->addButton(tr("Calibrate"), QDialogButtonBox::AcceptRole);
@@ -116,7 +112,6 @@ CalibrateSettings CalibrateDialog::settings() const
     settings.camera = m_camera->currentText().trimmed().toStdString();
     for (int i = 0; i < m_files->count(); ++i)
         settings.files.push_back(pathOf(m_files->item(i)->text()));
-    settings.board.pattern = static_cast<BoardPattern>(m_pattern->currentData().toInt());
     settings.board.squareM = fromMillimetres(m_square->value());
     settings.model = static_cast<LensModel>(m_lens->currentData().toInt());
     return settings;

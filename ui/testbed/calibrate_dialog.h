@@ -29,7 +29,7 @@ private:
 
     QComboBox *m_camera;
     QListWidget *m_files;
-    QComboBox *m_pattern;
+    
     QDoubleSpinBox *m_square;
     QComboBox *m_lens;
     QDialogButtonBox *m_buttons;

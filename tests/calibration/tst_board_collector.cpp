@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gathering pictures of a board: where it stands, what is missing, what does not count.
+#include "core/calibration/board_collector.h"
+#include "core/calibration/wanted_pose.h"
+#include "core/simulation/board_poses.h"
+#include "core/simulation/renderer.h"
+
+#include <QTest>
+#include <Eigen/Geometry>
+
+using namespace odo;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr int widthPx = 640, heightPx = 360;
+constexpr double degree = EIGEN_PI / 180;
+
+const CameraModel camera = CameraModel::assumed(widthPx, heightPx);
+
+/// The board's middle at a place of the camera's frame, turned by degrees about the camera's x and y axes.
+RigidTransform posed(const Vector3d &middle, double aboutX, double aboutY, double squareM = 0.025)
+{
+    RigidTransform cameraFromBoard;
+    cameraFromBoard.rotation = Eigen::AngleAxisd(aboutY * degree, Vector3d::UnitY()) *
+                               Eigen::AngleAxisd(aboutX * degree, Vector3d::UnitX());
+    cameraFromBoard.translation = middle - cameraFromBoard.rotation * (squareM * Vector3d(4, 2.5, 0));
+    return cameraFromBoard;
+}
+
+BoardPlacement placementOfPose(const RigidTransform &cameraFromBoard)
+{
+    BoardView view{"p", 9, 6, {}, {}};
+    for (int y = 0; y < 6; ++y) {
+        for (int x = 0; x < 9; ++x) {
+            const Vector2d point(0.025 * x, 0.025 * y);
+            view.pixels.push_back(*camera.project(cameraFromBoard.rotation * Vector3d(point.x(), point.y(), 0) +
+                                                  cameraFromBoard.translation));
+            view.pointsOnBoard.push_back(point);
+        }
+    }
+    return *placementOf(view, widthPx, heightPx);
+}
+
+Frame rendered(const RigidTransform &cameraFromBoard, double milliseconds = 0, bool charuco = false)
+{
+    SimulatedBoard board;
+    board.charuco = charuco;
+    board.cameraFromBoard = cameraFromBoard;
+    Frame frame = renderBoard(camera, board, 2, 1);
+    frame.time = fromSeconds(1e-3 * milliseconds);
+    return frame;
+}
+
+bool refusedWith(const PictureAnswer &answer, const char *words)
+{
+    if (!answer.refusal || answer.kept)
+        return false;
+    const std::string message = answer.refusal->message();
+    if (message.find(words) == std::string::npos)
+        qWarning("told instead: %s", message.c_str());
+    return message.find(words) != std::string::npos && message.find("; ") != std::string::npos;
+}
+
+const RigidTransform frontal = posed({0, 0, 0.45}, 0, 0);
+
+} // namespace
+
+class TestBoardCollector : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void aFrontalBoardInTheMiddle()
+    {
+        const BoardPlacement placement = placementOfPose(frontal);
+        // The middle of the picture is half a pixel off the lens's centre.
+        QVERIFY((placement.place - Vector2d(0.5, 0.5)).norm() < 0.01);
+        QVERIFY(placement.skew() < 1e-3);
+        const double f = camera.intrinsics().fxPx / 0.45 * 0.025;
+        QVERIFY(std::abs(placement.size - std::sqrt(8 * f * 5 * f / (widthPx * heightPx))) < 1e-6);
+    }
+
+    void slopeTellsAngleAndSide_data()
+    {
+        QTest::addColumn<double>("aboutX");
+        QTest::addColumn<double>("aboutY");
+        QTest::addColumn<Vector2d>("farther");
+        // Turning about y (down) by a positive angle takes x towards −z: the right side comes nearer.
+        QTest::newRow("left side away") << 0.0 << 30.0 << Vector2d(-1, 0);
+        QTest::newRow("right side away") << 0.0 << -30.0 << Vector2d(1, 0);
+        QTest::newRow("upper side away") << -30.0 << 0.0 << Vector2d(0, -1);
+        QTest::newRow("lower side away") << 30.0 << 0.0 << Vector2d(0, 1);
+    }
+    void slopeTellsAngleAndSide()
+    {
+        QFETCH(double, aboutX);
+        QFETCH(double, aboutY);
+        QFETCH(Vector2d, farther);
+        const BoardPlacement placement = placementOfPose(posed({0, 0, 0.5}, aboutX, aboutY));
+        QVERIFY2(std::abs(placement.angleDegrees() - 30) < 1, qPrintable(QString::number(placement.angleDegrees())));
+        QVERIFY(placement.slope.normalized().dot(farther) > 0.99);
+    }
+
+    void coverageGrowsAsTheBarsSay()
+    {
+        QVERIFY(!coverageOf({}, {}, widthPx, heightPx).isEnough());
+        std::vector<BoardPlacement> placements(2);
+        placements[0].place = {0.1, 0.5};
+        placements[1].place = {0.45, 0.5};
+        placements[1].size = 0.1;
+        placements[1].slope = {0.5, 0};
+        const BoardCoverage half = coverageOf({}, placements, widthPx, heightPx);
+        QVERIFY(std::abs(half.x - 0.5) < 1e-12); // 0.35 of 0.7
+        QCOMPARE(half.y, 0.0);
+        QVERIFY(std::abs(half.size - 0.25) < 1e-12);
+        QVERIFY(std::abs(half.skew - 0.5) < 1e-12); // tilted by half of 45° to one side only
+        placements[0].slope = {-0.5, 0};
+        QCOMPARE(coverageOf({}, placements, widthPx, heightPx).skew, 1.0);
+    }
+
+    void thePosesAskedForAreEnough()
+    {
+        std::vector<BoardPlacement> taken;
+        for (int i = 0; i < 14; ++i) {
+            const WantedPose wanted = wantedPose(taken, 9, 6, widthPx, heightPx);
+            for (const Vector2d &corner : wanted.placement.outline)
+                QVERIFY(corner.x() > 0 && corner.x() < widthPx && corner.y() > 0 && corner.y() < heightPx);
+            for (const BoardPlacement &there : taken)
+                QVERIFY2(distanceOf(there, wanted.placement) > 0.2, qPrintable(QString::number(i)));
+            taken.push_back(wanted.placement);
+        }
+        const BoardCoverage coverage = coverageOf({}, taken, widthPx, heightPx);
+        QCOMPARE(coverage.x, 1.0);
+        QCOMPARE(coverage.y, 1.0);
+        QCOMPARE(coverage.size, 1.0);
+        QCOMPARE(coverage.skew, 1.0);
+    }
+
+    void hintsLeadThere()
+    {
+        const WantedPose wanted{placementOfPose(posed({0.1, 0, 0.5}, 0, 30))};
+        QCOMPARE(hintTowards(wanted, wanted.placement), BoardHint::HoldStill);
+        QCOMPARE(hintTowards(wanted, placementOfPose(posed({-0.1, 0, 0.5}, 0, 30))), BoardHint::Right);
+        QCOMPARE(hintTowards(wanted, placementOfPose(posed({0.1, 0, 0.5}, 0, 0))), BoardHint::TiltLeft);
+        QCOMPARE(hintTowards(wanted, placementOfPose(posed({0.2, 0, 1.2}, 0, 30))), BoardHint::Closer);
+    }
+
+    void findsOutPatternAndSizeAndKeepsNewPoses_data()
+    {
+        QTest::addColumn<bool>("charuco");
+        QTest::newRow("checkerboard") << false;
+        QTest::newRow("ChArUco") << true;
+    }
+    void findsOutPatternAndSizeAndKeepsNewPoses()
+    {
+        QFETCH(bool, charuco);
+        BoardCollector collector({});
+        const PictureAnswer first = collector.offer(rendered(frontal, 0, charuco), "a.png");
+        QVERIFY2(first.kept, first.refusal ? first.refusal->message().c_str() : "");
+        QCOMPARE(*collector.spec().pattern, charuco ? BoardPattern::Charuco : BoardPattern::Checkerboard);
+        QCOMPARE(collector.spec().columns, 9);
+        QCOMPARE(collector.spec().rows, 6);
+        QVERIFY(refusedWith(collector.offer(rendered(posed({0.002, 0, 0.451}, 0, 1), 0, charuco), "b.png"),
+                            "the board stands as in a.png already"));
+        QVERIFY(collector.offer(rendered(posed({0, 0, 0.45}, 0, 30), 0, charuco), "c.png").kept);
+        QCOMPARE(collector.views().size(), std::size_t(2));
+        QCOMPARE(collector.coverage().pictures, 2);
+    }
+
+    void saysWhyAPictureDoesNotCount()
+    {
+        BoardCollector collector({});
+        QVERIFY(refusedWith(collector.offer(rendered(posed({0, 0, 0.3}, 0, 68)), "a.png"), "too obliquely"));
+        QVERIFY(refusedWith(collector.offer(rendered(posed({0, 0, 2.6}, 0, 0)), "b.png"), "too small"));
+        QVERIFY(collector.offer(rendered(frontal), "c.png").kept);
+        SimulatedBoard other;
+        other.columns = 8;
+        other.cameraFromBoard = frontal;
+        QVERIFY(refusedWith(collector.offer(renderBoard(camera, other, 2, 1), "d.png"),
+                            "this board has 8x6 inner corners, 9x6 was asked for"));
+        const Frame larger = renderBoard(CameraModel::assumed(800, 600), SimulatedBoard{.cameraFromBoard = frontal}, 2, 1);
+        QVERIFY(refusedWith(collector.offer(larger, "e.png"), "it is 800×600, the first picture 640×360"));
+    }
+
+    void takesAPictureByItselfWhenTheBoardIsStill()
+    {
+        BoardCollector collector({});
+        QVERIFY(!collector.watch(rendered(frontal, 0), "0").kept);
+        QVERIFY(!collector.watch(rendered(posed({0.01, 0, 0.45}, 0, 0), 300), "300").kept); // moved: 11 px
+        QVERIFY(!collector.watch(rendered(posed({0.0102, 0, 0.45}, 0, 0), 600), "600").kept);
+        const PictureAnswer still = collector.watch(rendered(posed({0.01, 0, 0.45}, 0, 0), 800), "800");
+        QVERIFY(still.kept);
+        QVERIFY(!still.refusal);
+        QVERIFY(refusedWith(collector.watch(rendered(posed({0.01, 0, 0.45}, 0, 0), 1400), "1400"), "already taken"));
+    }
+
+    void aPictureCanBeTakenOutAndPutBack()
+    {
+        BoardCollector collector({});
+        QVERIFY(collector.offer(rendered(frontal), "a.png").kept);
+        QVERIFY(collector.offer(rendered(posed({0, 0, 0.45}, 30, 0)), "b.png").kept);
+        CollectedPicture taken = collector.remove(0);
+        QCOMPARE(taken.view.source, std::string("a.png"));
+        QCOMPARE(collector.pictures().front().view.source, std::string("b.png"));
+        collector.insert(0, std::move(taken));
+        QCOMPARE(collector.pictures().front().view.source, std::string("a.png"));
+        QCOMPARE(collector.coverage().pictures, 2);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestBoardCollector)
+#include "tst_board_collector.moc"
