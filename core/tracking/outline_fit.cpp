@@ -18,9 +18,9 @@ constexpr int chromaReach = 8;     ///< luma pixels on both sides of the start
 constexpr float farthest = 4;      ///< of the edge from the start
 constexpr float mostLag = 1.5f;    ///< of the luma's edge from the chroma's
 constexpr float chromaSettled = 0.3f, lumaSettled = 0.1f; ///< moved by less it stays where it is
+constexpr float chromaHalfWidth = 2;                      ///< luma pixels: what its filter and its samples blur
 constexpr float stray = 2.5f;                             ///< of an edge from the median of its neighbours
 constexpr float mostReach = 8;                            ///< of the luma on both sides of the place
-constexpr float leastHeeded = 0.5f;                       ///< disagreement of luma and chroma along a side
 constexpr int linesPerSharpness = 3, leastSharpnesses = 6;
 constexpr float sharpHalfWidth = 0.75f, sharpReference = 0.75f;
 constexpr float exposureShare =
@@ -102,7 +102,7 @@ bool OutlineFit::locateInLuma(const Frame &frame, const ScanLine &line, int line
 {
     // Of a step blurred by a Gaussian, references so near show the share erf(x) of the contrast; they are put
     // where they would show nine tenths.
-    const float blur = std::max(0.0f, 0.9f - m_sharpness) * 4.0f;
+    const float blur = blurBeyondSharp();
     EdgeSearch search;
     search.inward = static_cast<float>(line.inward);
     search.halfWidth =
@@ -162,11 +162,13 @@ OutlineFit::Edge OutlineFit::locate(const Frame &frame, const ChromaGrid &grid, 
         search.halfWidth = std::min(3.0f, most);
         moveToEdge(chroma, search, leastContrast, place);
     }
+    // Once more with references as near as its blur allows: a narrow side of the robot is darker than the rest.
+    search.halfWidth = std::min(chromaHalfWidth + 0.5f * std::abs(line.slope) + blurBeyondSharp(), most);
+    moveToEdge(chroma, search, leastContrast, place);
     // The chroma's row may lie beside the luma's: along a slanted edge that is a shift.
     const auto across = static_cast<float>(line.alongX ? grid.offset.y() : grid.offset.x());
     place += line.slope * (0.5f * static_cast<float>(lines - 1) - across);
-    place += static_cast<float>(line.alongX ? m_lag.x() : m_lag.y()) -
-             line.slope * static_cast<float>(line.alongX ? m_lag.y() : m_lag.x());
+    place += static_cast<float>(alongLine(line).dot(m_lag));
     const auto motion = static_cast<float>(line.alongX ? hint.motionPx.x() - line.slope * hint.motionPx.y()
                                                        : hint.motionPx.y() - line.slope * hint.motionPx.x());
     float lumaPlace = place;
@@ -208,38 +210,6 @@ void OutlineFit::putOutliersAside()
     for (int i = 0; i < n; ++i) {
         Edge &edge = m_edges[static_cast<std::size_t>(i)];
         edge.good = edge.good && std::abs(edge.outward - m_near[static_cast<std::size_t>(i)]) < stray;
-    }
-}
-
-/// A shadow or a dark rim shifts the luma's edge along a whole side of the robot, which the chroma's does not
-/// show. Where the two disagree over several lines the luma's is moved back, and keeps only its finer
-/// structure.
-void OutlineFit::heedChroma(const std::vector<ScanLine> &lines)
-{
-    constexpr int reach = 3;
-    const int n = static_cast<int>(m_edges.size());
-    m_shifts.assign(m_edges.size(), 0.0f);
-    for (int i = 0; i < n; ++i) {
-        const ScanLine &line = lines[static_cast<std::size_t>(i)];
-        float sum = 0;
-        int count = 0;
-        for (int k = -reach; k <= reach; ++k) {
-            const std::size_t j = wrapped(i + k, n);
-            if (m_edges[j].good && m_edges[j].byLuma && lines[j].alongX == line.alongX &&
-                lines[j].inward == line.inward) {
-                sum -= m_edges[j].lag * static_cast<float>(line.inward);
-                ++count;
-            }
-        }
-        if (count < reach)
-            continue;
-        const float farther = sum / static_cast<float>(count);
-        const float heed = std::clamp((std::abs(farther) - leastHeeded) / leastHeeded, 0.0f, 1.0f);
-        m_shifts[static_cast<std::size_t>(i)] = heed * farther;
-    }
-    for (std::size_t i = 0; i < m_edges.size(); ++i) {
-        if (m_edges[i].byLuma)
-            m_edges[i].outward -= m_shifts[i];
     }
 }
 
@@ -299,7 +269,6 @@ void OutlineFit::gather(const ChromaGrid &grid, const std::vector<ScanLine> &lin
 {
     outline.points.clear();
     outline.found.clear();
-    outline.lag = {};
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const ScanLine &line = lines[i];
         const Edge &edge = m_edges[i];
@@ -308,12 +277,6 @@ void OutlineFit::gather(const ChromaGrid &grid, const std::vector<ScanLine> &lin
         const double along = static_cast<double>(line.start - static_cast<float>(line.inward) * edge.outward);
         outline.points.emplace_back(line.alongX ? along : across, line.alongX ? across : along);
         outline.found.push_back(edge.good);
-        if (edge.good && edge.byLuma) {
-            const auto slope = static_cast<double>(line.slope);
-            const Eigen::Vector2d row(line.alongX ? 1 : -slope, line.alongX ? -slope : 1);
-            outline.lag.normal += row * row.transpose();
-            outline.lag.right += row * static_cast<double>(edge.lag);
-        }
     }
     roundOut(outline.points);
     outline.moments = polygonMoments(outline.points);
@@ -329,19 +292,40 @@ void OutlineFit::gather(const ChromaGrid &grid, const std::vector<ScanLine> &lin
     outline.centreCovariance.diagonal().array() += modelVariance;
 }
 
+/// By how much a lag of the chroma plane moves the chroma's edge along a line.
+Eigen::Vector2d OutlineFit::alongLine(const ScanLine &line)
+{
+    const auto slope = static_cast<double>(line.slope);
+    return {line.alongX ? 1 : -slope, line.alongX ? -slope : 1};
+}
+
 /// The chroma's samples lie elsewhere than the stream says when its edges keep away from the luma's,
-/// everywhere in the same direction. A siting is wrong by half a pixel or not at all; less is shading.
-void OutlineFit::learnLag(const ChromaLag &lag)
+/// everywhere in the same direction. A siting is wrong by half a pixel or not at all; less is shading. What
+/// all outlines up to this one say is put right in this one already.
+void OutlineFit::learnLag(const std::vector<ScanLine> &lines)
 {
     if (m_lagFits >= fitsForLag)
         return;
-    m_lagSums.normal += lag.normal;
-    m_lagSums.right += lag.right;
-    if (++m_lagFits < fitsForLag)
+    ++m_lagFits;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (!m_edges[i].good || !m_edges[i].byLuma)
+            continue;
+        const Eigen::Vector2d row = alongLine(lines[i]);
+        m_lagNormal += row * row.transpose();
+        m_lagRight += row * (static_cast<double>(m_edges[i].lag) + row.dot(m_lag));
+    }
+    if (!(m_lagNormal.determinant() > 1))
         return;
-    const Eigen::Vector2d mean = m_lagSums.normal.inverse() * m_lagSums.right;
+    const Eigen::Vector2d mean = m_lagNormal.inverse() * m_lagRight, before = m_lag;
     for (int axis = 0; axis < 2; ++axis)
         m_lag[axis] = std::abs(mean[axis]) > leastLag ? std::copysign(0.5, mean[axis]) : 0.0;
+    if (m_lag == before)
+        return;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto more = static_cast<float>(alongLine(lines[i]).dot(m_lag - before));
+        if (!m_edges[i].byLuma)
+            m_edges[i].outward -= more * static_cast<float>(lines[i].inward);
+    }
 }
 
 bool OutlineFit::fit(const Frame &frame, const ChromaGrid &grid, const RegionMask &mask,
@@ -362,7 +346,7 @@ bool OutlineFit::fit(const Frame &frame, const ChromaGrid &grid, const RegionMas
     for (const ScanLine &line : lines)
         m_edges.push_back(locate(frame, grid, line, unit));
     putOutliersAside();
-    heedChroma(lines);
+    learnLag(lines);
     const auto good =
         std::count_if(m_edges.begin(), m_edges.end(), [](const Edge &edge) { return edge.good; });
     outline.goodShare = static_cast<double>(good) / static_cast<double>(lines.size());
@@ -372,7 +356,6 @@ bool OutlineFit::fit(const Frame &frame, const ChromaGrid &grid, const RegionMas
         m_sharpness += 0.2f * (m_sharpnessSum / static_cast<float>(m_sharpnessCount) - m_sharpness);
     fillGaps(lines);
     gather(grid, lines, outline);
-    learnLag(outline.lag);
     return outline.moments.areaPx2 > 0;
 }
 

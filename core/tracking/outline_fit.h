@@ -8,14 +8,6 @@
 
 namespace odo {
 
-/// By how much the chroma planes must be shifted to lie on the luma plane: a sum of normal equations,
-/// lag = normal⁻¹ · right, luma pixels.
-struct ChromaLag
-{
-    Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
-    Eigen::Vector2d right = Eigen::Vector2d::Zero();
-};
-
 /// The outline of a convex region at sub-pixel precision, luma pixels.
 struct Outline
 {
@@ -25,7 +17,6 @@ struct Outline
     Eigen::Matrix2d centreCovariance = Eigen::Matrix2d::Zero();
     double solidity = 1;  ///< share of its hull that the region fills
     double goodShare = 0; ///< of the scan lines that found a clear edge
-    ChromaLag lag;
 };
 
 /// What is known of the region beforehand.
@@ -44,11 +35,12 @@ struct OutlineHint
 /// picture's sharpness (measured as well, and followed) allows: an edge between two faces of the robot
 /// farther in is not reached, and of a shadow at its foot only the slope matters, which is led on to the
 /// edge. Where the luma has no contrast, or disagrees by more than a pixel and a half, the chroma's edge
-/// stands; where it disagrees by less, but along a whole side, it is moved to the chroma's. Lines whose edge
-/// strays from their neighbours' are put aside, and their part of the outline is taken from the mask's hull,
-/// shifted as their neighbours were; likewise at corners too narrow for a line. The covariance is that of the
-/// lines' scatter about their neighbours; codec noise, of which neighbours share a part, counts by how much
-/// more lines two apart scatter than lines side by side.
+/// stands. It is the worse one: blurred over three pixels, it puts the edge of a dark side narrower than that
+/// too far in. Where the chroma's samples lie is told by how far its edges keep from the luma's, in all
+/// outlines up to the present one. Lines whose edge strays from their neighbours' are put aside, and their
+/// part of the outline is taken from the mask's hull, shifted as their neighbours were; likewise at corners
+/// too narrow for a line. The covariance is that of the lines' scatter about their neighbours; codec noise,
+/// of which neighbours share a part, counts by how much more lines two apart scatter than lines side by side.
 class OutlineFit
 {
 public:
@@ -66,19 +58,22 @@ private:
     Edge locate(const Frame &frame, const ChromaGrid &grid, const ScanLine &line, const OutlineHint &hint);
     bool locateInLuma(const Frame &frame, const ScanLine &line, int lines, float motion, float &place);
     void putOutliersAside();
-    void heedChroma(const std::vector<ScanLine> &lines);
     void fillGaps(const std::vector<ScanLine> &lines);
     void gather(const ChromaGrid &grid, const std::vector<ScanLine> &lines, Outline &outline);
     double varianceOfEdges(const std::vector<ScanLine> &lines);
 
-    void learnLag(const ChromaLag &lag);
+    /// How much wider an edge is than a sharp picture's, luma pixels.
+    float blurBeyondSharp() const { return m_sharpness < 0.9f ? 4 * (0.9f - m_sharpness) : 0.0f; }
+    static Eigen::Vector2d alongLine(const ScanLine &line);
+    void learnLag(const std::vector<ScanLine> &lines);
 
-    ChromaLag m_lagSums;
+    /// By how much the chroma planes must be shifted to lie on the luma plane: a sum of normal equations.
+    Eigen::Matrix2d m_lagNormal = Eigen::Matrix2d::Zero();
+    Eigen::Vector2d m_lagRight = Eigen::Vector2d::Zero();
     Eigen::Vector2d m_lag = Eigen::Vector2d::Zero(); ///< by which the chroma's places are corrected
     int m_lagFits = 0;
     ScanLines m_scanLines;
     std::vector<Edge> m_edges;
-    std::vector<float> m_shifts;
     float m_sharpness = 1; ///< share of the contrast that the closest references show
     float m_sharpnessSum = 0;
     int m_sharpnessCount = 0;
