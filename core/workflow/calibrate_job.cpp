@@ -96,20 +96,10 @@ void CalibrateJob::searchPicture(const Frame &frame, const std::string &name)
 
 Result<void> CalibrateJob::commit(Project &project)
 {
-    return project.inTransaction([&]() -> Result<void> {
-        const auto camera = findOrAddCamera(project, m_settings.camera);
-        if (!camera)
-            return tl::unexpected(camera.error());
-        IntrinsicsRecord record;
-        record.camera = camera->id;
-        record.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
-        record.origin = "calibrated from " + std::to_string(m_views.size()) + " pictures";
-        record.calibration = m_calibration;
-        const auto stored = project.cameras().addIntrinsics(record);
-        if (!stored)
-            return tl::unexpected(stored.error());
-        return {};
-    });
+    const auto stored = storeCalibration(project, m_settings.camera, m_calibration);
+    if (!stored)
+        return tl::unexpected(stored.error());
+    return {};
 }
 
 } // namespace odo

@@ -15,6 +15,28 @@ Result<CameraRecord> findOrAddCamera(Project &project, const std::string &name)
     return project.cameras().add({0, name, ""});
 }
 
+Result<IntrinsicsRecord> storeCalibration(Project &project, const std::string &camera, const IntrinsicCalibration &calibration)
+{
+    IntrinsicsRecord record;
+    const auto stored = project.inTransaction([&]() -> Result<void> {
+        const auto found = findOrAddCamera(project, camera);
+        if (!found)
+            return tl::unexpected(found.error());
+        record.camera = found->id;
+        record.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+        record.origin = "calibrated from " + std::to_string(calibration.pictureRmsPx.size()) + " pictures";
+        record.calibration = calibration;
+        const auto added = project.cameras().addIntrinsics(record);
+        if (!added)
+            return tl::unexpected(added.error());
+        record = *added;
+        return {};
+    });
+    if (!stored)
+        return tl::unexpected(stored.error());
+    return record;
+}
+
 Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &camera,
                                           const std::filesystem::path &file)
 {

@@ -15,6 +15,10 @@ class Project;
 /// videos need not announce it first.
 Result<CameraRecord> findOrAddCamera(Project &project, const std::string &name);
 
+/// Stores a lens that was measured from a board as the camera's newest intrinsics, in one transaction; the camera is made
+/// when there is none of that name.
+Result<IntrinsicsRecord> storeCalibration(Project &project, const std::string &camera, const IntrinsicCalibration &calibration);
+
 /// Reads a ROS camera_info or OpenCV YAML file and stores it as the camera's newest intrinsics.
 Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &camera,
                                           const std::filesystem::path &file);

@@ -9,8 +9,6 @@
 
 namespace odo {
 
-namespace {
-
 bool isStillPicture(const std::filesystem::path &file)
 {
     static constexpr std::array<std::string_view, 8> endings = {".png", ".jpg",  ".jpeg", ".bmp",
@@ -19,8 +17,6 @@ bool isStillPicture(const std::filesystem::path &file)
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
     return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
-
-} // namespace
 
 Result<void> visitPictures(const std::filesystem::path &file, int videoStep,
                            const std::function<bool(const Frame &, const std::string &)> &visit)

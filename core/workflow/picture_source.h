@@ -10,6 +10,9 @@
 
 namespace odo {
 
+/// By the ending of its name.
+bool isStillPicture(const std::filesystem::path &file);
+
 /// Gives the pictures of a file one after another, named "file" or "file@frame": one for a still, every step-th for a
 /// video. Stops early when visit returns false. Errors: neither a picture nor a video.
 Result<void> visitPictures(const std::filesystem::path &file, int videoStep,

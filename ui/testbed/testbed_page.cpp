@@ -6,7 +6,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/cameras.h"
 #include "ui/models/timeline.h"
-#include "ui/testbed/calibrate_dialog.h"
+#include "ui/testbed/lens/lens_wizard.h"
 #include "ui/testbed/register_dialog.h"
 #include "ui/testbed/targets/target_dialog.h"
 #include "ui/testbed/testbed_state.h"
@@ -33,6 +33,8 @@ namespace odo {
 namespace {
 
 constexpr int tableHeight = 100; // header and two cameras
+
+const char *const boardBefore = "?board";
 
 enum ToolAction { CalibrateAction, RegisterAction, ImportLensAction, ImportLayoutAction, PrintAction };
 
@@ -282,15 +284,27 @@ bool TestbedPage::isSettled() const
 
 void TestbedPage::calibrate()
 {
-    CalibrateDialog dialog(cameraNames(), currentCamera(), this);
-    if (dialog.exec() != QDialog::Accepted)
+    // What a connected camera sees of a board; the simulated ones have somebody who holds it.
+    std::vector<CameraDescription> live = listCameras();
+    for (CameraDescription &camera : live)
+        camera.uri += boardBefore;
+    LensWizard wizard(cameraNames(), currentCamera(), live,
+                      [](const QString &uri) -> Result<std::shared_ptr<CameraSource>> {
+                          auto camera = openCamera(uri.toStdString());
+                          if (!camera)
+                              return tl::unexpected(camera.error());
+                          return std::shared_ptr<CameraSource>(std::move(*camera));
+                      },
+                      this);
+    if (wizard.exec() != QDialog::Accepted)
         return;
-    const auto job = std::make_shared<CalibrateJob>(dialog.settings());
-    const QString camera = QString::fromStdString(job->settings().camera);
-    Q_EMIT jobRequested(job, tr("Calibrating camera %1").arg(camera), [job, camera] {
-        return tr("Camera %1 is calibrated. %2")
-            .arg(camera, QString::fromStdString(job->calibration().verdict));
-    });
+    const MeasuredLens lens = wizard.result();
+    if (const auto stored = storeCalibration(m_project, lens.camera.toStdString(), lens.calibration); !stored) {
+        Q_EMIT failed(stored.error());
+        return;
+    }
+    refresh();
+    Q_EMIT changed(tr("Camera %1 is calibrated. %2").arg(lens.camera, QString::fromStdString(lens.calibration.verdict)));
 }
 
 void TestbedPage::registerCamera()

@@ -2,7 +2,6 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/testbed/calibrate_dialog.h"
 #include "ui/testbed/register_dialog.h"
 #include "ui/testbed/testbed_page.h"
 #include "ui/testbed/testbed_state.h"
@@ -25,7 +24,6 @@ private Q_SLOTS:
     void showsCamerasAndTheirState();
     void drawsCamerasWhereTheyStand();
     void beginsEmpty();
-    void asksForACalibration();
     void asksForARegistration();
 
 private:
@@ -80,25 +78,6 @@ void TestTestbedPage::beginsEmpty()
     QVERIFY(page.isSettled());
     QCOMPARE(page.findChild<QStackedWidget *>()->currentIndex(), 1);
     QVERIFY2(!page.toolActions().at(1)->isEnabled(), "nothing to register yet");
-}
-
-void TestTestbedPage::asksForACalibration()
-{
-    CalibrateDialog dialog({QStringLiteral("A"), QStringLiteral("B")}, QStringLiteral("B"));
-    const auto accept = [&dialog] {
-        for (auto *button : dialog.findChildren<QPushButton *>())
-            if (button->isDefault())
-                return button;
-        return static_cast<QPushButton *>(nullptr);
-    }();
-    QVERIFY(accept && !accept->isEnabled());
-    dialog.addFiles({QStringLiteral("/b/1.png"), QStringLiteral("/b/2.png"), QStringLiteral("/b/1.png")});
-    QVERIFY(accept->isEnabled());
-    const CalibrateSettings settings = dialog.settings();
-    QCOMPARE(settings.camera, std::string("B"));
-    QCOMPARE(settings.files.size(), std::size_t(2));
-    QCOMPARE(settings.board.columns, 0);
-    QCOMPARE(settings.board.squareM, 0.025);
 }
 
 void TestTestbedPage::asksForARegistration()

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/camera_source.h"
+
+#include "core/capture/file_source.h"
+#include "core/capture/simulated_source.h"
+#include "core/simulation/board_poses.h"
+#include "core/simulation/demo_testbed.h"
+
+namespace odo {
+
+namespace {
+
+constexpr const char *simulated = "sim:", *fromFile = "file:", *withBoard = "?board";
+constexpr int boardPoses = 24;
+constexpr std::uint32_t seed = 1;
+
+SimulatedScene livingTestbed()
+{
+    SimulatedScene scene = demoTestbed(seed);
+    scene.robots = demoTrials().front().scene.robots;
+    scene.durationS = demoTrials().front().scene.durationS;
+    return scene;
+}
+
+CameraDescription describe(const SimulatedCamera &camera)
+{
+    const Intrinsics &lens = camera.view.camera().intrinsics();
+    return {simulated + camera.name, "simulated", "Simulated camera " + camera.name, lens.widthPx, lens.heightPx, camera.framesPerSecond};
+}
+
+Result<std::unique_ptr<CameraSource>> openSimulated(const std::string &uri)
+{
+    std::string name = uri.substr(std::string(simulated).size());
+    const bool board = name.ends_with(withBoard);
+    if (board)
+        name.resize(name.size() - std::string(withBoard).size());
+    SimulatedScene scene = livingTestbed();
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+        const SimulatedCamera &camera = scene.cameras[i];
+        if (camera.name != name)
+            continue;
+        CameraDescription description = describe(camera);
+        description.uri = uri;
+        if (!board)
+            return simulatedSceneSource(std::move(description), std::move(scene), static_cast<int>(i), Pace::Kind::RealTime);
+        const CameraModel &lens = camera.view.camera();
+        return simulatedBoardSource(std::move(description), lens, {}, heldBoardPoses(lens, {}, boardPoses, seed), Pace::Kind::RealTime);
+    }
+    return fail(ErrorCode::NotFound, "'" + uri + "'", "there is no simulated camera " + name, "take sim:A or sim:B");
+}
+
+} // namespace
+
+Result<std::unique_ptr<CameraSource>> openCamera(const std::string &uri)
+{
+    if (uri.starts_with(simulated))
+        return openSimulated(uri);
+    if (uri.starts_with(fromFile))
+        return openFileSource(uri.substr(std::string(fromFile).size()), Pace::Kind::RealTime);
+    return fail(ErrorCode::NotFound, "'" + uri + "'", "no camera has such an address", "give one as sim:A or file:PATH");
+}
+
+std::vector<CameraDescription> listCameras()
+{
+    std::vector<CameraDescription> cameras;
+    for (const SimulatedCamera &camera : livingTestbed().cameras)
+        cameras.push_back(describe(camera));
+    return cameras;
+}
+
+} // namespace odo

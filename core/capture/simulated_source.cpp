@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/simulated_source.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr double holdS = 1.0, moveS = 0.5;
+constexpr double boardNoise = 2; // of 255
+
+/// What the simulated cameras share: counting, time stamps, pace.
+class SimulatedSource : public CameraSource
+{
+public:
+    SimulatedSource(CameraDescription description, Pace::Kind pace) : m_description(std::move(description)), m_pace(pace) {}
+    const CameraDescription &description() const override { return m_description; }
+    void stop() override { m_pace.stop(); }
+
+    Result<CapturedFrame> next() override
+    {
+        const double intervalS = 1 / m_description.framesPerSecond;
+        double timeS = static_cast<double>(m_sequence) * intervalS;
+        if (!m_pace.waitUntil(fromSeconds(timeS)))
+            return cancelled(m_description.uri);
+        // Who asks too late has lost what the camera took meanwhile, as with a real one.
+        const double lateS = toSeconds(m_pace.lateness(fromSeconds(timeS)));
+        m_sequence += static_cast<std::uint64_t>(std::max(0.0, lateS) / intervalS);
+        timeS = static_cast<double>(m_sequence) * intervalS;
+        CapturedFrame captured{paint(timeS), m_sequence++, std::chrono::steady_clock::now().time_since_epoch()};
+        captured.frame.index = static_cast<std::int64_t>(captured.sequence);
+        captured.frame.time = fromSeconds(timeS);
+        return captured;
+    }
+
+protected:
+    virtual Frame paint(double timeS) = 0;
+    std::uint64_t sequence() const { return m_sequence; }
+
+private:
+    CameraDescription m_description;
+    Pace m_pace;
+    std::uint64_t m_sequence = 0;
+};
+
+class BoardSource : public SimulatedSource
+{
+public:
+    BoardSource(CameraDescription description, CameraModel camera, SimulatedBoard board, std::vector<RigidTransform> poses,
+                Pace::Kind pace)
+        : SimulatedSource(std::move(description), pace), m_camera(std::move(camera)), m_board(board), m_poses(std::move(poses))
+    {
+    }
+
+private:
+    Frame paint(double timeS) override
+    {
+        const double turns = timeS / (holdS + moveS);
+        const auto pose = static_cast<std::size_t>(turns);
+        const double moved = std::max(0.0, (turns - std::floor(turns)) * (holdS + moveS) - holdS) / moveS;
+        const RigidTransform &from = m_poses[pose % m_poses.size()], &to = m_poses[(pose + 1) % m_poses.size()];
+        m_board.cameraFromBoard.rotation = from.rotation.slerp(moved, to.rotation);
+        m_board.cameraFromBoard.translation = (1 - moved) * from.translation + moved * to.translation;
+        return renderBoard(m_camera, m_board, boardNoise, static_cast<std::uint32_t>(sequence()));
+    }
+
+    CameraModel m_camera;
+    SimulatedBoard m_board;
+    std::vector<RigidTransform> m_poses;
+};
+
+class SceneSource : public SimulatedSource
+{
+public:
+    SceneSource(CameraDescription description, SimulatedScene scene, int camera, Pace::Kind pace)
+        : SimulatedSource(std::move(description), pace), m_renderer(std::move(scene), camera)
+    {
+    }
+
+private:
+    Frame paint(double) override
+    {
+        return m_renderer.render(static_cast<std::int64_t>(sequence()) % m_renderer.frameCount());
+    }
+
+    SceneRenderer m_renderer;
+};
+
+} // namespace
+
+std::unique_ptr<CameraSource> simulatedBoardSource(CameraDescription description, CameraModel camera, SimulatedBoard board,
+                                                   std::vector<RigidTransform> cameraFromBoard, Pace::Kind pace)
+{
+    return std::make_unique<BoardSource>(std::move(description), std::move(camera), board, std::move(cameraFromBoard), pace);
+}
+
+std::unique_ptr<CameraSource> simulatedSceneSource(CameraDescription description, SimulatedScene scene, int camera, Pace::Kind pace)
+{
+    return std::make_unique<SceneSource>(std::move(description), std::move(scene), camera, pace);
+}
+
+} // namespace odo

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/file_source.h"
+#include "core/capture/simulated_source.h"
+#include "core/calibration/board_detection.h"
+#include "core/simulation/board_poses.h"
+#include "core/simulation/demo_testbed.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <thread>
+
+using namespace odo;
+
+namespace {
+
+const CameraModel lens = CameraModel::assumed(320, 180);
+
+std::unique_ptr<CameraSource> board(Pace::Kind pace)
+{
+    return simulatedBoardSource({"sim:T", "simulated", "T", 320, 180, 10}, lens, {}, heldBoardPoses(lens, {}, 3, 1), pace);
+}
+
+} // namespace
+
+class TestCameraSource : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void countsAndStampsItsPictures()
+    {
+        const auto source = board(Pace::Kind::None);
+        for (std::uint64_t i = 0; i < 5; ++i) {
+            const auto captured = source->next();
+            QVERIFY(captured);
+            QCOMPARE(captured->sequence, i);
+            QCOMPARE(captured->frame.time, fromSeconds(0.1 * double(i)));
+        }
+    }
+
+    void theBoardIsHeldAndThenMoved()
+    {
+        const auto source = board(Pace::Kind::None);
+        std::vector<Eigen::Vector2d> corners;
+        BoardSpec spec;
+        spec.pattern = BoardPattern::Checkerboard;
+        for (int i = 0; i < 20; ++i) {
+            const auto captured = source->next();
+            QVERIFY(captured);
+            const auto view = findBoard(captured->frame, spec, "p");
+            if (i == 0 || i == 9 || i == 16) { // held for a second, then half a second on its way, then held again
+                QVERIFY2(view, view ? "" : view.error().message().c_str());
+                corners.push_back(view->pixels.front());
+            }
+        }
+        QVERIFY((corners[0] - corners[1]).norm() < 0.5);
+        QVERIFY((corners[0] - corners[2]).norm() > 5);
+    }
+
+    void aSceneBeginsAnewWhenItIsOver()
+    {
+        SimulatedScene scene = demoTestbed(1);
+        scene.durationS = 0.2;
+        const auto source = simulatedSceneSource({"sim:A", "simulated", "A", 1280, 720, 30}, scene, 0, Pace::Kind::None);
+        for (std::uint64_t i = 0; i < 8; ++i)
+            QCOMPARE(source->next()->sequence, i);
+    }
+
+    void stopWakesWhoWaits()
+    {
+        const auto source = board(Pace::Kind::RealTime);
+        QVERIFY(source->next());
+        std::thread other([&] { source->stop(); });
+        const auto after = source->next();
+        other.join();
+        // Either it was waiting for its time, or was stopped before; it never gives pictures for ever.
+        QVERIFY(!source->next());
+        if (!after)
+            QCOMPARE(after.error().code, ErrorCode::Cancelled);
+    }
+
+    void aFilePlaysToItsEnd()
+    {
+        QTemporaryDir folder;
+        SimulatedScene scene = demoTestbed(1);
+        scene.durationS = 0.2;
+        const auto file = std::filesystem::path(folder.path().toStdString()) / "a.mkv";
+        QVERIFY(renderVideo(scene, 0, file, {}, {}));
+        const auto source = openFileSource(file, Pace::Kind::None);
+        QVERIFY(source);
+        QCOMPARE((*source)->description().widthPx, 1280);
+        int frames = 0;
+        auto captured = (*source)->next();
+        for (; captured; captured = (*source)->next())
+            QCOMPARE(captured->sequence, std::uint64_t(frames++));
+        QCOMPARE(frames, 6);
+        QCOMPARE(captured.error().code, ErrorCode::Io);
+        QVERIFY(captured.error().message().find("the video has ended; ") != std::string::npos);
+    }
+
+    void addressesThatAreNoneAreRefused()
+    {
+        QVERIFY(openCamera("sim:A"));
+        QVERIFY(openCamera("sim:B?board"));
+        QVERIFY(openCamera("sim:Z").error().message().find("take sim:A or sim:B") != std::string::npos);
+        QCOMPARE(openCamera("usb:0").error().code, ErrorCode::NotFound);
+        QVERIFY(!openCamera("file:/nowhere/x.mkv"));
+        QCOMPARE(listCameras().size(), std::size_t(2));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCameraSource)
+#include "tst_camera_source.moc"

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lens wizard as a person walks it: by keyboard from files, by mouse from a camera, with cancel at every page.
+#include "core/base/units.h"
+#include "core/capture/simulated_source.h"
+#include "core/simulation/board_poses.h"
+#include "core/simulation/renderer.h"
+#include "core/video/picture_writer.h"
+#include "ui/testbed/lens/board_canvas.h"
+#include "ui/testbed/lens/film_strip.h"
+#include "ui/testbed/lens/lens_pictures_page.h"
+#include "ui/testbed/lens/lens_source_page.h"
+#include "ui/testbed/lens/lens_wizard.h"
+#include "ui/testbed/lens/picture_bars.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QStackedWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <ctime>
+
+using namespace odo;
+
+namespace {
+
+constexpr int widthPx = 640, heightPx = 360, poses = 16;
+constexpr int patienceMs = 120'000;
+
+CameraModel lens()
+{
+    return *CameraModel::create({widthPx, heightPx, 560, 561, 322, 178, LensModel::Standard, {-0.1, 0.02, 0, 0}, {}});
+}
+
+CameraDescription simulatedCamera() { return {"sim:T", "simulated", "Test camera", widthPx, heightPx, 30}; }
+
+std::shared_ptr<CameraSource> fastCamera()
+{
+    return simulatedBoardSource(simulatedCamera(), lens(), {}, heldBoardPoses(lens(), {}, poses, 3), Pace::Kind::None);
+}
+
+double threadCpuMs()
+{
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
+}
+
+/// Of the GUI thread: the longest that anything kept the event loop busy. CPU time, which other programs cannot prolong.
+class BusyWatch : public QObject
+{
+public:
+    BusyWatch() { m_last = threadCpuMs(); m_timer = startTimer(0); }
+    double longestMs() const { return m_longest; }
+
+protected:
+    void timerEvent(QTimerEvent *) override
+    {
+        const double now = threadCpuMs();
+        m_longest = std::max(m_longest, now - m_last);
+        m_last = now;
+    }
+
+private:
+    int m_timer = 0;
+    double m_last = 0, m_longest = 0;
+};
+
+} // namespace
+
+class TestLensWizard : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void byKeyboardFromFiles();
+    void byMouseFromACamera();
+    void cancelsAtEveryPage_data();
+    void cancelsAtEveryPage();
+    void saysWhyPicturesDoNotCount();
+    void takesOutAndUndoes();
+    void leavesOutWhatIsAboveTheThreshold();
+    void tellsOfALostCamera();
+    void everyHintHasItsWords();
+
+private:
+    std::unique_ptr<LensWizard> makeWizard(bool cameraThere = true);
+    static QPushButton *button(LensWizard &wizard, const char *text);
+    static int page(LensWizard &wizard) { return wizard.findChild<QStackedWidget *>()->currentIndex(); }
+    static QWidget *focused() { return QApplication::focusWidget(); }
+    void walkToPictures(LensWizard &wizard);
+
+    QTemporaryDir m_folder;
+    QStringList m_files;
+};
+
+void TestLensWizard::initTestCase()
+{
+    SimulatedBoard board;
+    int number = 0;
+    for (const RigidTransform &pose : heldBoardPoses(lens(), board, poses, 3)) {
+        board.cameraFromBoard = pose;
+        m_files << m_folder.filePath(QStringLiteral("board%1.png").arg(++number, 2, 10, QLatin1Char('0')));
+        QVERIFY(writePicture(renderBoard(lens(), board, 2, 7), m_files.last().toStdString()));
+    }
+}
+
+std::unique_ptr<LensWizard> TestLensWizard::makeWizard(bool cameraThere)
+{
+    auto wizard = std::make_unique<LensWizard>(
+        QStringList{QStringLiteral("A"), QStringLiteral("B")}, QStringLiteral("B"), std::vector<CameraDescription>{simulatedCamera()},
+        [cameraThere](const QString &) -> Result<std::shared_ptr<CameraSource>> {
+            if (!cameraThere)
+                return fail(ErrorCode::Io, "'sim:T'", "the camera does not answer", "plug it in again");
+            return fastCamera();
+        });
+    wizard->open();
+    return wizard;
+}
+
+QPushButton *TestLensWizard::button(LensWizard &wizard, const char *text)
+{
+    for (auto *each : wizard.findChildren<QPushButton *>())
+        if (each->text().remove(QLatin1Char('&')) == QLatin1String(text))
+            return each;
+    return nullptr;
+}
+
+void TestLensWizard::walkToPictures(LensWizard &wizard)
+{
+    wizard.source().addFiles(m_files);
+    QTest::mouseClick(button(wizard, "Next >"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(button(wizard, "Next >")->isEnabled(), patienceMs);
+}
+
+void TestLensWizard::byKeyboardFromFiles()
+{
+    const auto wizard = makeWizard();
+    QVERIFY(QTest::qWaitForWindowActive(wizard.get()));
+    QVERIFY(!button(*wizard, "Next >")->isEnabled());
+    // The square is reached by its shortcut, and typed.
+    QTest::keyClick(wizard.get(), Qt::Key_S, Qt::AltModifier);
+    QVERIFY(qobject_cast<QDoubleSpinBox *>(focused()));
+    QTest::keyClick(focused(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(focused(), QStringLiteral("25.00"));
+    QTest::keyClick(wizard.get(), Qt::Key_P, Qt::AltModifier);
+    QVERIFY(qobject_cast<QRadioButton *>(focused()));
+    wizard->source().addFiles(m_files);
+    BusyWatch busy;
+    QTest::keyClick(focused(), Qt::Key_Return);
+    QCOMPARE(page(*wizard), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Next >")->isEnabled(), patienceMs);
+    const int kept = wizard->findChild<FilmStrip *>()->count();
+    QVERIFY(kept >= 14); // two of the poses may be alike
+    QTest::keyClick(wizard.get(), Qt::Key_Return);
+    QCOMPARE(page(*wizard), 2);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+    QVERIFY2(busy.longestMs() < 50, qPrintable(QStringLiteral("the event loop stood for %1 ms").arg(busy.longestMs())));
+    QTest::keyClick(wizard.get(), Qt::Key_Return);
+    QCOMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
+    const MeasuredLens measured = wizard->result();
+    QCOMPARE(measured.camera, QStringLiteral("B"));
+    QCOMPARE(measured.pictures.size(), std::size_t(kept));
+    // 0.3 %, what the issue of this wizard demands of simulated sets.
+    QVERIFY(std::abs(measured.calibration.intrinsics.fxPx / 560 - 1) < 0.003);
+}
+
+void TestLensWizard::byMouseFromACamera()
+{
+    const auto wizard = makeWizard();
+    auto *live = wizard->findChildren<QRadioButton *>().at(0);
+    QTest::mouseClick(live, Qt::LeftButton, {}, {8, live->height() / 2});
+    QVERIFY(wizard->source().isLive());
+    QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
+    // Pictures are taken by themselves until they are enough.
+    auto *strip = wizard->findChild<FilmStrip *>();
+    QTRY_VERIFY_WITH_TIMEOUT(strip->count() >= 10, patienceMs);
+    QVERIFY(wizard->findChild<LensPicturesPage *>()->findChild<BoardCanvas *>()->content().wanted.has_value());
+    QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
+    QCOMPARE(page(*wizard), 2);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+    QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
+    QCOMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
+    QVERIFY(std::abs(wizard->result().calibration.intrinsics.fxPx / 560 - 1) < 0.01);
+}
+
+void TestLensWizard::cancelsAtEveryPage_data()
+{
+    QTest::addColumn<int>("lastPage");
+    for (int last = 0; last < 3; ++last)
+        QTest::addRow("page %d", last + 1) << last;
+}
+
+void TestLensWizard::cancelsAtEveryPage()
+{
+    QFETCH(int, lastPage);
+    const auto wizard = makeWizard();
+    if (lastPage > 0)
+        walkToPictures(*wizard);
+    if (lastPage > 1)
+        QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
+    QCOMPARE(page(*wizard), lastPage);
+    QTest::keyClick(wizard.get(), Qt::Key_Escape);
+    QVERIFY(!wizard->isVisible());
+    QCOMPARE(wizard->QDialog::result(), int(QDialog::Rejected));
+}
+
+void TestLensWizard::saysWhyPicturesDoNotCount()
+{
+    const QString noPicture = m_folder.filePath(QStringLiteral("text.png"));
+    QFile file(noPicture);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("this is no picture");
+    file.close();
+    const auto wizard = makeWizard();
+    wizard->source().addFiles({m_files[0], m_files[0] + QStringLiteral("x"), noPicture});
+    QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
+    QListWidget *refused = nullptr;
+    for (auto *list : wizard->findChildren<QListWidget *>())
+        if (list->accessibleName() == QStringLiteral("Pictures that do not count"))
+            refused = list;
+    QVERIFY(refused);
+    QTRY_COMPARE_WITH_TIMEOUT(refused->count(), 2, patienceMs);
+    QVERIFY(refused->item(1)->text().startsWith(QStringLiteral("text.png: ")));
+    QVERIFY2(!button(*wizard, "Next >")->isEnabled(), "one picture is too few");
+}
+
+void TestLensWizard::takesOutAndUndoes()
+{
+    const auto wizard = makeWizard();
+    walkToPictures(*wizard);
+    auto *strip = wizard->findChild<FilmStrip *>();
+    const int kept = strip->count();
+    strip->setCurrentRow(2);
+    const QString name = strip->currentItem()->text();
+    QTest::keyClick(strip, Qt::Key_Delete);
+    QTRY_COMPARE(strip->count(), kept - 1);
+    QVERIFY(strip->item(2)->text() != name);
+    QTest::keyClick(strip, Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(strip->count(), kept);
+    QCOMPARE(strip->item(2)->text(), name);
+    QVERIFY(!strip->undoAction()->isEnabled());
+}
+
+void TestLensWizard::leavesOutWhatIsAboveTheThreshold()
+{
+    const auto wizard = makeWizard();
+    walkToPictures(*wizard);
+    QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+    const std::size_t kept = wizard->result().pictures.size();
+    auto *bars = wizard->findChild<PictureBars *>();
+    for (int i = 0; i < 8; ++i) // from 1.5 times the worst to about the worst
+        QTest::keyClick(bars, Qt::Key_Down);
+    while (wizard->result().pictures.size() == kept)
+        QTest::keyClick(bars, Qt::Key_Down);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+    const MeasuredLens fewer = wizard->result();
+    QVERIFY(fewer.pictures.size() < kept);
+    QCOMPARE(fewer.calibration.pictureRmsPx.size(), fewer.pictures.size());
+    for (int i = 0; i < 40; ++i)
+        QTest::keyClick(bars, Qt::Key_Up);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+    QCOMPARE(wizard->result().pictures.size(), kept);
+}
+
+void TestLensWizard::tellsOfALostCamera()
+{
+    const auto wizard = makeWizard(false);
+    wizard->findChildren<QRadioButton *>().at(0)->setChecked(true);
+    QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
+    bool told = false;
+    for (const QLabel *label : wizard->findChildren<QLabel *>())
+        told = told || label->text().contains(QStringLiteral("the camera does not answer; plug it in again"));
+    QVERIFY(told);
+}
+
+void TestLensWizard::everyHintHasItsWords()
+{
+    QSet<QString> words;
+    for (int hint = 0; hint <= int(BoardHint::HoldStill); ++hint)
+        words << wordsOf(BoardHint(hint));
+    QCOMPARE(words.size(), qsizetype(int(BoardHint::HoldStill) + 1));
+    QVERIFY(!words.contains(QString()));
+}
+
+QTEST_MAIN(TestLensWizard)
+#include "tst_lens_wizard.moc"

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/lens/board_search.h"
+
+#include "core/capture/camera_source.h"
+#include "ui/testbed/lens/board_search_worker.h"
+
+namespace odo {
+
+BoardSearch::BoardSearch(QObject *parent) : QObject(parent), m_worker(new BoardSearchWorker)
+{
+    qRegisterMetaType<SearchedPicture>();
+    qRegisterMetaType<SearchState>();
+    m_worker->moveToThread(&m_thread);
+    connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
+    connect(m_worker, &BoardSearchWorker::searched, this, [this](const SearchedPicture &picture) {
+        m_worker->acknowledge();
+        Q_EMIT searched(picture);
+    });
+    connect(m_worker, &BoardSearchWorker::stateChanged, this, [this](const SearchState &state) {
+        m_state = state;
+        Q_EMIT changed();
+    });
+    connect(m_worker, &BoardSearchWorker::failed, this, &BoardSearch::failed);
+    m_thread.setObjectName(QStringLiteral("board search"));
+    m_thread.start();
+}
+
+BoardSearch::~BoardSearch()
+{
+    stop();
+    m_thread.quit();
+    m_thread.wait();
+}
+
+void BoardSearch::ask(std::function<void(BoardSearchWorker &)> what)
+{
+    QMetaObject::invokeMethod(m_worker, [worker = m_worker, what = std::move(what)] { what(*worker); }, Qt::QueuedConnection);
+}
+
+void BoardSearch::begin(const BoardSpec &spec)
+{
+    stop();
+    ask([spec](BoardSearchWorker &worker) { worker.begin(spec); });
+}
+
+void BoardSearch::addFiles(const QStringList &files)
+{
+    ask([files](BoardSearchWorker &worker) { worker.addFiles(files); });
+}
+
+void BoardSearch::watch(std::shared_ptr<CameraSource> camera)
+{
+    stop();
+    m_camera = camera;
+    ask([camera](BoardSearchWorker &worker) { worker.watch(camera); });
+}
+
+void BoardSearch::takeNow()
+{
+    ask([](BoardSearchWorker &worker) { worker.takeNow(); });
+}
+
+void BoardSearch::remove(int index)
+{
+    ask([index](BoardSearchWorker &worker) { worker.remove(index); });
+}
+
+void BoardSearch::undoRemove()
+{
+    ask([](BoardSearchWorker &worker) { worker.undoRemove(); });
+}
+
+void BoardSearch::stop()
+{
+    if (m_camera)
+        m_camera->stop(); // wakes the worker where it waits for a picture
+    m_camera.reset();
+    ask([](BoardSearchWorker &worker) { worker.stop(); });
+}
+
+} // namespace odo

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/lens/lens_pictures_page.h"
+
+#include "ui/testbed/lens/board_canvas.h"
+#include "ui/testbed/lens/coverage_panel.h"
+#include "ui/testbed/lens/film_strip.h"
+#include "ui/views/card.h"
+
+#include <QAction>
+#include <QDragEnterEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMimeData>
+#include <QPushButton>
+#include <QUrl>
+#include <QVBoxLayout>
+
+namespace odo {
+namespace {
+
+constexpr int sideWidth = 300;
+
+QPushButton *buttonOf(QAction *action)
+{
+    auto *button = new QPushButton(action->text());
+    button->setAutoDefault(false);
+    button->setEnabled(action->isEnabled());
+    QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
+    QObject::connect(action, &QAction::enabledChanged, button, &QWidget::setEnabled);
+    return button;
+}
+
+} // namespace
+
+QString wordsOf(BoardHint hint)
+{
+    switch (hint) {
+    case BoardHint::Left:
+        return LensPicturesPage::tr("Move it to the left of the picture");
+    case BoardHint::Right:
+        return LensPicturesPage::tr("Move it to the right of the picture");
+    case BoardHint::Up:
+        return LensPicturesPage::tr("Move it up");
+    case BoardHint::Down:
+        return LensPicturesPage::tr("Move it down");
+    case BoardHint::Closer:
+        return LensPicturesPage::tr("Closer to the camera");
+    case BoardHint::Farther:
+        return LensPicturesPage::tr("Farther from the camera");
+    case BoardHint::TiltLeft:
+        return LensPicturesPage::tr("Tilt it: the left side away from the camera");
+    case BoardHint::TiltRight:
+        return LensPicturesPage::tr("Tilt it: the right side away from the camera");
+    case BoardHint::TiltUp:
+        return LensPicturesPage::tr("Tilt it: the upper side away from the camera");
+    case BoardHint::TiltDown:
+        return LensPicturesPage::tr("Tilt it: the lower side away from the camera");
+    case BoardHint::HoldStill:
+        return LensPicturesPage::tr("Hold it still");
+    }
+    return {};
+}
+
+LensPicturesPage::LensPicturesPage(BoardSearch &search, QWidget *parent)
+    : QWidget(parent), m_search(search), m_canvas(new BoardCanvas), m_coverage(new CoveragePanel), m_refused(new QListWidget),
+      m_strip(new FilmStrip), m_headline(new QLabel), m_detail(new QLabel), m_refusedTitle(new QLabel),
+      m_take(new QPushButton(tr("&Take a picture now")))
+{
+    setAcceptDrops(true);
+    m_headline->setStyleSheet(QStringLiteral("font-size: 14pt; font-weight: 600"));
+    m_headline->setAccessibleName(tr("What to do"));
+    m_detail->setObjectName(QStringLiteral("quiet"));
+    for (QLabel *label : {m_headline, m_detail}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+    }
+    m_take->setAutoDefault(false);
+    connect(m_take, &QPushButton::clicked, &m_search, &BoardSearch::takeNow);
+    auto *words = new QVBoxLayout;
+    words->setSpacing(2);
+    words->addWidget(m_headline);
+    words->addWidget(m_detail);
+    auto *row = new QHBoxLayout;
+    row->addLayout(words, 1);
+    row->addWidget(m_take);
+    auto *left = new QVBoxLayout;
+    left->addWidget(m_canvas, 1);
+    left->addLayout(row);
+    auto *top = new QHBoxLayout;
+    top->addLayout(left, 1);
+    top->addWidget(makeSide());
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addLayout(top, 1);
+    layout->addWidget(makeStrip());
+    connect(&m_search, &BoardSearch::searched, this, &LensPicturesPage::showSearched);
+    connect(&m_search, &BoardSearch::changed, this, &LensPicturesPage::showState);
+    connect(&m_search, &BoardSearch::failed, this, [this](const QString &message) { say(tr("The camera is lost"), message); });
+    connect(m_strip, &FilmStrip::removeRequested, &m_search, &BoardSearch::remove);
+    connect(m_strip, &FilmStrip::undoRequested, &m_search, &BoardSearch::undoRemove);
+    connect(m_strip, &QListWidget::currentRowChanged, this, &LensPicturesPage::showKept);
+}
+
+QWidget *LensPicturesPage::makeSide()
+{
+    m_refused->setAccessibleName(tr("Pictures that do not count"));
+    m_refused->setWordWrap(true);
+    m_refused->setSelectionMode(QAbstractItemView::NoSelection);
+    auto *needed = new Card(tr("What the pictures cover"));
+    needed->setContent(m_coverage);
+    auto *content = new QWidget;
+    auto *contentLayout = new QVBoxLayout(content);
+    contentLayout->setContentsMargins(0, 0, 0, 0);
+    contentLayout->addWidget(m_refused);
+    auto *refused = new Card(tr("Not counted"));
+    refused->setContent(content);
+    auto *side = new QWidget;
+    side->setFixedWidth(sideWidth);
+    auto *layout = new QVBoxLayout(side);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(needed);
+    layout->addWidget(refused, 1);
+    return side;
+}
+
+QWidget *LensPicturesPage::makeStrip()
+{
+    auto *buttons = new QVBoxLayout;
+    buttons->addWidget(buttonOf(m_strip->removeAction()));
+    buttons->addWidget(buttonOf(m_strip->undoAction()));
+    buttons->addStretch(1);
+    auto *strip = new QWidget;
+    auto *layout = new QHBoxLayout(strip);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_strip, 1);
+    layout->addLayout(buttons);
+    return strip;
+}
+
+void LensPicturesPage::begin(bool live)
+{
+    m_live = live;
+    m_take->setVisible(live);
+    m_canvas->setContent({});
+    m_canvas->setEmptyText(live ? tr("Waiting for the camera…") : tr("Looking for the board…"));
+    say(live ? tr("Hold the board before the camera") : tr("Looking for the board"),
+        live ? tr("A picture is taken by itself whenever the board is still, sharp and in a new place.") : QString());
+}
+
+void LensPicturesPage::showSearched(const SearchedPicture &picture)
+{
+    const PictureAnswer &answer = picture.answer;
+    BoardCanvas::Content content{picture.image, picture.size, {}, answer.kept, m_search.state().coverage, {}, {}, {}};
+    if (answer.picture)
+        content.corners = answer.picture->view.pixels;
+    if (m_live && picture.wanted)
+        content.wanted = picture.wanted->placement;
+    if (!m_live)
+        content.label = picture.name;
+    m_canvas->setContent(std::move(content));
+    if (!m_live)
+        return;
+    if (answer.kept)
+        say(tr("Taken"), tr("Now the dashed outline shows where the board would help most."));
+    else if (answer.picture && picture.wanted)
+        say(wordsOf(hintTowards(*picture.wanted, answer.picture->placement)),
+            answer.refusal ? QString::fromStdString(answer.refusal->why + "; " + answer.refusal->advice) : QString());
+    else if (answer.refusal)
+        say(tr("Hold the board before the camera"), QString::fromStdString(answer.refusal->why + "; " + answer.refusal->advice));
+}
+
+void LensPicturesPage::showState()
+{
+    const SearchState &state = m_search.state();
+    m_coverage->setCoverage(state.coverage);
+    m_strip->setState(state);
+    if (m_refused->count() != int(state.refused.size())) {
+        m_refused->clear();
+        for (const auto &[name, reason] : state.refused)
+            m_refused->addItem(QStringLiteral("%1: %2").arg(name, reason));
+        m_refused->scrollToBottom();
+    }
+    if (m_live)
+        return;
+    if (state.waiting > 0)
+        say(tr("Looking for the board"), tr("%1 to go").arg(state.waiting));
+    else if (state.kept.empty())
+        say(tr("No picture counts"), tr("The reasons stand at the right. Add others by dropping them here."));
+    else
+        say(tr("Looked at all"), state.coverage.isEnough() ? tr("They are enough.")
+                                                           : tr("More pictures can be dropped here; the bars show what is missing."));
+}
+
+void LensPicturesPage::showKept(int row)
+{
+    const auto &kept = m_search.state().kept;
+    if (row < 0 || row >= int(kept.size()) || m_live)
+        return;
+    const KeptPicture &picture = kept[std::size_t(row)];
+    m_canvas->setContent({picture.image, m_search.state().size, picture.board.view.pixels, true, m_search.state().coverage, {}, {}, picture.name});
+}
+
+void LensPicturesPage::say(const QString &headline, const QString &detail)
+{
+    m_headline->setText(headline);
+    m_detail->setText(detail);
+}
+
+void LensPicturesPage::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (event->mimeData()->hasUrls())
+        event->acceptProposedAction();
+}
+
+void LensPicturesPage::dropEvent(QDropEvent *event)
+{
+    QStringList files;
+    for (const QUrl &url : event->mimeData()->urls())
+        if (url.isLocalFile())
+            files << url.toLocalFile();
+    Q_EMIT filesDropped(files);
+}
+
+} // namespace odo

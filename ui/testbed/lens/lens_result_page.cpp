@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/lens/lens_result_page.h"
+
+#include "ui/testbed/lens/board_canvas.h"
+#include "ui/testbed/lens/picture_bars.h"
+#include "ui/views/card.h"
+#include "ui/views/fact_list.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace odo {
+namespace {
+
+constexpr int whole = 1000, figuresWidth = 420;
+constexpr int chosenByItself = -1;
+
+QString modelName(LensModel model)
+{
+    switch (model) {
+    case LensModel::Standard:
+        return LensResultPage::tr("ordinary");
+    case LensModel::Rational:
+        return LensResultPage::tr("wide (rational)");
+    case LensModel::Fisheye:
+        break;
+    }
+    return LensResultPage::tr("fisheye");
+}
+
+QString px(double value, int decimals) { return LensResultPage::tr("%1 px").arg(QLocale().toString(value, 'f', decimals)); }
+
+/// Value ± σ of the parameter of this number.
+QString withSigma(const Intrinsics &lens, double value, int parameter)
+{
+    if (lens.covariance.rows() <= parameter)
+        return px(value, 1);
+    return LensResultPage::tr("%1 ± %2 px")
+        .arg(QLocale().toString(value, 'f', 1), QLocale().toString(std::sqrt(lens.covariance(parameter, parameter)), 'f', 1));
+}
+
+} // namespace
+
+LensResultPage::LensResultPage(QWidget *parent)
+    : QWidget(parent), m_verdict(new QLabel), m_progress(new QProgressBar), m_bars(new PictureBars), m_canvas(new BoardCanvas),
+      m_straight(new BoardCanvas), m_facts(new FactList), m_model(new QComboBox)
+{
+    m_verdict->setWordWrap(true);
+    m_verdict->setTextFormat(Qt::PlainText);
+    m_verdict->setAccessibleName(tr("Verdict"));
+    m_verdict->setStyleSheet(QStringLiteral("font-size: 12pt"));
+    m_progress->setRange(0, whole);
+    m_progress->setAccessibleName(tr("Solving"));
+    m_model->addItem(tr("Lens model chosen by itself"), chosenByItself);
+    m_model->addItem(tr("Ordinary lens"), int(LensModel::Standard));
+    m_model->addItem(tr("Wide lens (rational model)"), int(LensModel::Rational));
+    m_model->addItem(tr("Fisheye"), int(LensModel::Fisheye));
+    m_model->setAccessibleName(tr("Lens model"));
+    m_canvas->setEmptyText(tr("Choose a bar to see its picture."));
+    m_straight->setEmptyText(tr("Stands here once the lens is known."));
+    auto *pictures = new QTabWidget;
+    pictures->addTab(m_canvas, tr("Picture and &residuals"));
+    pictures->addTab(m_straight, tr("&Straightened"));
+    pictures->setDocumentMode(true);
+    auto *row = new QHBoxLayout;
+    row->addWidget(pictures, 1);
+    row->addWidget(makeFigures());
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_verdict);
+    layout->addWidget(m_progress);
+    layout->addLayout(row, 1);
+    connect(m_bars, &PictureBars::thresholdChanged, this, [this](double threshold) {
+        for (std::size_t i = 0; i < m_counts.size(); ++i)
+            m_counts[i] = m_errors[i] <= threshold;
+        solve();
+    });
+    connect(m_bars, &PictureBars::currentChanged, this, &LensResultPage::showPicture);
+    connect(m_model, &QComboBox::currentIndexChanged, this, &LensResultPage::solve);
+    connect(&m_solver, &LensSolver::solved, this, &LensResultPage::showAnswer);
+    connect(&m_solver, &LensSolver::failed, this, &LensResultPage::showFailure);
+    connect(&m_solver, &LensSolver::progressed, this, [this](double fraction, const QString &text) {
+        m_progress->setValue(int(fraction * whole));
+        m_progress->setFormat(text);
+    });
+}
+
+QWidget *LensResultPage::makeFigures()
+{
+    auto *errors = new Card(tr("Error by picture"));
+    errors->setContent(m_bars);
+    auto *facts = new Card(tr("Lens"));
+    facts->addToHeader(m_model);
+    facts->setContent(scrolled(m_facts, tr("What is known of the lens")));
+    auto *figures = new QWidget;
+    figures->setFixedWidth(figuresWidth);
+    auto *layout = new QVBoxLayout(figures);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(errors);
+    layout->addWidget(facts, 1);
+    return figures;
+}
+
+void LensResultPage::begin(const SearchState &pictures)
+{
+    m_pictures = pictures;
+    m_counts.assign(m_pictures.kept.size(), true);
+    m_errors.assign(m_pictures.kept.size(), 0);
+    m_bars->setBars({}, {});
+    m_canvas->setContent({});
+    m_straight->setContent({});
+    solve();
+}
+
+std::vector<KeptPicture> LensResultPage::used() const
+{
+    std::vector<KeptPicture> used;
+    for (std::size_t i = 0; i < m_counts.size(); ++i)
+        if (m_counts[i])
+            used.push_back(m_pictures.kept[i]);
+    return used;
+}
+
+void LensResultPage::solve()
+{
+    m_calibration.reset();
+    m_verdict->setText(tr("Solving…"));
+    m_progress->setValue(0);
+    m_progress->setVisible(true);
+    LensQuestion question;
+    question.size = m_pictures.size;
+    for (const KeptPicture &picture : used())
+        question.views.push_back(picture.board.view);
+    if (!m_pictures.kept.empty())
+        question.example = m_pictures.kept.front().image;
+    if (const int model = m_model->currentData().toInt(); model != chosenByItself)
+        question.model = LensModel(model);
+    m_solver.solve(std::move(question));
+    Q_EMIT completeChanged();
+}
+
+void LensResultPage::showAnswer(const LensAnswer &answer)
+{
+    m_calibration = answer.calibration;
+    m_progress->setVisible(false);
+    m_verdict->setText(QString::fromStdString(answer.calibration.verdict));
+    QStringList names;
+    for (std::size_t i = 0; i < m_pictures.kept.size(); ++i) {
+        names << m_pictures.kept[i].name;
+        const auto &rms = answer.calibration.pictureRmsPx;
+        const auto found = std::find_if(rms.begin(), rms.end(), [&](const auto &each) { return each.first == m_pictures.kept[i].board.view.source; });
+        if (found != rms.end())
+            m_errors[i] = found->second;
+    }
+    m_bars->setBars(names, m_errors);
+    const Intrinsics &lens = answer.calibration.intrinsics;
+    m_facts->setFacts({{tr("Model"), modelName(lens.model), {}},
+                       {tr("Pictures"), tr("%1 of %2").arg(answer.calibration.pictureRmsPx.size()).arg(m_pictures.kept.size()), {}},
+                       {tr("Board error"), px(answer.calibration.rmsPx, 3), {}},
+                       {tr("Held-out error"), answer.calibration.crossValidationPx > 0 ? px(answer.calibration.crossValidationPx, 3)
+                                                                                       : tr("needs six pictures"), {}},
+                       {tr("Focal length"), withSigma(lens, lens.fxPx, 0), {}},
+                       {tr("Centre x"), withSigma(lens, lens.cxPx, 2), {}},
+                       {tr("Centre y"), withSigma(lens, lens.cyPx, 3), {}}});
+    m_straight->setContent({answer.straightened, m_pictures.size, {}, true, {}, {}, {}, tr("straight edges must be straight")});
+    showPicture(std::max(0, m_bars->current()));
+    m_bars->setCurrent(std::max(0, m_bars->current()));
+    Q_EMIT completeChanged();
+}
+
+void LensResultPage::showFailure(const Error &error)
+{
+    m_progress->setVisible(false);
+    m_verdict->setText(QString::fromStdString(error.why + "; " + error.advice + "."));
+    m_facts->setFacts({});
+    Q_EMIT completeChanged();
+}
+
+void LensResultPage::showPicture(int index)
+{
+    if (index < 0 || index >= int(m_pictures.kept.size()))
+        return;
+    const KeptPicture &picture = m_pictures.kept[std::size_t(index)];
+    m_canvas->setContent({picture.image, m_pictures.size, picture.board.view.pixels, m_counts[std::size_t(index)], {}, {}, {}, picture.name});
+}
+
+} // namespace odo

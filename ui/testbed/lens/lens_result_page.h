@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/testbed/lens/board_search.h"
+#include "ui/testbed/lens/lens_solver.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QStackedWidget;
+class QTabWidget;
+
+namespace odo {
+
+class BoardCanvas;
+class Card;
+class FactList;
+class PictureBars;
+
+/// Third page of the lens wizard: the lens in words and millimetres, how well each picture fits, what leaving some out
+/// changes, and a picture straightened by it.
+class LensResultPage : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit LensResultPage(QWidget *parent = nullptr);
+
+    /// Solves for these pictures from the start.
+    void begin(const SearchState &pictures);
+    void cancel() { m_solver.cancel(); }
+    /// The lens that stands there; none while it is being solved, or where it could not.
+    const std::optional<IntrinsicCalibration> &calibration() const { return m_calibration; }
+    /// Those of begin() that the lens was computed from.
+    std::vector<KeptPicture> used() const;
+
+Q_SIGNALS:
+    void completeChanged();
+
+private:
+    QWidget *makeFigures();
+    void solve();
+    void showAnswer(const LensAnswer &answer);
+    void showFailure(const Error &error);
+    void showPicture(int index);
+
+    SearchState m_pictures;
+    std::vector<bool> m_counts;    ///< of m_pictures.kept, which the lens is computed from
+    std::vector<double> m_errors;  ///< of m_pictures.kept, by the newest lens that had them
+    std::optional<IntrinsicCalibration> m_calibration;
+    LensSolver m_solver;
+    QLabel *m_verdict;
+    QProgressBar *m_progress;
+    PictureBars *m_bars;
+    BoardCanvas *m_canvas, *m_straight;
+    FactList *m_facts;
+    QComboBox *m_model;
+};
+
+} // namespace odo
