@@ -12,7 +12,7 @@ namespace {
 const QString newestColumns = QStringLiteral(
     "SELECT analysis.id, trial_id, robot_id, robot.name, made_ms, software_version, smoother, "
     "max_speed_m_s, max_accel_m_s2, longest_bridged_gap_ns, analysis.height_m, height_estimated, "
-    "mean_view_disagreement_m FROM analysis JOIN robot ON robot.id=robot_id WHERE analysis.id IN "
+    "mean_view_disagreement_m, task_id FROM analysis JOIN robot ON robot.id=robot_id WHERE analysis.id IN "
     "(SELECT MAX(id) FROM analysis WHERE trial_id=? GROUP BY robot_id) ORDER BY robot_id");
 
 Result<void> checkAnalysis(const AnalysisRecord &analysis)
@@ -36,7 +36,7 @@ Result<RecordId> addRow(ProjectConnection &connection, const AnalysisRecord &ana
         connection,
         QStringLiteral("INSERT INTO analysis (trial_id, robot_id, made_ms, software_version, smoother, "
                        "max_speed_m_s, max_accel_m_s2, longest_bridged_gap_ns, height_m, "
-                       "height_estimated, mean_view_disagreement_m) VALUES (?,?,?,?,?,?,?,?,?,?,?)"));
+                       "height_estimated, mean_view_disagreement_m, task_id) VALUES (?,?,?,?,?,?,?,?,?,?,?,?)"));
     const AnalysisOptions &options = analysis.options;
     insert.bind(analysis.trial).bind(analysis.robot);
     insert.bind(static_cast<std::int64_t>(analysis.made.time_since_epoch().count()))
@@ -46,6 +46,7 @@ Result<RecordId> addRow(ProjectConnection &connection, const AnalysisRecord &ana
         .bind(options.maxAccelMps2);
     insert.bind(static_cast<std::int64_t>(options.longestBridgedGap.count())).bind(analysis.profile.heightM);
     insert.bind(analysis.profile.heightEstimated ? 1 : 0).bind(analysis.profile.meanViewDisagreementM);
+    insert.bindReference(analysis.task);
     if (auto done = insert.run(); !done)
         return tl::unexpected(done.error());
     return insert.insertedId();
@@ -97,6 +98,20 @@ Result<void> addFindings(ProjectConnection &connection, RecordId id, const Profi
     return {};
 }
 
+Result<void> addPassages(ProjectConnection &connection, RecordId id, const std::vector<GatePassage> &passages)
+{
+    for (std::size_t i = 0; i < passages.size(); ++i) {
+        const GatePassage &passage = passages[i];
+        Statement insert(connection, QStringLiteral("INSERT INTO gate_passage VALUES (?,?,?,?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(passage.gate);
+        insert.bind(storedWord(gateRoleWords, passage.role));
+        insert.bind(static_cast<std::int64_t>(passage.time.count())).bind(passage.sigmaS);
+        if (auto done = insert.bind(passage.commonSigmaS).run(); !done)
+            return done;
+    }
+    return {};
+}
+
 Result<void> addSeries(ProjectConnection &connection, RecordId id, const Profile &profile)
 {
     Statement insert(connection, QStringLiteral("INSERT INTO analysis_series VALUES (?,?,?)"));
@@ -123,6 +138,7 @@ Result<AnalysisRecord> analysisOf(const Statement &row)
     analysis.profile.heightM = row.real(10);
     analysis.profile.heightEstimated = row.integer(11) != 0;
     analysis.profile.meanViewDisagreementM = row.real(12);
+    analysis.task = row.integer(13);
     return analysis;
 }
 
@@ -133,6 +149,21 @@ Result<void> readMetrics(const ProjectConnection &connection, AnalysisRecord &in
         QStringLiteral("SELECT name, unit, value, sigma FROM metric WHERE analysis_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
         into.profile.metrics.push_back({row.text(0), row.text(1), row.real(2), row.optionalReal(3)});
+        return {};
+    });
+}
+
+Result<void> readPassages(const ProjectConnection &connection, AnalysisRecord &into)
+{
+    Statement select(connection,
+                     QStringLiteral("SELECT gate, role, time_ns, sigma_s, common_sigma_s FROM gate_passage "
+                                    "WHERE analysis_id=? ORDER BY position"));
+    return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        const auto role = fromStoredWord(gateRoleWords, row.text(1), "gate '" + row.text(0) + "'");
+        if (!role)
+            return tl::unexpected(role.error());
+        into.profile.passages.push_back(
+            {row.text(0), *role, Nanoseconds(row.integer(2)), row.real(3), row.real(4)});
         return {};
     });
 }
@@ -214,6 +245,8 @@ Result<AnalysisRecord> AnalysisRepository::add(const AnalysisRecord &analysis)
             return tl::unexpected(added.error());
         if (auto added = addFindings(m_connection, *id, analysis.profile); !added)
             return tl::unexpected(added.error());
+        if (auto added = addPassages(m_connection, *id, analysis.profile.passages); !added)
+            return tl::unexpected(added.error());
         if (auto added = addSeries(m_connection, *id, analysis.profile); !added)
             return tl::unexpected(added.error());
         AnalysisRecord stored = analysis;
@@ -246,6 +279,8 @@ Result<std::vector<AnalysisRecord>> AnalysisRepository::currentMetrics(RecordId 
             return tl::unexpected(analysis.error());
         if (auto metrics = readMetrics(m_connection, *analysis); !metrics)
             return metrics;
+        if (auto passages = readPassages(m_connection, *analysis); !passages)
+            return passages;
         analyses.push_back(std::move(*analysis));
         return {};
     });

@@ -125,7 +125,7 @@ struct Project::Impl
 {
     explicit Impl(std::unique_ptr<ProjectConnection> opened)
         : connection(std::move(opened)), cameras(*connection), layouts(*connection), robots(*connection),
-          teams(*connection), trials(*connection), analyses(*connection)
+          teams(*connection), tasks(*connection), trials(*connection), analyses(*connection)
     {
     }
 
@@ -134,6 +134,7 @@ struct Project::Impl
     LayoutRepository layouts;
     RobotRepository robots;
     TeamRepository teams;
+    TaskRepository tasks;
     TrialRepository trials;
     AnalysisRepository analyses;
     bool writable = false;
@@ -236,6 +237,10 @@ RobotRepository &Project::robots()
 TeamRepository &Project::teams()
 {
     return m_impl->teams;
+}
+TaskRepository &Project::tasks()
+{
+    return m_impl->tasks;
 }
 TrialRepository &Project::trials()
 {

@@ -17,6 +17,7 @@ class CameraRepository;
 class LayoutRepository;
 class RobotRepository;
 class TeamRepository;
+class TaskRepository;
 class TrialRepository;
 class AnalysisRepository;
 
@@ -57,6 +58,7 @@ public:
     LayoutRepository &layouts();
     RobotRepository &robots();
     TeamRepository &teams();
+    TaskRepository &tasks();
     TrialRepository &trials();
     AnalysisRepository &analyses();
 

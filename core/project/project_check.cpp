@@ -109,8 +109,10 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
     if (auto checked = checkDatabase(connection, problems); !checked)
         problems.push_back({checked.error().why, connection.file().filename().string(), restoreAdvice});
     const auto robots = project.robots().all();
+    const auto tasks = project.tasks().all();
     const auto trials = project.trials().all();
     for (const auto &[readable, error] : {std::pair{robots.has_value(), robots ? Error{} : robots.error()},
+                                          std::pair{tasks.has_value(), tasks ? Error{} : tasks.error()},
                                           std::pair{trials.has_value(), trials ? Error{} : trials.error()}}) {
         if (!readable)
             problems.push_back(

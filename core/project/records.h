@@ -8,6 +8,7 @@
 #include "core/tracking/observation.h"
 #include "core/trajectory/analyser.h"
 #include "core/trajectory/profile.h"
+#include "core/trajectory/task.h"
 
 #include <cstdint>
 #include <optional>
@@ -74,13 +75,21 @@ struct TeamRecord
     std::string name, className;
 };
 
+/// A task is not changed once it is stored: trials were measured by it.
+struct TaskRecord
+{
+    RecordId id = 0;
+    std::string name;
+    Task task;
+};
+
 struct TrialRecord
 {
     RecordId id = 0;
     std::string name;
     RecordId team = 0; ///< 0: none
     std::string teamName, className; ///< read only, joined
-    std::string task;
+    std::string task; ///< its name; empty: none
     Instant date;
     std::string notes;
     std::string syncMethod;       ///< "none", "told", "auto" (from the motion), "flash"
@@ -131,7 +140,8 @@ struct AnalysisRecord
     std::string robotName; ///< read only, joined
     Instant made;
     std::string softwareVersion;
-    AnalysisOptions options;
+    RecordId task = 0;       ///< by which gates, path and limits it was measured; 0: by none
+    AnalysisOptions options; ///< read back without the task
     std::vector<RecordId> registrations; ///< one a view, in the views' order; 0 where unregistered
     std::vector<std::string> views;      ///< names of the views, bit i of Sample::views
     Profile profile;

@@ -73,16 +73,33 @@ private:
     ProjectConnection &m_connection;
 };
 
+class TaskRepository
+{
+public:
+    explicit TaskRepository(ProjectConnection &connection);
+    /// InvalidInput for a task that cannot be measured (checkTask).
+    Result<TaskRecord> add(const TaskRecord &task);
+    Result<std::vector<TaskRecord>> all() const;
+    Result<TaskRecord> find(const std::string &name) const;
+    Result<TaskRecord> get(RecordId id) const;
+
+private:
+    ProjectConnection &m_connection;
+};
+
 class TrialRepository
 {
 public:
     explicit TrialRepository(ProjectConnection &connection);
+    /// A task of a name that is new becomes one without gates, path and limits.
     Result<TrialRecord> add(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings);
     Result<std::vector<TrialRecord>> all() const; ///< newest first
     Result<TrialRecord> find(const std::string &name) const;
     Result<TrialRecord> get(RecordId id) const;
     Result<void> setNotes(RecordId trial, const std::string &notes);
     Result<void> setRobots(RecordId trial, const std::vector<RecordId> &robots);
+    /// By name; empty: none. Analyses that were made before stay.
+    Result<void> setTask(RecordId trial, const std::string &task);
     Result<std::vector<RecordingRecord>> recordings(RecordId trial) const; ///< in the order of the views
     /// Replaces the offset of a view against the first one.
     Result<void> setSync(const TrialRecord &trial);

@@ -24,6 +24,16 @@ constexpr StoredWords<Smoother, 4> smootherWords{{{Smoother::Rts, "rts"},
                                                   {Smoother::Tracker, "tracker"},
                                                   {Smoother::None, "none"}}};
 
+constexpr StoredWords<TaskTemplate, 5> taskTemplateWords{{{TaskTemplate::Free, "free"},
+                                                          {TaskTemplate::StraightLine, "straight_line"},
+                                                          {TaskTemplate::Circle, "circle"},
+                                                          {TaskTemplate::FigureEight, "figure_eight"},
+                                                          {TaskTemplate::Slalom, "slalom"}}};
+constexpr StoredWords<GateRole, 4> gateRoleWords{{{GateRole::Start, "start"},
+                                                  {GateRole::Finish, "finish"},
+                                                  {GateRole::StartFinish, "start_finish"},
+                                                  {GateRole::Split, "split"}}};
+
 template <class Words, class Value>
 std::string storedWord(const Words &words, Value value)
 {

@@ -167,6 +167,19 @@ Result<void> TrialRepository::setRobots(RecordId trial, const std::vector<Record
     });
 }
 
+Result<void> TrialRepository::setTask(RecordId trial, const std::string &task)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        if (auto known = get(trial); !known)
+            return tl::unexpected(known.error());
+        const auto id = idOfName(m_connection, "task", task);
+        if (!id)
+            return tl::unexpected(id.error());
+        Statement update(m_connection, QStringLiteral("UPDATE trial SET task_id=? WHERE id=?"));
+        return update.bindReference(*id).bind(trial).run();
+    });
+}
+
 Result<std::vector<RecordingRecord>> TrialRepository::recordings(RecordId trial) const
 {
     return recordingsOf(m_connection, trial);

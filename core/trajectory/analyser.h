@@ -5,6 +5,7 @@
 #include "core/geometry/floor_view.h"
 #include "core/tracking/observation.h"
 #include "core/trajectory/profile.h"
+#include "core/trajectory/task.h"
 
 #include <optional>
 #include <string>
@@ -56,7 +57,8 @@ struct AnalysisOptions
     double maxSpeedMps = 10; ///< physical limit, for flags
     double maxAccelMps2 = 50;
     Nanoseconds longestBridgedGap = std::chrono::milliseconds(1500);
-    std::vector<Overrule> overrules; ///< at most one a frame; for frames that are not there without effect
+    std::vector<Overrule> overrules = {}; ///< at most one a frame; for frames that are not there without effect
+    std::optional<Task> task = {}; ///< its gates and path are measured; its limits stand in place of those above
 };
 
 /// Observations of all views → samples → spikes → profile → metrics. Times of the samples are the first

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/units.h"
+#include "core/trajectory/task.h"
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -93,6 +94,16 @@ struct Spike
     std::string reason; ///< e.g. "views disagree by 84 mm"
 };
 
+/// A robot's passing of a gate, in the gate's direction.
+struct GatePassage
+{
+    std::string gate; ///< its name
+    GateRole role = GateRole::Split;
+    Nanoseconds time{0};     ///< since the first view's first frame, interpolated between frames
+    double sigmaS = 0;       ///< all of it
+    double commonSigmaS = 0; ///< the calibration's part: the same at each passage of a gate at one speed
+};
+
 /// Height of the plane a robot's silhouette is laid on: its centre is, to first order, the picture of the
 /// robot's centre, at half its height.
 constexpr double silhouettePlaneM(double heightM)
@@ -107,6 +118,7 @@ struct Profile
     std::vector<ProfilePoint> points;
     std::vector<Spike> spikes;
     std::vector<Metric> metrics;
+    std::vector<GatePassage> passages; ///< in order of time; none without a task
     double heightM = 0; ///< of the robot's top; its median where it varies
     bool heightEstimated = false;
     double meanViewDisagreementM = 0;

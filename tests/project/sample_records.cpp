@@ -66,6 +66,18 @@ MarkerLayout RecordSource::layout(const std::string &name)
     return {name, {{"O", vector()}, {"U", vector()}, {"V", vector()}, {"D ✓", vector()}}};
 }
 
+Task RecordSource::task()
+{
+    Task task;
+    task.kind = TaskTemplate::Slalom;
+    task.gates = {{"départ", GateRole::Start, vector(), vector()},
+                  {"half", GateRole::Split, vector(), vector()},
+                  {"финиш", GateRole::Finish, vector(), vector()}};
+    task.path = {{vector(), vector(), vector(), vector()}, true};
+    task.limits = {positive(), positive()};
+    return task;
+}
+
 RecordingRecord RecordSource::recording(RecordId camera, std::size_t frames)
 {
     RecordingRecord record;
@@ -128,6 +140,8 @@ AnalysisRecord RecordSource::analysis(RecordId trial, RecordId robot, std::size_
     if (samples > 0)
         profile.spikes = {{0, Nanoseconds(integer()), 0x80000003u, "views disagree by 84 mm"}};
     profile.metrics = {{"max_speed", "m/s", number(), positive()}, {"duration", "s", number(), std::nullopt}};
+    profile.passages = {{"départ", GateRole::Start, Nanoseconds(integer()), positive(), positive()},
+                        {"финиш", GateRole::Finish, Nanoseconds(integer()), positive(), 0}};
     profile.heightM = positive();
     profile.heightEstimated = true;
     profile.meanViewDisagreementM = positive();
@@ -158,6 +172,7 @@ Result<FilledProject> fill(Project &project, RecordSource &source)
         const auto robot =
             project.robots().add({0, "red", {0xd7, 0x23, 0x28}, RobotRecord::Height::Told, 0.06, {}, {}});
         const auto team = project.teams().add({0, "Los Niños", "8b"});
+        const auto task = project.tasks().add({0, "line", source.task()});
         const auto intrinsics = project.cameras().addIntrinsics(source.calibration(a->id));
         if (!project.cameras().addRegistration(source.registration(a->id, layout->id, intrinsics->id)))
             return fail(ErrorCode::Internal, "sample project", "no registration", "");
@@ -181,7 +196,9 @@ Result<FilledProject> fill(Project &project, RecordSource &source)
             if (auto added = project.trials().addObservations(series); !added)
                 return added;
         }
-        if (auto added = project.analyses().add(source.analysis(stored->id, robot->id, 50)); !added)
+        AnalysisRecord analysis = source.analysis(stored->id, robot->id, 50);
+        analysis.task = task->id;
+        if (auto added = project.analyses().add(analysis); !added)
             return tl::unexpected(added.error());
         return project.trials().setTruth(source.truth(stored->id, robot->id, 50));
     };

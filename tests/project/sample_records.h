@@ -29,6 +29,7 @@ public:
     IntrinsicsRecord calibration(RecordId camera);
     RegistrationRecord registration(RecordId camera, RecordId layout, RecordId intrinsics);
     MarkerLayout layout(const std::string &name);
+    Task task();
     RecordingRecord recording(RecordId camera, std::size_t frames);
     Observation observation(std::int64_t frame);
     AnalysisRecord analysis(RecordId trial, RecordId robot, std::size_t samples);

@@ -38,7 +38,7 @@ private Q_SLOTS:
         const QByteArray bytes = content(m_file);
         QVERIFY(bytes.startsWith("SQLite format 3"));
         QCOMPARE(bytes.mid(68, 4), QByteArray("Odog"));
-        QCOMPARE(bytes.mid(60, 4), QByteArray("\0\0\0\3", 4));
+        QCOMPARE(bytes.mid(60, 4), QByteArray("\0\0\0\4", 4));
     }
 
     void creatingNeverReplacesNorLeavesAnything()
@@ -322,6 +322,7 @@ private:
         static_cast<void>(project.check(false));
         static_cast<void>(project.layouts().all());
         static_cast<void>(project.teams().all());
+        static_cast<void>(project.tasks().all());
         const auto cameras = project.cameras().all();
         for (const CameraRecord &camera : cameras.value_or(std::vector<CameraRecord>())) {
             static_cast<void>(project.cameras().currentIntrinsics(camera.id));

@@ -289,6 +289,58 @@ private Q_SLOTS:
         }
     }
 
+    void tasksRoundTrip()
+    {
+        const Task wanted = m_source.task();
+        const auto stored = m_project->tasks().add({0, "Übung 1", wanted});
+        QVERIFY2(stored.has_value(), stored ? "" : stored.error().message().c_str());
+        QVERIFY(m_project->tasks().add({0, "empty", {}}).has_value());
+        reopen();
+        QCOMPARE(m_project->tasks().all()->size(), std::size_t(2));
+        const Task read = m_project->tasks().find("Übung 1")->task;
+        QVERIFY(read.kind == wanted.kind && read.path.closed && read.limits.maxSpeedMps == wanted.limits.maxSpeedMps);
+        QVERIFY(read.limits.maxAccelMps2 == wanted.limits.maxAccelMps2);
+        QVERIFY(read.path.points == wanted.path.points && read.gates.size() == wanted.gates.size());
+        for (std::size_t i = 0; i < wanted.gates.size(); ++i) {
+            const Gate &a = read.gates[i], &b = wanted.gates[i];
+            QVERIFY(a.name == b.name && a.role == b.role && sameMatrix(a.from, b.from) && sameMatrix(a.to, b.to));
+        }
+        const Task empty = m_project->tasks().get(m_project->tasks().find("empty")->id)->task;
+        QVERIFY(empty.gates.empty() && empty.path.points.empty() && !empty.limits.maxAccelMps2);
+        QCOMPARE(m_project->tasks().add({0, "empty", {}}).error().code, ErrorCode::AlreadyExists);
+        const auto missing = m_project->tasks().find("x");
+        QCOMPARE(missing.error().message(),
+                 std::string("task 'x': there is no such task in the project; it has 'Übung 1', 'empty'"));
+    }
+
+    void aTaskThatCannotBeMeasuredIsRefusedWhole()
+    {
+        Task task = m_source.task();
+        task.gates[2].name = "half";
+        QCOMPARE(m_project->tasks().add({0, "t", task}).error().message(),
+                 std::string("gate 'half': the name is there twice; give each gate a name of its own"));
+        task = m_source.task();
+        task.gates[1].name = "a\nb";
+        QCOMPARE(m_project->tasks().add({0, "t", task}).error().code, ErrorCode::InvalidInput);
+        QVERIFY(m_project->tasks().all()->empty());
+    }
+
+    void aTrialIsGivenAnotherTask()
+    {
+        TrialRecord trial;
+        trial.name = "run";
+        trial.task = "not described yet"; // a name alone is a task too
+        const auto stored = m_project->trials().add(trial, {});
+        QVERIFY(stored.has_value());
+        QCOMPARE(stored->task, trial.task);
+        QVERIFY(m_project->tasks().add({0, "line", m_source.task()}).has_value());
+        QVERIFY(m_project->trials().setTask(stored->id, "line").has_value());
+        QCOMPARE(m_project->trials().get(stored->id)->task, std::string("line"));
+        QVERIFY(m_project->trials().setTask(stored->id, "").has_value());
+        QVERIFY(m_project->trials().get(stored->id)->task.empty());
+        QCOMPARE(m_project->trials().setTask(999, "line").error().code, ErrorCode::NotFound);
+    }
+
     void trialsAreListedNewestFirstAndCanBeChanged()
     {
         const RecordId robot = m_project->robots().add(robotNamed("red"))->id;
@@ -348,6 +400,7 @@ private Q_SLOTS:
         QVERIFY(filled.has_value());
         AnalysisRecord wanted = m_source.analysis(filled->trial, filled->robot, 333);
         wanted.registrations = {1, 0};
+        wanted.task = m_project->tasks().find("line")->id;
         wanted.options.overrules = {{3, true}, {17, false}};
         wanted.profile.points[3].sigmaXM = std::numeric_limits<double>::infinity();
         wanted.profile.points[4].accelMps2 = -0.0;
@@ -378,6 +431,13 @@ private Q_SLOTS:
         QVERIFY(a.spikes[0].sampleIndex == b.spikes[0].sampleIndex && a.spikes[0].time == b.spikes[0].time);
         QVERIFY(a.spikes[0].flags == b.spikes[0].flags && a.spikes[0].reason == b.spikes[0].reason);
         compareMetrics(a.metrics, b.metrics);
+        QCOMPARE(read.task, wanted.task);
+        QCOMPARE(a.passages.size(), b.passages.size());
+        for (std::size_t i = 0; i < b.passages.size(); ++i) {
+            QVERIFY(a.passages[i].gate == b.passages[i].gate && a.passages[i].role == b.passages[i].role);
+            QVERIFY(a.passages[i].time == b.passages[i].time && same(a.passages[i].sigmaS, b.passages[i].sigmaS));
+            QVERIFY(same(a.passages[i].commonSigmaS, b.passages[i].commonSigmaS));
+        }
         const auto cheap = m_project->analyses().currentMetrics(filled->trial);
         QVERIFY(cheap && cheap->size() == 1 && cheap->front().profile.samples.empty());
         compareMetrics(cheap->front().profile.metrics, b.metrics);
@@ -457,6 +517,7 @@ private Q_SLOTS:
         const Error errors[] = {
             m_project->cameras().add({0, bad, ""}).error(), m_project->layouts().add({bad, {}}).error(),
             m_project->robots().add(robotNamed(bad)).error(), m_project->teams().add({0, bad, ""}).error(),
+            m_project->tasks().add({0, bad, {}}).error(),
             m_project->trials().add(trial, {}).error()};
         for (const Error &error : errors) {
             QCOMPARE(error.code, ErrorCode::InvalidInput);

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Projects of every older format, as tests/data keeps them: opened, brought to the newest format, and nothing lost.
+#include "core/project/connection.h"
+#include "core/project/migrator.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/project/schema.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <sqlite3.h>
+
+using namespace odo;
+using Access = Project::Access;
+
+class TestOldProjects : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    std::filesystem::path file(const QString &name) const
+    {
+        return std::filesystem::path(m_folder.filePath(name).toStdString());
+    }
+
+    /// A file of an old format, with the statements of its dump.
+    std::filesystem::path stored(int format, const QString &name) const
+    {
+        QFile dump(QDir(qEnvironmentVariable("ODOGRAPH_SOURCE_DIR"))
+                       .filePath(QStringLiteral("tests/data/project_format_%1.sql").arg(format)));
+        if (!dump.open(QIODevice::ReadOnly))
+            qFatal("no dump of format %d", format);
+        const std::filesystem::path made = file(name);
+        sqlite3 *database = nullptr;
+        char *why = nullptr;
+        if (sqlite3_open(made.c_str(), &database) != SQLITE_OK ||
+            sqlite3_exec(database, dump.readAll().constData(), nullptr, nullptr, &why) != SQLITE_OK)
+            qFatal("format %d: %s", format, why);
+        sqlite3_close(database);
+        return made;
+    }
+
+    static std::int64_t number(const std::filesystem::path &of, const char *sql)
+    {
+        const auto connection = ProjectConnection::open(of, DatabaseAccess::Immutable);
+        return connection ? (*connection)->number(QString::fromLatin1(sql)).value_or(-1) : -1;
+    }
+
+    static void formats()
+    {
+        QTest::addColumn<int>("format");
+        for (int format = 1; format < Migrator(projectMigrations()).newestVersion(); ++format)
+            QTest::addRow("format %d", format) << format;
+    }
+
+private Q_SLOTS:
+    void openingKeepsEverything_data() { formats(); }
+    void openingKeepsEverything()
+    {
+        QFETCH(int, format);
+        const auto old = stored(format, QStringLiteral("keeps %1.odo").arg(format));
+        const auto opened = Project::open(old, Access::ReadWrite);
+        QVERIFY2(opened.has_value(), opened ? "" : opened.error().message().c_str());
+        Project &project = **opened;
+        QCOMPARE(project.title(), std::string("Year 9, autumn – Übung"));
+        testbedIsKept(project);
+        trialIsKept(project, format);
+        analysisIsKept(project, format);
+    }
+
+    void theOldFileIsKeptBeside_data() { formats(); }
+    void theOldFileIsKeptBeside()
+    {
+        QFETCH(int, format);
+        const auto old = stored(format, QStringLiteral("beside %1.odo").arg(format));
+        QVERIFY(Project::open(old, Access::ReadWrite).has_value());
+        const auto backup = old.string() + ".bak-" + std::to_string(format);
+        QCOMPARE(number(backup, "PRAGMA user_version"), std::int64_t(format));
+        QCOMPARE(number(backup, "SELECT COUNT(*) FROM trial"), std::int64_t(2));
+        QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(Migrator(projectMigrations()).newestVersion()));
+        // Once brought up it is an ordinary project: no second backup, and it may be read alone.
+        QVERIFY(Project::open(old, Access::ReadWrite).has_value());
+        QVERIFY(Project::open(old, Access::ReadOnly).has_value());
+        QCOMPARE(QDir(m_folder.path()).entryList({QStringLiteral("beside %1*").arg(format)}, QDir::Files).size(), 2);
+    }
+
+    void readingAloneIsRefusedAndChangesNothing_data() { formats(); }
+    void readingAloneIsRefusedAndChangesNothing()
+    {
+        QFETCH(int, format);
+        const auto old = stored(format, QStringLiteral("reads %1.odo").arg(format));
+        const auto opened = Project::open(old, Access::ReadOnly);
+        QCOMPARE(opened.error().code, ErrorCode::ReadOnly);
+        QVERIFY(opened.error().message().find("it has the older format " + std::to_string(format)) !=
+                std::string::npos);
+        QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(format));
+    }
+
+    /// Each published step, stopped after its last statement: the file keeps the format and the rows it had.
+    void aStepThatFailsLeavesTheFormatBeforeIt_data() { formats(); }
+    void aStepThatFailsLeavesTheFormatBeforeIt()
+    {
+        QFETCH(int, format);
+        auto steps = projectMigrations();
+        const auto published = steps[std::size_t(format)].apply;
+        steps[std::size_t(format)].apply = [published](ProjectConnection &connection) -> Result<void> {
+            if (auto done = published(connection); !done)
+                return done;
+            return fail(ErrorCode::Io, "disk", "the disk is full", "make room");
+        };
+        const auto old = stored(format, QStringLiteral("fails %1.odo").arg(format));
+        {
+            const auto connection = ProjectConnection::open(old, DatabaseAccess::ReadWrite);
+            const auto migrated = Migrator(steps).migrate(**connection);
+            QVERIFY(!migrated.has_value());
+            QVERIFY2(migrated.error().message().find("the disk is full; make room") != std::string::npos,
+                     migrated.error().message().c_str());
+        }
+        QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(format));
+        const auto again = Project::open(old, Access::ReadWrite); // its tables are those of its format
+        QVERIFY2(again.has_value(), again ? "" : again.error().message().c_str());
+        QCOMPARE((*again)->trials().all()->size(), std::size_t(2));
+    }
+
+    void aDamagedTaskIsFoundByTheCheck()
+    {
+        const auto old = stored(3, QStringLiteral("damaged.odo"));
+        const auto project = Project::open(old, Access::ReadWrite);
+        const auto sound = (*project)->check(false).value().size(); // the dump's recordings are not there
+        const auto connection = ProjectConnection::open(old, DatabaseAccess::ReadWrite);
+        QVERIFY((*connection)->execute(QStringLiteral("UPDATE task SET template='spiral'")).has_value());
+        const auto problems = (*project)->check(false).value();
+        QCOMPARE(problems.size(), sound + 1);
+        QCOMPARE(problems.front().what,
+                 std::string("task 'Figure eight': its stored setting 'spiral' is unknown"));
+    }
+
+private:
+    static void testbedIsKept(Project &project)
+    {
+        const auto camera = project.cameras().find("A");
+        QVERIFY(camera.has_value());
+        QCOMPARE(camera->deviceUri, std::string("v4l2:/dev/video0"));
+        const auto intrinsics = project.cameras().currentIntrinsics(camera->id).value();
+        QVERIFY(intrinsics.has_value());
+        QCOMPARE(intrinsics->calibration.intrinsics.fyPx, 961.25);
+        QCOMPARE(intrinsics->calibration.intrinsics.distortion.size(), std::size_t(5));
+        QCOMPARE(intrinsics->calibration.rejected.front().reason, std::string("no board found"));
+        const auto registration = project.cameras().currentRegistration(camera->id).value();
+        QVERIFY(registration.has_value());
+        QCOMPARE(registration->registration.worldFromCamera.translation.y(), -1.5);
+        QCOMPARE(registration->registration.poseCovariance(5, 5), 1e-6);
+        QCOMPARE(registration->pixels.front().pixel.x(), 101.5);
+        QCOMPARE(project.layouts().find("Gym floor")->layout.markers.at(3).pointInWorld.y(), 2.2);
+        QCOMPARE(project.robots().find("red")->lengthM.value(), 0.26);
+        QCOMPARE(project.teams().find("Heron")->className, std::string("9B"));
+    }
+    static void trialIsKept(Project &project, int format)
+    {
+        QCOMPARE(project.trials().all()->size(), std::size_t(2));
+        const auto trial = project.trials().find("run 1");
+        QVERIFY2(trial.has_value(), trial ? "" : trial.error().message().c_str());
+        QCOMPARE(trial->task, std::string("Figure eight"));
+        QCOMPARE(trial->notes, std::string("wet floor"));
+        QCOMPARE(trial->syncOffsetS, 0.014);
+        QCOMPARE(trial->syncRate, format >= 3 ? 0.0002 : 0.0);
+        QVERIFY(project.trials().find("run 2")->task.empty());
+        const auto recordings = project.trials().recordings(trial->id).value();
+        QCOMPARE(recordings.size(), std::size_t(2));
+        QCOMPARE(recordings[1].clockRate, format >= 3 ? 0.0002 : 0.0);
+        QCOMPARE(recordings[0].frameTimes.back(), Nanoseconds(66666667));
+        const auto observations = project.trials().currentObservations(recordings[0].id, 1).value();
+        QCOMPARE(observations->observations.at(1).ellipse.centrePx.x(), 104.5);
+        QCOMPARE(project.trials().truth(trial->id, 1).value()->positions.at(2).x(), 1.56);
+        QCOMPARE(project.trials().overrules(trial->id, 1)->size(), format >= 2 ? std::size_t(1) : std::size_t(0));
+        // A task was a name alone.
+        const auto task = project.tasks().find("Figure eight");
+        QVERIFY2(task.has_value(), task ? "" : task.error().message().c_str());
+        QVERIFY(task->task.kind == TaskTemplate::Free && task->task.gates.empty());
+        QVERIFY(task->task.path.points.empty() && !task->task.limits.maxSpeedMps);
+    }
+    static void analysisIsKept(Project &project, int format)
+    {
+        const auto analyses = project.analyses().current(project.trials().find("run 1")->id);
+        QVERIFY2(analyses.has_value(), analyses ? "" : analyses.error().message().c_str());
+        const AnalysisRecord &analysis = analyses->front();
+        QCOMPARE(analysis.task, RecordId(0));
+        QCOMPARE(analysis.profile.points.at(1).position.x(), 1.53125);
+        QVERIFY(!analysis.profile.points.at(2).valid);
+        QCOMPARE(analysis.profile.metrics.front().sigma.value(), 0.01);
+        QCOMPARE(analysis.profile.spikes.front().reason, std::string("jump of 40 mm"));
+        QCOMPARE(analysis.options.overrules.size(), format >= 2 ? std::size_t(1) : std::size_t(0));
+        QVERIFY(analysis.profile.passages.empty());
+        QVERIFY((analysis.registrations == std::vector<RecordId>{1, 0}));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestOldProjects)
+#include "tst_old_projects.moc"
