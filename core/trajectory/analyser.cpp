@@ -13,6 +13,7 @@
 #include "core/trajectory/profile_points.h"
 #include "core/trajectory/shape_estimation.h"
 #include "core/trajectory/spike_flags.h"
+#include "core/trajectory/task_metrics.h"
 #include "core/trajectory/view_alignment.h"
 #include "core/trajectory/view_clock.h"
 #include "core/trajectory/view_interpolation.h"
@@ -223,6 +224,14 @@ std::string_view smootherName(Smoother smoother)
     return {};
 }
 
+AnalysisOptions withTask(AnalysisOptions options, const Task &task)
+{
+    options.task = task;
+    options.maxSpeedMps = task.limits.maxSpeedMps.value_or(options.maxSpeedMps);
+    options.maxAccelMps2 = task.limits.maxAccelMps2.value_or(options.maxAccelMps2);
+    return options;
+}
+
 Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &shape,
                         const AnalysisOptions &options)
 {
@@ -260,8 +269,13 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
                     "not enough data: of " + std::to_string(track.samples.size()) + " frames " +
                         std::to_string(used) + " give a position that can be used",
                     "choose a longer video, or check the robot's colour and the light");
-    profile.spikes = describeSpikes(track, profile.points);
+    profile.spikes = describeSpikes(track, profile.points, options.longestBridgedGap);
     profile.metrics = measureRun(track.samples, profile.points);
+    if (options.task) {
+        TaskFigures figures = measureTask(*options.task, track.samples, profile.points);
+        profile.passages = std::move(figures.passages);
+        profile.metrics.insert(profile.metrics.end(), figures.metrics.begin(), figures.metrics.end());
+    }
     profile.heightM = placed->heightM;
     profile.heightEstimated = placed->estimated;
     profile.meanViewDisagreementM = meanDisagreement(track.samples);

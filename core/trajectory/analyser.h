@@ -58,8 +58,11 @@ struct AnalysisOptions
     double maxAccelMps2 = 50;
     Nanoseconds longestBridgedGap = std::chrono::milliseconds(1500);
     std::vector<Overrule> overrules = {}; ///< at most one a frame; for frames that are not there without effect
-    std::optional<Task> task = {}; ///< its gates and path are measured; its limits stand in place of those above
+    std::optional<Task> task = {}; ///< its gates and path are measured (withTask)
 };
+
+/// The options for a task: its limits, where it tells any, take the place of those there were.
+AnalysisOptions withTask(AnalysisOptions options, const Task &task);
 
 /// Observations of all views → samples → spikes → profile → metrics. Times of the samples are the first
 /// view's frame times; other views are interpolated to them. Pure and thread-safe. Errors: no view

@@ -42,7 +42,7 @@ std::vector<bool> hampelOutliers(std::span<const double> values, const HampelSet
     return outliers;
 }
 
-std::vector<bool> hampelSpikes(std::span<const TrackNode> track)
+std::vector<HampelSpike> hampelSpikes(std::span<const TrackNode> track)
 {
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < track.size(); ++i) {
@@ -51,7 +51,7 @@ std::vector<bool> hampelSpikes(std::span<const TrackNode> track)
     }
     constexpr int halfWindow = 3;
     constexpr double threshold = 5;
-    std::vector<bool> spikes(track.size());
+    std::vector<HampelSpike> spikes(track.size());
     for (int axis : {0, 1}) {
         std::vector<double> positions, speeds; // speeds[i]: from measurement i to the next
         double sigma = 0, speedSigma = 0;
@@ -68,9 +68,8 @@ std::vector<bool> hampelSpikes(std::span<const TrackNode> track)
         const auto far = hampelOutliers(positions, {halfWindow, threshold, sigma});
         const auto fast = hampelOutliers(speeds, {halfWindow, threshold, speedSigma});
         for (std::size_t i = 0; i < indices.size(); ++i) {
-            const bool both = i > 0 && i < speeds.size() && fast[i - 1] && fast[i];
-            if (far[i] || both)
-                spikes[indices[i]] = true;
+            spikes[indices[i]].byPosition |= far[i];
+            spikes[indices[i]].bySpeed |= i > 0 && i < speeds.size() && fast[i - 1] && fast[i];
         }
     }
     return spikes;

@@ -26,8 +26,16 @@ struct HampelSettings
 /// are. Pure.
 std::vector<bool> hampelOutliers(std::span<const double> values, const HampelSettings &settings);
 
+/// How a measurement stands out from its neighbours.
+struct HampelSpike
+{
+    bool byPosition = false;
+    bool bySpeed = false; ///< by the speeds to both neighbours
+    bool any() const { return byPosition || bySpeed; }
+};
+
 /// Measurements of a track that stand out by their position, or by the speeds to both their neighbours, in a
 /// window of seven. A guess that needs no model of motion: it finds single outliers, not bursts.
-std::vector<bool> hampelSpikes(std::span<const TrackNode> track);
+std::vector<HampelSpike> hampelSpikes(std::span<const TrackNode> track);
 
 } // namespace odo

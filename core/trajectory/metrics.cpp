@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace odo {
 
@@ -113,6 +114,23 @@ void addCircle(std::vector<Metric> &metrics, const std::vector<RunInstant> &inst
                            std::hypot(circle->sigmaRadiusM, scale * circle->radiusM)});
 }
 
+/// The fastest turn beyond doubt: by its rate less twice its σ, as of a curve's largest value.
+Figure fastestTurn(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions)
+{
+    Figure fastest;
+    double surest = -std::numeric_limits<double>::infinity();
+    for (const MotionStretch &motion : motions) {
+        for (std::size_t i = motion.first; i <= motion.last; ++i) {
+            const auto course = courseOf(*instants[i].point);
+            if (!course || std::abs(course->turnRateRadps) - 2 * course->sigmaTurnRateRadps <= surest)
+                continue;
+            fastest = {std::abs(course->turnRateRadps), course->sigmaTurnRateRadps};
+            surest = fastest.value - 2 * fastest.sigma;
+        }
+    }
+    return fastest;
+}
+
 } // namespace
 
 std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points)
@@ -132,6 +150,7 @@ std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::ve
     const auto at = [](const RunInstant &instant, Curve curve) {
         return Figure{instant.point->*curve.value, instant.point->*curve.sigma};
     };
+    const Figure turn = fastestTurn(instants, motions); // an angle has no scale
     std::vector<Metric> metrics{
         course[0],
         course[1],
@@ -147,6 +166,7 @@ std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::ve
         scaled("median_speed", "m/s", percentile(instants, motions, speedCurve, 0.5)),
         scaled("p95_speed", "m/s", percentile(instants, motions, speedCurve, 0.95)),
         scaled("p95_accel", "m/s²", percentile(instants, motions, accelCurve, 0.95)),
+        {"max_turn_rate", "rad/s", turn.value, turn.sigma},
     };
     addCircle(metrics, instants, motions, scale);
     return metrics;

@@ -12,7 +12,7 @@ namespace odo {
 /// over duration), max_speed, rms_speed (m/s), max_accel, rms_accel (m/s²), straightness (1, end to end over
 /// path_length), moving_time (s), stops (1, pauses between onset and end), standing_time (s, in those
 /// pauses), median_speed, p95_speed (m/s), p95_accel (m/s²; half and 95 % of the moving time stay below
-/// them), and where the path is a circle circle_radius (m, fitCircle). Moving means faster than 20 mm/s and
+/// them), max_turn_rate (rad/s, either way), and where the path is a circle circle_radius (m, fitCircle). Moving means faster than 20 mm/s and
 /// than three σ of the speed, for at least three valid points in a row; the moments between frames are
 /// interpolated. Only the speed while moving is integrated, so noise adds nothing to the path of a robot that
 /// stands. Gaps that are not bridged contribute their straight line. σ: from the profile's σ; the

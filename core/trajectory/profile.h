@@ -76,7 +76,7 @@ struct ProfilePoint
     bool valid = false; ///< false in long gaps and before the first or after the last sighting
 };
 
-/// A named figure with its uncertainty. Unit of the value: as named ("s", "m", "m/s", "m/s²", "mm", "1").
+/// A named figure with its uncertainty. Unit of the value: as named ("s", "m", "m/s", "m/s²", "rad/s", "mm", "1").
 struct Metric
 {
     std::string name; ///< stable identifier, e.g. "max_speed"

@@ -2,6 +2,7 @@
 #include "core/trajectory/spike_flags.h"
 
 #include "core/trajectory/hampel.h"
+#include "core/trajectory/limit_flags.h"
 #include "core/trajectory/spike_search.h"
 #include "core/trajectory/track_segments.h"
 
@@ -101,6 +102,13 @@ MotionNoise firstNoise(const std::vector<Sample> &samples, const std::vector<boo
     return noise;
 }
 
+std::size_t countUsed(const std::vector<Sample> &samples)
+{
+    return static_cast<std::size_t>(std::count_if(samples.begin(), samples.end(), [](const Sample &sample) {
+        return sample.position && !isRejected(sample.flags);
+    }));
+}
+
 /// A first guess of which samples stand out, by Hampel's identifier on position and speed. Only the first
 /// estimate of the noise leaves them out; whether they are spikes is for the search to say.
 Round standingOut(const std::vector<Sample> &samples, const std::vector<bool> &open,
@@ -113,38 +121,34 @@ Round standingOut(const std::vector<Sample> &samples, const std::vector<bool> &o
     for (const TrackSegment &segment : cutIntoSegments(samples, options.longestBridgedGap, isOpen)) {
         const auto outliers = hampelSpikes(segment.nodes);
         for (std::size_t i = 0; i < outliers.size(); ++i)
-            round.spike[segment.first + i] = outliers[i];
+            round.spike[segment.first + i] = outliers[i].any();
     }
     return round;
 }
 
-/// Adds to refused samples which physical limit they would break.
-void nameLimits(std::vector<Sample> &samples, const AnalysisOptions &options)
+/// Refuses samples that stand out from their neighbours by Hampel's identifier, and lie further from the
+/// smoothed track than their noise lets them. At an abrupt change of motion they may.
+void flagStandingOut(std::vector<Sample> &samples, const Round &round, MotionNoise noise, const AnalysisOptions &options)
 {
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (!samples[i].position || !hasFlag(samples[i].flags, SampleFlag::Jump) ||
-            hasFlag(samples[i].flags, SampleFlag::ByHand))
+    constexpr double gate = 30; // χ²(2): 1 in 3 million
+    constexpr double leastShareOpen = 0.1; // of the noise: what the track leaves, having used the sample too
+    for (const TrackSegment &segment : cutIntoSegments(samples, options.longestBridgedGap)) {
+        const auto outliers = hampelSpikes(segment.nodes);
+        if (std::none_of(outliers.begin(), outliers.end(), [](HampelSpike one) { return one.any(); }))
             continue;
-        // The nearest used neighbours stand for the motion.
-        std::optional<std::size_t> before, behind;
-        for (std::size_t j = i; j-- > 0 && !before;) {
-            if (samples[j].position && !isRejected(samples[j].flags))
-                before = j;
+        const auto track = smoothMotion(segment.nodes, noise);
+        for (std::size_t i = 0; i < outliers.size(); ++i) {
+            const std::size_t at = segment.first + i;
+            const bool abrupt = round.abrupt[at] || (at > 0 && round.abrupt[at - 1]) ||
+                                (at + 1 < samples.size() && round.abrupt[at + 1]);
+            if (!outliers[i].any() || abrupt || hasFlag(samples[at].flags, SampleFlag::ByHand))
+                continue;
+            const Eigen::Matrix2d measured = noise.measurementScale * segment.nodes[i].covariance;
+            const Eigen::Matrix2d left = measured - track[i].covariance.topLeftCorner<2, 2>();
+            const double variance = std::max(left.trace(), leastShareOpen * measured.trace()) / 2;
+            if ((segment.nodes[i].position - track[i].position()).squaredNorm() > gate * variance)
+                samples[at].flags |= flagBit(SampleFlag::Jump);
         }
-        for (std::size_t j = i + 1; j < samples.size() && !behind; ++j) {
-            if (samples[j].position && !isRejected(samples[j].flags))
-                behind = j;
-        }
-        if (!before || !behind)
-            continue;
-        const double in = toSeconds(samples[i].time - samples[*before].time);
-        const double out = toSeconds(samples[*behind].time - samples[i].time);
-        const Eigen::Vector2d speedIn = (*samples[i].position - *samples[*before].position) / in;
-        const Eigen::Vector2d speedOut = (*samples[*behind].position - *samples[i].position) / out;
-        if (std::min(speedIn.norm(), speedOut.norm()) > options.maxSpeedMps)
-            samples[i].flags |= flagBit(SampleFlag::SpeedLimit);
-        if ((speedOut - speedIn).norm() > options.maxAccelMps2 * (in + out) / 2)
-            samples[i].flags |= flagBit(SampleFlag::AccelerationLimit);
     }
 }
 
@@ -171,8 +175,15 @@ MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &opti
         if (round.spike[i] && !hasFlag(samples[i].flags, SampleFlag::ByHand))
             samples[i].flags |= flagBit(SampleFlag::Jump);
     }
+    const auto noiseOfUsed = [&] {
+        return estimateMotionNoise(nodesOf(cutIntoSegments(samples, options.longestBridgedGap)), false, measurement);
+    };
+    const MotionNoise noise = noiseOfUsed();
+    const std::size_t used = countUsed(samples);
+    flagStandingOut(samples, round, noise, options);
     nameLimits(samples, options);
-    return estimateMotionNoise(nodesOf(cutIntoSegments(samples, options.longestBridgedGap)), false, measurement);
+    refuseBeyondTask(samples, options, noise.measurementScale);
+    return countUsed(samples) == used ? noise : noiseOfUsed();
 }
 
 namespace {
@@ -184,7 +195,15 @@ std::string words(const char *format, double figure)
     return text.data();
 }
 
-std::string reasonOf(const Sample &sample, const SampleEvidence &evidence, const ProfilePoint &point)
+std::string standingOutWords(HampelSpike spike)
+{
+    return spike.byPosition && spike.bySpeed ? "stands out in position and speed"
+           : spike.byPosition                ? "stands out in position"
+                                             : "stands out in speed";
+}
+
+std::string reasonOf(const Sample &sample, const SampleEvidence &evidence, const ProfilePoint &point,
+                     HampelSpike standsOut)
 {
     std::string reason;
     const auto add = [&](const std::string &more) { reason += (reason.empty() ? "" : "; ") + more; };
@@ -196,6 +215,8 @@ std::string reasonOf(const Sample &sample, const SampleEvidence &evidence, const
     } else if (hasFlag(sample.flags, SampleFlag::Jump)) {
         add(point.valid ? words("jump of %.0f mm", toMillimetres((*sample.position - point.position).norm()))
                         : std::string("jump"));
+        if (standsOut.any())
+            add(standingOutWords(standsOut));
     }
     if (hasFlag(sample.flags, SampleFlag::SpeedLimit))
         add("faster than the limit");
@@ -209,18 +230,25 @@ std::string reasonOf(const Sample &sample, const SampleEvidence &evidence, const
 
 } // namespace
 
-std::vector<Spike> describeSpikes(const FusedTrack &track, const std::vector<ProfilePoint> &points)
+std::vector<Spike> describeSpikes(const FusedTrack &track, const std::vector<ProfilePoint> &points,
+                                  Nanoseconds longestGap)
 {
     constexpr SampleFlags spikeFlags = flagBit(SampleFlag::Jump) | flagBit(SampleFlag::SpeedLimit) |
                                        flagBit(SampleFlag::AccelerationLimit) |
                                        flagBit(SampleFlag::ViewsDisagree) | flagBit(SampleFlag::LowScore);
+    std::vector<HampelSpike> standsOut(track.samples.size());
+    const auto isMeasured = [](const Sample &sample) { return sample.position.has_value(); };
+    for (const TrackSegment &segment : cutIntoSegments(track.samples, longestGap, isMeasured)) {
+        const auto found = hampelSpikes(segment.nodes);
+        std::copy(found.begin(), found.end(), standsOut.begin() + static_cast<std::ptrdiff_t>(segment.first));
+    }
     std::vector<Spike> spikes;
     for (std::size_t i = 0; i < track.samples.size(); ++i) {
         const Sample &sample = track.samples[i];
         if ((sample.flags & spikeFlags) == 0)
             continue;
         spikes.push_back({static_cast<std::int64_t>(i), sample.time, sample.flags,
-                          reasonOf(sample, track.evidence[i], points[i])});
+                          reasonOf(sample, track.evidence[i], points[i], standsOut[i])});
     }
     return spikes;
 }

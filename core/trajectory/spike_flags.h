@@ -11,13 +11,17 @@ namespace odo {
 
 /// Sets Jump, with SpeedLimit and AccelerationLimit as further reasons, on samples that no robot's motion
 /// explains (searchSpikes, with the noise learnt from the run itself; Hampel's identifier gives the first
-/// guess). Samples that a person has judged (ByHand) are left as they are. A collision, a start and a bounce
+/// guess), and on those that Hampel's identifier on position or speed tells and that lie beyond their noise
+/// from the smoothed track of all; AccelerationLimit alone on those that break a limit of the task
+/// (refuseBeyondTask). Samples that a person has judged (ByHand) are left as they are. A collision, a start and a bounce
 /// are motions. Returns the noise estimated from what remains, with the slow part of `measurement`.
 MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
                        const MeasurementNoise &measurement = {});
 
-/// The flagged measurements in words with figures, e.g. "jump of 212 mm". Times without a measurement (lost,
+/// The flagged measurements in words with figures, e.g. "jump of 212 mm; stands out in position and speed".
+/// Times without a measurement (lost,
 /// repeated pictures) are gaps, not spikes, and are not listed. points: the profile of the same samples.
-std::vector<Spike> describeSpikes(const FusedTrack &track, const std::vector<ProfilePoint> &points);
+std::vector<Spike> describeSpikes(const FusedTrack &track, const std::vector<ProfilePoint> &points,
+                                  Nanoseconds longestGap);
 
 } // namespace odo

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/spike_flags.h"
 
-#include "synthetic_trial.h"
+#include "spiked_track.h"
 
 #include <QTest>
 #include <set>
@@ -182,6 +182,66 @@ private Q_SLOTS:
         const auto profile = analyse({a, b}, told, {});
         QVERIFY(profile.has_value());
         QVERIFY2(profile->spikes.size() <= 1, reasons(*profile).c_str());
+    }
+
+    void theTasksLimitOfAccelerationRefusesABlow()
+    {
+        // 2 m/s against a wall and back: a motion, unless the task knows that no robot brakes like that.
+        std::mt19937 random(4);
+        FilmSettings settings;
+        settings.durationS = 3;
+        const Course course = collision(1.0, 2, 0.8);
+        const auto a = film("A", cameraA(), course, settings, random);
+        const auto b = film("B", cameraB(), course, settings, random);
+        Task task;
+        task.limits.maxAccelMps2 = 10;
+        const auto limited = analyse({a, b}, told, withTask({}, task));
+        QVERIFY(limited.has_value());
+        // From 2 m/s to −0.8 m/s within the limit takes 0.28 s: what was measured meanwhile cannot be.
+        int flagged = 0;
+        for (const Sample &sample : limited->samples) {
+            const bool refused = hasFlag(sample.flags, SampleFlag::AccelerationLimit);
+            flagged += refused;
+            QVERIFY2(!refused || std::abs(toSeconds(sample.time) - 1) < 0.2, reasons(*limited).c_str());
+        }
+        QVERIFY2(flagged >= 3 && flagged <= 9, reasons(*limited).c_str());
+        QVERIFY2(reasons(*limited).find("harder than the limit of acceleration") != std::string::npos,
+                 reasons(*limited).c_str());
+        task.limits.maxAccelMps2 = 500;
+        const auto free = analyse({a, b}, told, withTask({}, task));
+        QVERIFY(free->spikes.size() <= 1);
+    }
+
+    void theTasksLimitOfSpeedIsNamed()
+    {
+        std::mt19937 random(5);
+        const Course course = figureEight(1.1, 0.7, 7);
+        auto a = film("A", cameraA(), course, {}, random);
+        a.observations[100].ellipse.centrePx.x() += 40; // some 0.1 m in a frame: 3 m/s
+        const auto usual = analyse({a}, told, {});
+        QVERIFY(!hasFlag(usual->samples[100].flags, SampleFlag::SpeedLimit));
+        Task task;
+        task.limits.maxSpeedMps = 2;
+        const auto limited = analyse({a}, told, withTask({}, task));
+        QVERIFY2(hasFlag(limited->samples[100].flags, SampleFlag::SpeedLimit), reasons(*limited).c_str());
+        QCOMPARE(limited->spikes.size(), std::size_t(1));
+        QVERIFY(limited->spikes[0].reason.find("faster than the limit") != std::string::npos);
+    }
+
+    void hampelsIdentifierIsAReasonOfItsOwn()
+    {
+        std::mt19937 random(5);
+        auto a = film("A", cameraA(), evenLine(0.4), {}, random);
+        a.observations[100].ellipse.centrePx.x() += 60;
+        a.observations[200].ellipse.centrePx.y() += 9;
+        const auto profile = analyse({a}, told, {});
+        QVERIFY(profile.has_value());
+        QCOMPARE(profile->spikes.size(), std::size_t(2));
+        QVERIFY2(profile->spikes[0].reason.find("stands out in position and speed") != std::string::npos,
+                 profile->spikes[0].reason.c_str());
+        QVERIFY2(profile->spikes[1].reason.find("stands out in ") != std::string::npos,
+                 profile->spikes[1].reason.c_str());
+        QVERIFY(flagNames(profile->spikes[1].flags).find("jump") == 0);
     }
 
     void reasonsCarryFigures()
