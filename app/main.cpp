@@ -30,6 +30,7 @@ constexpr NamedCommand commands[] = {
     {"intrinsics", "import or export a camera's intrinsics", runIntrinsics, false},
     {"layout", "add a layout of floor markers", runLayout, false},
     {"register", "register a camera to the floor", runRegister, false},
+    {"task", "add a task with gates, path and limits, list them, give one to a trial", runTask, false},
     {"import", "bring in the videos of a trial", runImport, false},
     {"track", "track the robots of a trial and analyse them", runTrack, false},
     {"flag", "call a sample a spike or valid by hand, and analyse anew", runFlag, false},

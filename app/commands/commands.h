@@ -20,6 +20,7 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
 Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runTask(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runImport(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel);

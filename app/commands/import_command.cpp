@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "core/project/repositories.h"
 #include "core/workflow/import_trial_job.h"
 
 namespace odo {
@@ -9,7 +10,7 @@ namespace odo {
 namespace {
 
 const QString trial = QStringLiteral("trial"), video = QStringLiteral("video"), sync = QStringLiteral("sync"),
-              team = QStringLiteral("team"), robot = QStringLiteral("robot"), rate = QStringLiteral("rate");
+              team = QStringLiteral("team"), robot = QStringLiteral("robot"), rate = QStringLiteral("rate"), task = QStringLiteral("task");
 
 Result<ImportSettings> settingsFrom(const CommandCall &call)
 {
@@ -35,6 +36,7 @@ Result<ImportSettings> settingsFrom(const CommandCall &call)
         }
     }
     settings.team = call.value(team);
+    settings.task = call.value(task);
     settings.robots = call.texts(robot);
     if (call.isSet(rate)) {
         const auto framesPerSecond = call.number(rate);
@@ -51,13 +53,14 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("import"),
                       QStringLiteral("P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--sync auto|none|SECONDS[,SECONDS]...] "
-                                     "[--team T] [--robot R]... [--rate 240] [--json]"),
+                                     "[--team T] [--task NAME] [--robot R]... [--rate 240] [--json]"),
                       1, 1,
                       {{trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
                        {video, QStringLiteral("A view: the camera's name and the file."), QStringLiteral("CAMERA=FILE")},
                        {sync, QStringLiteral("How much later each other view's first frame was taken than the first view's."),
                         QStringLiteral("auto|none|SECONDS[,SECONDS]...")},
                        {team, QStringLiteral("The team that ran."), QStringLiteral("T")},
+                       {task, QStringLiteral("The task that was driven; see odograph task add."), QStringLiteral("NAME")},
                        {robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
                        {rate, QStringLiteral("The camera's frame rate where the file has another."), QStringLiteral("FPS")}}},
                      cancel);
@@ -69,6 +72,10 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
     const auto project = call.openProject(0, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
+    if (!settings->task.empty()) {
+        if (auto known = (*project)->tasks().find(settings->task); !known)
+            return tl::unexpected(known.error());
+    }
     ImportTrialJob job(std::move(*settings));
     if (auto done = runToEnd(job, **project, call.control()); !done)
         return done;

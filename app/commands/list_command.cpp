@@ -36,6 +36,7 @@ Result<void> runList(const QStringList &arguments, const CancelToken &cancel)
             robots.append(QString::fromStdString(robot));
         trials.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(trial.name)},
                                   {QStringLiteral("team"), QString::fromStdString(trial.teamName)},
+                                  {QStringLiteral("task"), QString::fromStdString(trial.task)},
                                   {QStringLiteral("date"), dateText(trial.date)},
                                   {QStringLiteral("robots"), robots},
                                   {QStringLiteral("duration_s"), trial.durationS},

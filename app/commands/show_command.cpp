@@ -2,11 +2,13 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "app/task_answers.h"
 #include "core/project/repositories.h"
 #include "core/workflow/track_warnings.h"
 #include "core/workflow/truth_accuracy.h"
 
 #include <QDateTime>
+#include <cmath>
 
 namespace odo {
 
@@ -44,9 +46,11 @@ QJsonObject provenanceJson(const AnalysisRecord &analysis)
 
 QString metricText(const Metric &metric)
 {
-    QString line = QStringLiteral("  %1 %2").arg(QString::fromStdString(metric.name), -14).arg(metric.value, 0, 'f', 3);
+    const bool isCount = metric.unit == "1" && !metric.sigma && metric.value == std::round(metric.value);
+    const int decimals = isCount ? 0 : metric.sigma && *metric.sigma < 0.0005 ? 4 : 3;
+    QString line = QStringLiteral("  %1 %2").arg(QString::fromStdString(metric.name), -16).arg(metric.value, 0, 'f', decimals);
     if (metric.sigma)
-        line += QStringLiteral(" ±%1").arg(*metric.sigma, 0, 'f', 3);
+        line += QStringLiteral(" ±%1").arg(*metric.sigma, 0, 'f', decimals);
     return metric.unit == "1" ? line : line + QStringLiteral(" ") + QString::fromStdString(metric.unit);
 }
 
@@ -55,6 +59,7 @@ QStringList robotText(const AnalysisRecord &analysis, const std::optional<TruthA
     QStringList lines(QStringLiteral("Robot %1").arg(QString::fromStdString(analysis.robotName)));
     for (const Metric &metric : analysis.profile.metrics)
         lines << metricText(metric);
+    lines << taskLines(analysis.profile);
     for (const Spike &spike : analysis.profile.spikes)
         lines << QStringLiteral("  spike at %1 s: %2").arg(toSeconds(spike.time), 0, 'f', 3).arg(QString::fromStdString(spike.reason));
     if (accuracy)
@@ -113,6 +118,7 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
                           {QStringLiteral("height_m"), analysis.profile.heightM},
                           {QStringLiteral("height_estimated"), analysis.profile.heightEstimated},
                           {QStringLiteral("provenance"), provenanceJson(analysis)}};
+        insertTaskAnswers(robot, analysis.profile);
         if (accuracy)
             robot.insert(QStringLiteral("truth"), truthJson(*accuracy));
         robots.insert(QString::fromStdString(analysis.robotName), robot);

@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "app/task_answers.h"
 #include "core/workflow/track_job.h"
 
 namespace odo {
@@ -11,28 +12,31 @@ namespace {
 QJsonObject robotJson(const TrackedRobot &robot)
 {
     const Profile &profile = robot.analysis.profile;
-    return {{QStringLiteral("frames"), qint64(robot.frames)},
-            {QStringLiteral("tracked"), qint64(robot.tracked)},
-            {QStringLiteral("spikes"), qint64(profile.spikes.size())},
-            {QStringLiteral("mean_view_disagreement_mm"), toMillimetres(profile.meanViewDisagreementM)},
-            {QStringLiteral("height_m"), profile.heightM},
-            {QStringLiteral("path_length_m"), metricValue(profile, "path_length")},
-            {QStringLiteral("duration_s"), metricValue(profile, "duration")},
-            {QStringLiteral("mean_speed_m_s"), metricValue(profile, "mean_speed")},
-            {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")}};
+    QJsonObject json{{QStringLiteral("frames"), qint64(robot.frames)},
+                     {QStringLiteral("tracked"), qint64(robot.tracked)},
+                     {QStringLiteral("spikes"), qint64(profile.spikes.size())},
+                     {QStringLiteral("mean_view_disagreement_mm"), toMillimetres(profile.meanViewDisagreementM)},
+                     {QStringLiteral("height_m"), profile.heightM},
+                     {QStringLiteral("path_length_m"), metricValue(profile, "path_length")},
+                     {QStringLiteral("duration_s"), metricValue(profile, "duration")},
+                     {QStringLiteral("mean_speed_m_s"), metricValue(profile, "mean_speed")},
+                     {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")}};
+    insertTaskAnswers(json, profile);
+    return json;
 }
 
 QString robotText(const TrackedRobot &robot)
 {
     const Profile &profile = robot.analysis.profile;
-    return QStringLiteral("%1: %2 of %3 frames, %4 spikes, path %5 m in %6 s, top speed %7 m/s")
+    return QStringLiteral("%1: %2 of %3 frames, %4 spikes, path %5 m in %6 s, top speed %7 m/s%8")
         .arg(QString::fromStdString(robot.name))
         .arg(robot.tracked)
         .arg(robot.frames)
         .arg(profile.spikes.size())
         .arg(metricValue(profile, "path_length"), 0, 'f', 3)
         .arg(metricValue(profile, "duration"), 0, 'f', 2)
-        .arg(metricValue(profile, "max_speed"), 0, 'f', 3);
+        .arg(metricValue(profile, "max_speed"), 0, 'f', 3)
+        .arg(taskRemark(profile));
 }
 
 } // namespace

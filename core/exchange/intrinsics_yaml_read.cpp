@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t maxBytes = 1024 * 1024;
 constexpr int maxPicturePx = 100'000;
+constexpr auto whatToUse = "use a calibration file as ROS or OpenCV writes it";
 
 /// Takes a calibration out of a parsed file; errors name the line of the entry.
 class CalibrationReader
@@ -43,8 +44,7 @@ public:
 private:
     tl::unexpected<Error> failure(int line, const std::string &why) const
     {
-        return fail(ErrorCode::InvalidInput, atLine(m_file, line), why,
-                    "use a calibration file as ROS or OpenCV writes it");
+        return fail(ErrorCode::InvalidInput, atLine(m_file, line), why, whatToUse);
     }
 
     Result<const YamlNode *> entry(const YamlNode &parent, const std::string &key) const
@@ -189,7 +189,7 @@ private:
 
 Result<ImportedIntrinsics> parseCalibration(const std::filesystem::path &file, const std::string &text)
 {
-    const auto root = parseYaml(file, text);
+    const auto root = parseYaml(file, text, whatToUse);
     if (!root)
         return tl::unexpected(root.error());
     return CalibrationReader(file, *root).read();

@@ -108,6 +108,17 @@ QJsonArray metricsOf(const Profile &profile)
     return metrics;
 }
 
+QJsonArray gatesOf(const Profile &profile)
+{
+    QJsonArray gates;
+    for (const GatePassage &passage : profile.passages)
+        gates.append(QJsonObject{{QStringLiteral("name"), qtText(passage.gate)},
+                                 {QStringLiteral("role"), qtText(std::string(gateRoleWord(passage.role)))},
+                                 {QStringLiteral("t_s"), static_cast<double>(passage.time.count()) / 1e9},
+                                 {QStringLiteral("sigma_s"), numberOrNull(passage.sigmaS)}});
+    return gates;
+}
+
 QJsonArray spikesOf(const Profile &profile)
 {
     QJsonArray spikes;
@@ -188,6 +199,7 @@ std::string trialJson(const TrialRecord &trial, const std::vector<RecordingRecor
         robots.append(QJsonObject{{QStringLiteral("name"), qtText(analysis.robotName)},
                                   {QStringLiteral("analysis"), provenanceObject(analysis)},
                                   {QStringLiteral("metrics"), metricsOf(analysis.profile)},
+                                  {QStringLiteral("gates"), gatesOf(analysis.profile)},
                                   {QStringLiteral("spikes"), spikesOf(analysis.profile)},
                                   {QStringLiteral("columns"), columnsOf(analysis.profile)}});
     const QJsonObject document{{QStringLiteral("schema"), QStringLiteral("odograph.trial")},

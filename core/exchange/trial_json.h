@@ -9,7 +9,7 @@
 namespace odo {
 
 /// A whole trial as one JSON document named "odograph.trial" with a version: trial,
-/// synchronisation, views, and for each robot its provenance, metrics, spikes, and the columns of the CSV
+/// synchronisation, views, and for each robot its provenance, metrics, times at gates, spikes, and the columns of the CSV
 /// export. What is missing is null.
 std::string trialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
                       const std::vector<AnalysisRecord> &analyses);

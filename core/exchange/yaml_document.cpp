@@ -2,6 +2,7 @@
 #include "core/exchange/yaml_document.h"
 
 #include "core/exchange/text_file.h"
+#include "core/exchange/yaml_scalar.h"
 
 #include <algorithm>
 
@@ -17,6 +18,7 @@ struct Line
     int number = 0;
     std::size_t indent = 0;
     std::string content; ///< without indentation, comment and blanks at its end; never empty
+    bool tabbed = false; ///< indented with a tab, which is allowed between brackets only
 };
 
 std::string trimmed(const std::string &text)
@@ -50,7 +52,7 @@ std::size_t commentStart(const std::string &text)
 class YamlParser
 {
 public:
-    explicit YamlParser(const std::filesystem::path &file) : m_file(file) {}
+    YamlParser(const std::filesystem::path &file, std::string advice) : m_file(file), m_advice(std::move(advice)) {}
 
     Result<YamlNode> parse(const std::string &text)
     {
@@ -60,15 +62,19 @@ public:
             return failure(1, "the file is empty");
         auto root = parseBlock(m_lines.front().indent, 1);
         if (root && m_index < m_lines.size())
-            return failure(m_lines[m_index].number, "the indentation does not fit");
+            return m_lines[m_index].tabbed ? tabFailure(m_lines[m_index])
+                                           : failure(m_lines[m_index].number, "the indentation does not fit");
         return root;
     }
 
 private:
     tl::unexpected<Error> failure(int line, const std::string &why) const
     {
-        return fail(ErrorCode::InvalidInput, atLine(m_file, line), why,
-                    "use a calibration file as ROS or OpenCV writes it");
+        return fail(ErrorCode::InvalidInput, atLine(m_file, line), why, m_advice);
+    }
+    tl::unexpected<Error> tabFailure(const Line &line) const
+    {
+        return failure(line.number, "the line is indented with a tab");
     }
 
     Result<void> splitLines(const std::string &text)
@@ -88,9 +94,7 @@ private:
             if (content.empty() || marker)
                 continue;
             const std::size_t indent = raw.find_first_not_of(' ');
-            if (raw[indent] == '\t')
-                return failure(number, "the line is indented with a tab");
-            m_lines.push_back({number, indent, content});
+            m_lines.push_back({number, indent, content, raw[indent] == '\t'});
         }
         return {};
     }
@@ -112,6 +116,8 @@ private:
     Result<YamlNode> parseBlock(std::size_t indent, int depth)
     {
         const Line &first = m_lines[m_index];
+        if (first.tabbed)
+            return tabFailure(first);
         if (isItem(first))
             return parseSequence(indent, depth);
         if (keyEnd(first.content) != std::string::npos)
@@ -163,7 +169,7 @@ private:
             return std::string::npos;
         std::size_t start = 0;
         if (content[0] == '"' || content[0] == '\'') {
-            start = content.find(content[0], 1);
+            start = closingQuote(content, 0);
             if (start == std::string::npos)
                 return start;
         }
@@ -181,6 +187,8 @@ private:
         while (node && m_index < m_lines.size() && m_lines[m_index].indent == indent) {
             Line &line = m_lines[m_index];
             const std::size_t colon = keyEnd(line.content);
+            if (line.tabbed)
+                return tabFailure(line);
             if (isItem(line))
                 break;
             if (colon == std::string::npos)
@@ -203,7 +211,7 @@ private:
             rest = trimmed(rest.substr(std::min(rest.find(' '), rest.size())));
         if (rest.empty())
             return parseNested(indent, depth);
-        return parseValue({line.number, indent, rest}, 0, depth + 1);
+        return parseValue({line.number, indent, rest, false}, 0, depth + 1);
     }
 
     /// A value that begins in this line; a flow value may go on in the next ones.
@@ -232,13 +240,6 @@ private:
             return failure(line, "a quoted text does not end in its line");
         node->text = unquoted(text);
         return node;
-    }
-
-    static std::string unquoted(const std::string &text)
-    {
-        const bool isQuoted =
-            text.size() >= 2 && (text[0] == '"' || text[0] == '\'') && text.back() == text[0];
-        return isQuoted ? text.substr(1, text.size() - 2) : text;
     }
 
     /// Goes to the next character of a flow value that is not blank. False at the end of the file.
@@ -300,6 +301,8 @@ private:
             return tl::unexpected(key.error());
         if (!skipBlanks() || m_flow.content[m_column] != ':')
             return failure(m_flow.number, "a colon is missing after '" + key->text.substr(0, 40) + "'");
+        if (into.find(key->text) != nullptr)
+            return failure(key->line, "the key '" + key->text.substr(0, 40) + "' is there twice");
         ++m_column;
         auto value = parseFlow(depth + 1);
         if (!value)
@@ -313,7 +316,7 @@ private:
         const std::string &content = m_flow.content;
         const std::size_t start = m_column;
         if (content[start] == '"' || content[start] == '\'') {
-            const std::size_t end = content.find(content[start], start + 1);
+            const std::size_t end = closingQuote(content, start);
             m_column = end == std::string::npos ? content.size() : end + 1;
         } else {
             m_column = std::min(content.find_first_of(",[]{}:", start), content.size());
@@ -325,6 +328,7 @@ private:
     }
 
     const std::filesystem::path &m_file;
+    const std::string m_advice;
     std::vector<Line> m_lines;
     std::size_t m_index = 0; ///< of the next line
     Line m_flow;             ///< the line that a flow value is in
@@ -341,9 +345,9 @@ const YamlNode *YamlNode::find(std::string_view key) const
     return found == entries.end() ? nullptr : &found->second;
 }
 
-Result<YamlNode> parseYaml(const std::filesystem::path &file, const std::string &text)
+Result<YamlNode> parseYaml(const std::filesystem::path &file, const std::string &text, const std::string &advice)
 {
-    return YamlParser(file).parse(text);
+    return YamlParser(file, advice).parse(text);
 }
 
 } // namespace odo

@@ -166,6 +166,13 @@ Result<void> checkTask(const Task &task)
     return checkTaskLimits(task.limits);
 }
 
+Gate gateAcross(const std::string &name, GateRole role, const Eigen::Vector2d &centre,
+                const Eigen::Vector2d &direction, double widthM)
+{
+    const Eigen::Vector2d half = Eigen::Vector2d(-direction.y(), direction.x()).normalized() * widthM / 2;
+    return {name, role, centre - half, centre + half};
+}
+
 ReferencePath circlePath(const Eigen::Vector2d &centre, double radiusM)
 {
     return sampled(

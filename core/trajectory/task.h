@@ -66,6 +66,10 @@ Result<void> checkGateAmong(const std::vector<Gate> &gates);
 Result<void> checkReferencePath(const ReferencePath &path);
 Result<void> checkTaskLimits(const TaskLimits &limits);
 
+/// A gate of a width that is passed in a direction, at right angles.
+Gate gateAcross(const std::string &name, GateRole role, const Eigen::Vector2d &centre,
+                const Eigen::Vector2d &direction, double widthM);
+
 /// Reference paths of the templates, sampled so finely that no chord leaves the curve by more than 0.05 mm;
 /// closed but for the slalom. Driven anticlockwise, the eight from its centre towards +x and +y as
 /// x = a·sin φ, y = b·sin 2φ. The slalom is a sine along from → to that crosses the line once between two

@@ -9,6 +9,7 @@
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "core/workflow/calibrate_job.h"
+#include "core/workflow/demo_tasks.h"
 #include "core/workflow/import_trial_job.h"
 #include "core/workflow/register_job.h"
 #include "core/workflow/track_job.h"
@@ -63,7 +64,8 @@ public:
     Result<void> make()
     {
         for (const auto step : {&DemoMaker::calibrateCameras, &DemoMaker::addLayout, &DemoMaker::renderVideos,
-                                &DemoMaker::registerCameras, &DemoMaker::addTrials, &DemoMaker::trackTrials}) {
+                                &DemoMaker::registerCameras, &DemoMaker::addTasks, &DemoMaker::addTrials,
+                                &DemoMaker::trackTrials}) {
             if (auto done = (this->*step)(); !done)
                 return done;
             if (m_control.isCancelled())
@@ -164,6 +166,15 @@ private:
             RegisterJob job(std::move(settings));
             if (auto done = runToEnd(job, m_project, {m_control.cancel, {}}); !done)
                 return done;
+        }
+        return {};
+    }
+
+    Result<void> addTasks()
+    {
+        for (const TaskRecord &task : demoTasks()) {
+            if (auto added = m_project.tasks().add(task); !added)
+                return tl::unexpected(added.error());
         }
         return {};
     }

@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/registered_view.h"
 #include "core/workflow/robot_names.h"
+#include "core/workflow/task_analysis.h"
 #include "core/workflow/track_warnings.h"
 #include "core/workflow/view_tracking.h"
 
@@ -18,6 +19,7 @@ struct TrackJob::Impl
     TrackSettings settings;
 
     TrialRecord trial;
+    std::optional<TaskRecord> task; ///< of the trial
     std::vector<RobotRecord> robots;
     std::vector<RegisteredView> views;
 
@@ -45,6 +47,12 @@ Result<void> TrackJob::prepare(Project &project)
     if (!trial)
         return tl::unexpected(trial.error());
     d.trial = *trial;
+    if (!d.trial.task.empty()) {
+        auto task = project.tasks().find(d.trial.task);
+        if (!task)
+            return tl::unexpected(task.error());
+        d.task = std::move(*task);
+    }
     auto robots = robotsToTrack(project, d.trial, d.settings.robots);
     if (!robots)
         return tl::unexpected(robots.error());
@@ -129,13 +137,17 @@ Result<void> TrackJob::Impl::analyseAll(const std::vector<TrackedView> &tracked)
         if (floorColour && floorColour->hardlyEverFound)
             return tl::unexpected(floorColour->error);
         AnalysisRecord analysis = newAnalysis(trial, robot, views, options[r]);
-        auto profile = analyse(viewTracks(views, tracked, r), shapeOf(robot), analysis.options);
-        if (!profile) {
-            Error error = profile.error();
+        auto analysed = analyseByTask(viewTracks(views, tracked, r), shapeOf(robot), options[r], task);
+        if (!analysed) {
+            Error error = analysed.error();
             error.what = robotInTrial(robot.name, trialName);
             return tl::unexpected(floorColour ? floorColour->error : error);
         }
-        analysis.profile = std::move(*profile);
+        analysis.task = task ? task->id : 0;
+        analysis.options = std::move(analysed->options);
+        analysis.profile = std::move(analysed->profile);
+        if (!analysed->doubt.empty())
+            outcome.warnings.push_back(robotInTrial(robot.name, trialName) + ": " + analysed->doubt);
         if (floorColour)
             outcome.warnings.push_back(floorColour->error.message());
         for (std::string &warning : analysisWarnings(analysis, trialName))

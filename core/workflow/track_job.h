@@ -42,7 +42,8 @@ struct TrackOutcome
     std::vector<std::string> warnings; ///< whole sentences: what makes the figures doubtful, and what to do
 };
 
-/// Tracks the robots of a trial in all its views and analyses them: observations and a new analysis each are stored.
+/// Tracks the robots of a trial in all its views and analyses them by its task: observations and a new analysis each are
+/// stored.
 /// What a person has overruled stays in force.
 class TrackJob : public Job
 {

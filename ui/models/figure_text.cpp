@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace odo {
 
@@ -81,6 +82,13 @@ FigureText figureText(double value, std::optional<double> sigma, const QString &
 
 FigureText metricFigure(const Metric &metric, const QLocale &locale)
 {
+    if (metric.unit == "rad/s") { // nobody drives in radians
+        constexpr double degrees = 180 / std::numbers::pi;
+        const auto sigma = metric.sigma ? std::optional(*metric.sigma * degrees) : std::nullopt;
+        return figureText(metric.value * degrees, sigma, QStringLiteral("\u00b0/s"), locale);
+    }
+    if (metric.name == "path_completed")
+        return figureText(100 * metric.value, std::nullopt, QStringLiteral("%"), locale);
     const QString unit = metric.unit == "1" ? QString() : QString::fromStdString(metric.unit);
     return figureText(metric.value, metric.sigma, unit, locale);
 }
@@ -91,7 +99,7 @@ QString metricName(const std::string &name)
     {
         const char *name, *words;
     };
-    static constexpr std::array<Word, 14> words = {{
+    static constexpr std::array<Word, 23> words = {{
         {"duration", QT_TRANSLATE_NOOP("odo::FigureText", "Time")},
         {"path_length", QT_TRANSLATE_NOOP("odo::FigureText", "Path")},
         {"max_speed", QT_TRANSLATE_NOOP("odo::FigureText", "Top speed")},
@@ -101,7 +109,16 @@ QString metricName(const std::string &name)
         {"rms_accel", QT_TRANSLATE_NOOP("odo::FigureText", "Acceleration (RMS)")},
         {"straightness", QT_TRANSLATE_NOOP("odo::FigureText", "Straightness")},
         {"stops", QT_TRANSLATE_NOOP("odo::FigureText", "Stops")},
-        {"cross_track", QT_TRANSLATE_NOOP("odo::FigureText", "Off the line")},
+        {"max_turn_rate", QT_TRANSLATE_NOOP("odo::FigureText", "Fastest turn")},
+        {"gate_time", QT_TRANSLATE_NOOP("odo::FigureText", "Start to finish")},
+        {"laps", QT_TRANSLATE_NOOP("odo::FigureText", "Laps")},
+        {"best_lap", QT_TRANSLATE_NOOP("odo::FigureText", "Best lap")},
+        {"mean_lap", QT_TRANSLATE_NOOP("odo::FigureText", "Mean lap")},
+        {"cross_track_mean", QT_TRANSLATE_NOOP("odo::FigureText", "Off the path (mean)")},
+        {"cross_track_rms", QT_TRANSLATE_NOOP("odo::FigureText", "Off the path (RMS)")},
+        {"cross_track_max", QT_TRANSLATE_NOOP("odo::FigureText", "Off the path (most)")},
+        {"cross_track_bias", QT_TRANSLATE_NOOP("odo::FigureText", "Left of the path")},
+        {"path_completed", QT_TRANSLATE_NOOP("odo::FigureText", "Path completed")},
         {"displacement", QT_TRANSLATE_NOOP("odo::FigureText", "Displacement")},
         {"moving_time", QT_TRANSLATE_NOOP("odo::FigureText", "Time in motion")},
         {"mean_view_disagreement", QT_TRANSLATE_NOOP("odo::FigureText", "Views disagree by")},

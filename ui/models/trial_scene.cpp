@@ -153,6 +153,12 @@ Eigen::AlignedBox2d TrialScene::floorBounds() const
         for (const Marker &marker : layout->markers)
             box.extend(marker.pointInWorld);
     }
+    if (task) {
+        for (const Gate &gate : task->gates)
+            box.extend(gate.from).extend(gate.to);
+        for (const Eigen::Vector2d &point : task->path.points)
+            box.extend(point);
+    }
     for (const SceneRobot &robot : robots) {
         if (!robot.analysis)
             continue;
@@ -184,6 +190,12 @@ Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialN
     if (!trial)
         return passOn(trial);
     scene->trial = std::move(*trial);
+    if (!scene->trial.task.empty()) {
+        auto task = project.tasks().find(scene->trial.task);
+        if (!task)
+            return passOn(task);
+        scene->task = std::move(task->task);
+    }
     auto analyses = project.analyses().current(scene->trial.id);
     if (!analyses)
         return passOn(analyses);

@@ -44,6 +44,7 @@ struct TrialScene
     std::vector<SceneView> views;
     std::vector<SceneRobot> robots;
     std::optional<MarkerLayout> layout; ///< of the first registered view
+    std::optional<Task> task;           ///< that was to be driven
 
     /// Frame times of the first view, which is the time line of the trial; empty without views.
     const std::vector<Nanoseconds> &frameTimes() const;
@@ -54,8 +55,8 @@ struct TrialScene
     const Observation *observationAt(std::size_t view, std::size_t robot, std::int64_t frame) const;
     /// The robot's height over the floor that was used for its positions; 0 before an analysis.
     double heightM(std::size_t robot) const;
-    /// The rectangle of the floor that matters: markers and valid track points; a unit square where there are
-    /// none.
+    /// The rectangle of the floor that matters: markers, the task and valid track points; a unit square where
+    /// there are none.
     Eigen::AlignedBox2d floorBounds() const;
     /// A marker of the layout by its label.
     std::optional<Eigen::Vector2d> marker(const std::string &label) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/trial_facts.h"
 
+#include "core/trajectory/gate_passages.h"
 #include "ui/models/figure_text.h"
 
 #include <QCoreApplication>
@@ -74,6 +75,44 @@ QString smootherText(Smoother smoother)
     return Words::tr("none: raw differences");
 }
 
+QString timeText(double seconds, double sigmaS)
+{
+    return figureText(seconds, sigmaS, QStringLiteral("s")).text();
+}
+
+/// When the robot passed each gate, and the laps with their sectors.
+QList<Fact> gateFacts(const Profile &profile)
+{
+    QList<Fact> facts;
+    QStringList gates;
+    for (const GatePassage &passage : profile.passages)
+        gates << Words::tr("%1 at %2").arg(QString::fromStdString(passage.gate),
+                                           timeText(toSeconds(passage.time), passage.sigmaS));
+    if (!gates.isEmpty())
+        facts.append({Words::tr("Gates"), gates.join(u'\n'), {}});
+    int number = 0;
+    for (const Lap &lap : lapsOf(profile.passages)) {
+        QStringList lines(timeText(lap.timeS, lap.sigmaS));
+        for (const Sector &sector : lap.sectors) {
+            if (lap.sectors.size() > 1)
+                lines << Words::tr("to %1 %2").arg(QString::fromStdString(sector.gate), timeText(sector.timeS, sector.sigmaS));
+        }
+        facts.append({Words::tr("Run %1").arg(++number), lines.join(u'\n'), {}});
+    }
+    return facts;
+}
+
+/// How well the reference path was kept.
+QString pathText(const Profile &profile)
+{
+    QStringList lines;
+    for (const Metric &metric : profile.metrics) {
+        if (metric.name.starts_with("cross_track_") || metric.name == "path_completed")
+            lines << QStringLiteral("%1: %2").arg(metricName(metric.name), metricFigure(metric).text());
+    }
+    return lines.join(u'\n');
+}
+
 QString dateText(Instant instant)
 {
     return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),
@@ -105,6 +144,8 @@ QList<Fact> trialFacts(const TrialScene &scene)
         add(Words::tr("In step"), syncText(trial));
     if (!scene.robots.empty() && scene.robots.front().analysis) {
         const AnalysisRecord &analysis = *scene.robots.front().analysis;
+        facts += gateFacts(analysis.profile);
+        add(Words::tr("Path"), pathText(analysis.profile));
         add(Words::tr("Smoother"), smootherText(analysis.options.smoother));
         add(Words::tr("Analysed"),
             Words::tr("%1, Odograph %2")

@@ -3,6 +3,7 @@
 
 #include "ui/models/timeline.h"
 #include "ui/views/axis_ticks.h"
+#include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
 
 #include <QEvent>
@@ -262,11 +263,18 @@ void MapArea::renderStillLayer()
     painter.fillRect(QRectF(0, height() - footHeight, width(), footHeight), foot);
     paintGrid(painter);
     paintMarkers(painter);
+    const auto toScreen = [this](const Eigen::Vector2d &point) { return fromWorld(point); };
+    if (m_scene->task)
+        drawReferencePath(painter, m_scene->task->path, toScreen, palette());
     for (const SceneRobot &robot : m_scene->robots) {
-        if (!robot.analysis)
-            continue;
-        paintTrail(painter, robot.analysis->profile);
-        paintSpikes(painter, robot.analysis->profile);
+        if (robot.analysis)
+            paintTrail(painter, robot.analysis->profile);
+    }
+    if (m_scene->task)
+        drawGates(painter, m_scene->task->gates, toScreen, palette());
+    for (const SceneRobot &robot : m_scene->robots) {
+        if (robot.analysis)
+            paintSpikes(painter, robot.analysis->profile);
     }
     paintLegend(painter);
 }

@@ -16,8 +16,9 @@ namespace {
 std::vector<Metric> chosenMetrics(const std::vector<Metric> &all)
 {
     constexpr std::size_t shown = 6;
-    static const std::vector<std::string> order = {"duration",   "path_length", "max_speed",
-                                                   "mean_speed", "max_accel",   "moving_time"};
+    static const std::vector<std::string> order = {"gate_time",       "best_lap",  "laps",       "cross_track_rms",
+                                                   "duration",        "path_length", "max_speed", "mean_speed",
+                                                   "max_accel",       "moving_time"};
     std::vector<Metric> chosen;
     for (const std::string &name : order) {
         const auto found = std::find_if(all.begin(), all.end(),

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/task_file.h"
+
+#include "core/base/units.h"
+#include "core/exchange/text_file.h"
+#include "core/exchange/yaml_document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace odo {
+
+namespace {
+
+constexpr std::size_t maxBytes = 1024 * 1024;
+constexpr auto whatToUse = "write the task as odograph task list --json shows one";
+
+using Kind = YamlNode::Kind;
+
+/// Takes a task out of a parsed file; errors name the line of the entry.
+class TaskReader
+{
+public:
+    explicit TaskReader(const std::filesystem::path &file) : m_file(file) {}
+
+    Result<Task> read(const YamlNode &root) const
+    {
+        if (root.kind != Kind::Mapping)
+            return failure(root.line, "the file holds no task");
+        if (auto known = onlyKeys(root, {"template", "gates", "reference_path", "limits", "name"}); !known)
+            return tl::unexpected(known.error());
+        Task task;
+        for (const auto &[key, node] : root.entries) {
+            Result<void> done;
+            if (node.kind == Kind::Null || isNull(node))
+                continue;
+            if (key == "template")
+                done = readTemplate(node, task);
+            else if (key == "gates")
+                done = readGates(node, task);
+            else if (key == "reference_path")
+                done = readPath(node, task);
+            else if (key == "limits")
+                done = readLimits(node, task);
+            if (!done)
+                return tl::unexpected(done.error());
+        }
+        return task;
+    }
+
+private:
+    static bool isNull(const YamlNode &node) { return node.kind == Kind::Scalar && node.text == "null"; }
+
+    tl::unexpected<Error> failure(int line, const std::string &why, const std::string &advice = whatToUse) const
+    {
+        return fail(ErrorCode::InvalidInput, atLine(m_file, line), why, advice);
+    }
+
+    /// An error of the model, at the line where its cause stands.
+    tl::unexpected<Error> at(int line, const Error &error) const
+    {
+        return failure(line, error.what + ": " + error.why, error.advice);
+    }
+
+    Result<void> onlyKeys(const YamlNode &node, std::initializer_list<std::string_view> keys) const
+    {
+        std::string list;
+        for (const std::string_view key : keys)
+            list += (list.empty() ? "" : key == *(keys.end() - 1) ? " or " : ", ") + std::string(key);
+        if (node.kind != Kind::Mapping)
+            return failure(node.line, "an object in braces is expected here", "write one with " + list);
+        for (const auto &[key, value] : node.entries) {
+            if (std::find(keys.begin(), keys.end(), key) == keys.end())
+                return failure(value.line, "the key '" + key.substr(0, 40) + "' is not known", "use " + list);
+        }
+        return {};
+    }
+
+    Result<const YamlNode *> entry(const YamlNode &parent, const std::string &key) const
+    {
+        if (const YamlNode *found = parent.find(key))
+            return found;
+        return failure(parent.line, "the entry '" + key + "' is missing");
+    }
+
+    Result<double> number(const YamlNode &node, const std::string &name) const
+    {
+        const auto value = parseNumber(node.text);
+        if (node.kind != Kind::Scalar || !value)
+            return failure(node.line, "'" + name + "' is not a finite number");
+        return *value;
+    }
+
+    Result<double> lengthM(const YamlNode &parent, const std::string &key) const
+    {
+        const auto node = entry(parent, key);
+        if (!node)
+            return tl::unexpected(node.error());
+        const auto value = number(**node, key);
+        if (!value)
+            return value;
+        if (!(*value > 0))
+            return failure((*node)->line, "'" + key + "' is not above zero");
+        return fromMillimetres(*value);
+    }
+
+    Result<Eigen::Vector2d> point(const YamlNode &node, const std::string &name) const
+    {
+        if (node.kind != Kind::Sequence || node.items.size() != 2)
+            return failure(node.line, "'" + name + "' is not a point [x, y] in mm");
+        const auto x = number(node.items[0], name), y = number(node.items[1], name);
+        if (!x || !y)
+            return tl::unexpected(x ? y.error() : x.error());
+        return Eigen::Vector2d(fromMillimetres(*x), fromMillimetres(*y));
+    }
+
+    Result<Eigen::Vector2d> pointIn(const YamlNode &parent, const std::string &key) const
+    {
+        const auto node = entry(parent, key);
+        return node ? point(**node, key) : tl::unexpected(node.error());
+    }
+
+    Result<void> readTemplate(const YamlNode &node, Task &into) const
+    {
+        const auto kind = parseTaskTemplate(node.text);
+        if (!kind)
+            return at(node.line, kind.error());
+        into.kind = *kind;
+        return {};
+    }
+
+    Result<Gate> readGate(const YamlNode &node) const
+    {
+        if (auto known = onlyKeys(node, {"name", "role", "from_mm", "to_mm"}); !known)
+            return tl::unexpected(known.error());
+        const auto name = entry(node, "name"), role = entry(node, "role");
+        if (!name || !role)
+            return tl::unexpected(name ? role.error() : name.error());
+        const auto parsed = parseGateRole((*role)->text);
+        if (!parsed)
+            return at((*role)->line, parsed.error());
+        const auto from = pointIn(node, "from_mm"), to = pointIn(node, "to_mm");
+        if (!from || !to)
+            return tl::unexpected(from ? to.error() : from.error());
+        return Gate{(*name)->text, *parsed, *from, *to};
+    }
+
+    Result<void> readGates(const YamlNode &node, Task &into) const
+    {
+        if (node.kind != Kind::Sequence)
+            return failure(node.line, "'gates' is not a list in brackets");
+        for (const YamlNode &item : node.items) {
+            auto gate = readGate(item);
+            if (!gate)
+                return tl::unexpected(gate.error());
+            if (auto valid = checkGate(*gate); !valid)
+                return at(item.line, valid.error());
+            into.gates.push_back(std::move(*gate));
+            if (auto valid = checkGateAmong(into.gates); !valid)
+                return at(item.line, valid.error());
+        }
+        return {};
+    }
+
+    Result<void> readPath(const YamlNode &node, Task &into) const
+    {
+        if (auto known = onlyKeys(node, {"points_mm", "closed", "circle", "figure_eight", "slalom"}); !known)
+            return known;
+        int curves = 0;
+        for (const auto &[key, value] : node.entries) {
+            if (key == "closed")
+                continue;
+            ++curves;
+            const auto path = key == "points_mm" ? points(node, value)
+                              : key == "circle"  ? circle(value)
+                              : key == "slalom"  ? slalom(value)
+                                                 : figureEight(value);
+            if (!path)
+                return tl::unexpected(path.error());
+            into.path = *path;
+        }
+        if (curves != 1)
+            return failure(node.line, "the reference path is given " + std::string(curves == 0 ? "by nothing" : "twice"),
+                           "give one of points_mm, circle, figure_eight or slalom");
+        if (auto valid = checkReferencePath(into.path); !valid)
+            return at(node.line, valid.error());
+        return {};
+    }
+
+    Result<ReferencePath> points(const YamlNode &parent, const YamlNode &list) const
+    {
+        ReferencePath path;
+        if (list.kind != Kind::Sequence)
+            return failure(list.line, "'points_mm' is not a list in brackets");
+        for (const YamlNode &item : list.items) {
+            const auto read = point(item, "points_mm");
+            if (!read)
+                return tl::unexpected(read.error());
+            path.points.push_back(*read);
+        }
+        if (const YamlNode *closed = parent.find("closed")) {
+            if (closed->text != "true" && closed->text != "false")
+                return failure(closed->line, "'closed' is neither true nor false");
+            path.closed = closed->text == "true";
+        }
+        return path;
+    }
+
+    Result<ReferencePath> circle(const YamlNode &node) const
+    {
+        if (auto known = onlyKeys(node, {"centre_mm", "radius_mm"}); !known)
+            return tl::unexpected(known.error());
+        const auto centre = pointIn(node, "centre_mm");
+        const auto radius = centre ? lengthM(node, "radius_mm") : tl::unexpected(centre.error());
+        if (!radius)
+            return tl::unexpected(radius.error());
+        return circlePath(*centre, *radius);
+    }
+
+    Result<ReferencePath> figureEight(const YamlNode &node) const
+    {
+        if (auto known = onlyKeys(node, {"centre_mm", "half_width_mm", "half_height_mm"}); !known)
+            return tl::unexpected(known.error());
+        const auto centre = pointIn(node, "centre_mm");
+        const auto width = centre ? lengthM(node, "half_width_mm") : tl::unexpected(centre.error());
+        const auto height = width ? lengthM(node, "half_height_mm") : width;
+        if (!height)
+            return tl::unexpected(height.error());
+        return figureEightPath(*centre, *width, *height);
+    }
+
+    Result<ReferencePath> slalom(const YamlNode &node) const
+    {
+        if (auto known = onlyKeys(node, {"from_mm", "to_mm", "poles", "swing_mm"}); !known)
+            return tl::unexpected(known.error());
+        const auto from = pointIn(node, "from_mm");
+        const auto to = from ? pointIn(node, "to_mm") : from;
+        const auto swing = to ? lengthM(node, "swing_mm") : tl::unexpected(to.error());
+        const auto poles = swing ? entry(node, "poles") : tl::unexpected(swing.error());
+        if (!poles)
+            return tl::unexpected(poles.error());
+        const auto count = number(**poles, "poles");
+        constexpr double mostPoles = 100;
+        if (!count || *count < 1 || *count > mostPoles || *count != std::floor(*count))
+            return failure((*poles)->line, "'poles' is not a whole number from 1 to 100");
+        if ((*to - *from).norm() <= 0)
+            return failure(node.line, "the slalom ends where it starts");
+        return slalomPath(*from, *to, static_cast<int>(*count), *swing);
+    }
+
+    Result<void> readLimits(const YamlNode &node, Task &into) const
+    {
+        if (auto known = onlyKeys(node, {"speed_mm_s", "acceleration_mm_s2"}); !known)
+            return known;
+        for (const auto &[key, value] : node.entries) {
+            if (isNull(value))
+                continue;
+            const auto limit = lengthM(node, key);
+            if (!limit)
+                return tl::unexpected(limit.error());
+            (key == "speed_mm_s" ? into.limits.maxSpeedMps : into.limits.maxAccelMps2) = *limit;
+        }
+        return {};
+    }
+
+    const std::filesystem::path &m_file;
+};
+
+} // namespace
+
+Result<Task> readTaskFile(const std::filesystem::path &file)
+{
+    const auto text = readTextFile(file, maxBytes);
+    if (!text)
+        return tl::unexpected(text.error());
+    const auto root = parseYaml(file, *text, whatToUse);
+    if (!root)
+        return tl::unexpected(root.error());
+    return TaskReader(file).read(*root);
+}
+
+} // namespace odo

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// A profile with the options that it was made with in the end.
+struct TaskAnalysis
+{
+    Profile profile;
+    AnalysisOptions options;
+    std::string doubt; ///< empty, or why the task's limits were left out: "what: why; do this" from the why on
+};
+
+/// analyse() by a task, if there is one. Limits that refuse more than a fifth of what was measured are none
+/// of this robot's: then the analysis is made without them, and says so. Pure, any thread.
+Result<TaskAnalysis> analyseByTask(const std::vector<ViewTrack> &views, const RobotShape &shape,
+                                   const AnalysisOptions &options, const std::optional<TaskRecord> &task);
+
+} // namespace odo
