@@ -25,7 +25,7 @@ constexpr int gap = 8;
 ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
     : QMainWindow(parent), m_timeline(timeline), m_pictures(new QSplitter), m_map(new FloorMap(timeline)),
       m_speed(new ProfileChart(timeline, Quantity::Speed)),
-      m_acceleration(new ProfileChart(timeline, Quantity::Acceleration))
+      m_acceleration(new ProfileChart(timeline, {Quantity::Acceleration, Quantity::Heading, Quantity::TurnRate}))
 {
     setWindowFlags(Qt::Widget);
     setDockNestingEnabled(true);

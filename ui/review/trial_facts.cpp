@@ -90,6 +90,9 @@ QList<Fact> gateFacts(const Profile &profile)
                                            timeText(toSeconds(passage.time), passage.sigmaS));
     if (!gates.isEmpty())
         facts.append({Words::tr("Gates"), gates.join(u'\n'), {}});
+    const bool oneGate = std::any_of(profile.passages.begin(), profile.passages.end(), [](const GatePassage &passage) {
+        return passage.role == GateRole::StartFinish;
+    });
     int number = 0;
     for (const Lap &lap : lapsOf(profile.passages)) {
         QStringList lines(timeText(lap.timeS, lap.sigmaS));
@@ -97,7 +100,7 @@ QList<Fact> gateFacts(const Profile &profile)
             if (lap.sectors.size() > 1)
                 lines << Words::tr("to %1 %2").arg(QString::fromStdString(sector.gate), timeText(sector.timeS, sector.sigmaS));
         }
-        facts.append({Words::tr("Run %1").arg(++number), lines.join(u'\n'), {}});
+        facts.append({(oneGate ? Words::tr("Lap %1") : Words::tr("Run %1")).arg(++number), lines.join(u'\n'), {}});
     }
     return facts;
 }
@@ -107,8 +110,17 @@ QString pathText(const Profile &profile)
 {
     QStringList lines;
     for (const Metric &metric : profile.metrics) {
-        if (metric.name.starts_with("cross_track_") || metric.name == "path_completed")
-            lines << QStringLiteral("%1: %2").arg(metricName(metric.name), metricFigure(metric).text());
+        const QString figure = metricFigure(metric).text();
+        if (metric.name == "cross_track_mean")
+            lines << Words::tr("off by %1 on average").arg(figure);
+        else if (metric.name == "cross_track_rms")
+            lines << Words::tr("%1 (RMS)").arg(figure);
+        else if (metric.name == "cross_track_max")
+            lines << Words::tr("%1 at most").arg(figure);
+        else if (metric.name == "cross_track_bias")
+            lines << Words::tr("%1 to the left").arg(figure);
+        else if (metric.name == "path_completed")
+            lines << Words::tr("%1 of it completed").arg(figure);
     }
     return lines.join(u'\n');
 }

@@ -82,6 +82,12 @@ void ChartArea::setScene(TrialScenePtr scene)
     applyColours();
 }
 
+void ChartArea::setQuantity(Quantity quantity)
+{
+    m_quantity = quantity;
+    setScene(m_scene);
+}
+
 void ChartArea::addRobot(int robot, const Profile &profile)
 {
     const auto join = [this](QAbstractSeries *series) {
@@ -115,7 +121,7 @@ void ChartArea::addSpikes(const Profile &profile)
         const auto measured = measuredSpeed(profile, index);
         if (!measured && !profile.points[index].valid)
             continue;
-        const double value = measured ? *measured : curveValue(profile.points[index], m_quantity).value;
+        const double value = measured ? *measured : profile.points[index].speedMps;
         // What lies beyond the axis is shown at its end: every spike is to be seen.
         series->append(toSeconds(spike.time), std::clamp(value, m_valueTicks.first, m_valueTicks.last()));
     }
@@ -265,7 +271,7 @@ void ChartArea::drawCursor(QPainter &painter) const
     const double x = positionOf(m_timeline.currentTime(), 0).x();
     painter.setPen(QPen(colours.text, 1.4, Qt::DotLine));
     painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
-    const QString unit = m_quantity == Quantity::Speed ? QStringLiteral("m/s") : QStringLiteral("m/s\u00b2");
+    const QString unit = curveUnit(m_quantity);
     const QFontMetricsF metrics(font());
     const double height = metrics.height() + 6;
     double top = plot.top();

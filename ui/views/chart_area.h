@@ -27,6 +27,7 @@ public:
     ~ChartArea() override;
 
     void setScene(TrialScenePtr scene);
+    void setQuantity(Quantity quantity);
     /// Where a time and a value lie, in widget coordinates.
     QPointF positionOf(Nanoseconds time, double value) const;
 
@@ -65,7 +66,7 @@ private:
     void goTo(double x);
 
     Timeline &m_timeline;
-    const Quantity m_quantity;
+    Quantity m_quantity;
     TrialScenePtr m_scene;
     std::vector<Run> m_runs;
     std::vector<QList<QPointF>> m_measured; ///< a robot

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profile_curve.h"
 
+#include "core/trajectory/heading.h"
+
 #include <algorithm>
+#include <numbers>
 
 namespace odo {
 
@@ -9,31 +12,74 @@ namespace {
 
 constexpr double band95 = 1.959964; // of the normal distribution
 
+double accelerationAlong(const ProfilePoint &point)
+{
+    constexpr double standing = 1e-9;
+    const double speed = point.velocity.norm();
+    return speed > standing ? point.acceleration.dot(point.velocity) / speed : point.accelMps2;
+}
+
 } // namespace
 
-CurveValue curveValue(const ProfilePoint &point, Quantity quantity)
+std::vector<std::optional<CurveValue>> curveValues(const Profile &profile, Quantity quantity)
 {
-    if (quantity == Quantity::Speed)
-        return {point.speedMps, point.sigmaSpeedMps};
-    const double speed = point.velocity.norm();
-    constexpr double standing = 1e-9;
-    const double along = speed > standing ? point.acceleration.dot(point.velocity) / speed : point.accelMps2;
-    return {along, point.sigmaAccelMps2};
+    constexpr double degrees = 180 / std::numbers::pi;
+    std::vector<std::optional<CurveValue>> values(profile.points.size());
+    const auto headings = quantity == Quantity::Heading ? headingsOf(profile.points)
+                                                        : std::vector<std::optional<Heading>>();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const ProfilePoint &point = profile.points[i];
+        if (!point.valid)
+            continue;
+        switch (quantity) {
+        case Quantity::Speed:
+            values[i] = {point.speedMps, point.sigmaSpeedMps};
+            break;
+        case Quantity::Acceleration:
+            values[i] = {accelerationAlong(point), point.sigmaAccelMps2};
+            break;
+        case Quantity::Heading:
+            if (headings[i])
+                values[i] = {degrees * headings[i]->radians, degrees * headings[i]->sigmaRad.value_or(0)};
+            break;
+        case Quantity::TurnRate:
+            if (const auto course = courseOf(point))
+                values[i] = {degrees * course->turnRateRadps, degrees * course->sigmaTurnRateRadps};
+            break;
+        }
+    }
+    return values;
+}
+
+QString curveUnit(Quantity quantity)
+{
+    switch (quantity) {
+    case Quantity::Speed:
+        return QStringLiteral("m/s");
+    case Quantity::Acceleration:
+        return QStringLiteral("m/s\u00b2");
+    case Quantity::Heading:
+        return QStringLiteral("\u00b0");
+    case Quantity::TurnRate:
+        break;
+    }
+    return QStringLiteral("\u00b0/s");
 }
 
 std::vector<CurveRun> curveRuns(const Profile &profile, Quantity quantity)
 {
     std::vector<CurveRun> runs;
     bool open = false;
-    for (std::size_t i = 0; i < profile.points.size(); ++i) {
-        if (!profile.points[i].valid) {
+    const auto values = curveValues(profile, quantity);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!values[i]) {
             open = false;
             continue;
         }
         if (!open)
             runs.emplace_back();
         open = true;
-        const CurveValue value = curveValue(profile.points[i], quantity);
+        const CurveValue value = *values[i];
         const double seconds = toSeconds(profile.samples[i].time), reach = band95 * value.sigma;
         CurveRun &run = runs.back();
         run.line.append({seconds, value.value});
@@ -79,9 +125,7 @@ std::optional<CurveValue> curveValueAt(const Profile &profile, Quantity quantity
     if (after == profile.samples.begin())
         return std::nullopt;
     const auto index = static_cast<std::size_t>(after - profile.samples.begin()) - 1;
-    if (!profile.points[index].valid)
-        return std::nullopt;
-    return curveValue(profile.points[index], quantity);
+    return curveValues(profile, quantity)[index];
 }
 
 } // namespace odo

@@ -67,7 +67,7 @@ void drawGates(QPainter &painter, const std::vector<Gate> &gates, const FloorToS
         const QLineF line(toScreen(gate.from), toScreen(gate.to));
         const Eigen::Vector2d along = (gate.to - gate.from).normalized();
         const QPointF direction(along.y(), along.x()); // the right side; Y is up on the floor, down on the screen
-        const double width = gate.role == GateRole::Split ? 1.5 : 3;
+        const double width = gate.role == GateRole::Split ? 2 : 3.5;
         // A rim, so that the line stands out from any floor and trail.
         painter.setPen(QPen(colours.mapGround, width + 2.5, Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(line);

@@ -56,6 +56,11 @@ private Q_SLOTS:
         QCOMPARE(metricName("max_speed"), QStringLiteral("Top speed"));
         QCOMPARE(metricName("lap_time_2"), QStringLiteral("Lap time 2"));
         QCOMPARE(metricFigure({"stops", "1", 2, std::nullopt}, QLocale::c()).text(), QStringLiteral("2"));
+        QCOMPARE(metricName("cross_track_rms"), QStringLiteral("Off the path (RMS)"));
+        QCOMPARE(metricFigure({"max_turn_rate", "rad/s", M_PI, M_PI / 180}, QLocale::c()).text(),
+                 QStringLiteral("180.0 ±1.0\u00a0°/s"));
+        QCOMPARE(metricFigure({"path_completed", "1", 0.5, std::nullopt}, QLocale::c()).text(),
+                 QStringLiteral("50.0\u00a0%"));
     }
     void writesTimes()
     {

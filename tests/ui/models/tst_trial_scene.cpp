@@ -64,6 +64,11 @@ private Q_SLOTS:
         TrialRecord trial;
         trial.name = "Trial 3";
         trial.robots = {robot.id};
+        Task task;
+        task.gates = {{"far", GateRole::Split, {4, 4}, {4, 4.5}}};
+        task.path.points = {{0, 0}, {1, 1}};
+        QVERIFY(m_project->tasks().add({0, "line", task}).has_value());
+        trial.task = "line";
         trial = m_project->trials().add(trial, recordings).value();
         recordings = m_project->trials().recordings(trial.id).value();
         for (std::size_t view = 0; view < recordings.size(); ++view) {
@@ -88,6 +93,8 @@ private Q_SLOTS:
         QCOMPARE(got.robots.size(), std::size_t(1));
         QCOMPARE(got.robots[0].analysis->profile.points.size(), std::size_t(30));
         QVERIFY(got.observationAt(1, 0, 12));
+        QCOMPARE(got.task->gates.size(), std::size_t(1));
+        QVERIFY(got.floorBounds().contains(Eigen::Vector2d(4, 4.5))); // the whole task is to be seen
         // The same point of the floor lies at the same pixel, so the registration is the one that was used.
         const auto expected = m_example->views[0].floorView->pixelFromWorld({1, 1, 0});
         const auto pixel = got.views[0].floorView->pixelFromWorld({1, 1, 0});

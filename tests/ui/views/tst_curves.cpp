@@ -76,9 +76,40 @@ private Q_SLOTS:
         point.velocity = {2, 0};
         point.acceleration = {-1, 5};
         point.accelMps2 = point.acceleration.norm();
-        QCOMPARE(curveValue(point, Quantity::Acceleration).value, -1.0); // it brakes
+        point.valid = true;
+        const auto acceleration = [&point] {
+            Profile profile;
+            profile.samples.resize(1);
+            profile.points = {point};
+            return curveValues(profile, Quantity::Acceleration)[0]->value;
+        };
+        QCOMPARE(acceleration(), -1.0); // it brakes
         point.velocity.setZero();
-        QCOMPARE(curveValue(point, Quantity::Acceleration).value, point.accelMps2);
+        QCOMPARE(acceleration(), point.accelMps2);
+    }
+    void headingAndTurnRateAreInDegrees()
+    {
+        // Towards +Y at 1 m/s, turning left at 2 rad/s; then it stands.
+        ProfilePoint moving{};
+        moving.position.setZero();
+        moving.velocity = {0, 1};
+        moving.acceleration = {-2, 0};
+        moving.speedMps = 1;
+        moving.sigmaSpeedMps = 0.01;
+        moving.valid = true;
+        ProfilePoint standing = moving;
+        standing.velocity.setZero();
+        standing.acceleration.setZero();
+        Profile profile;
+        profile.points = {moving, standing};
+        profile.samples.resize(2);
+        const auto headings = curveValues(profile, Quantity::Heading);
+        QCOMPARE(headings[0]->value, 90.0);
+        QVERIFY(std::abs(headings[0]->sigma - 0.01 * 180 / M_PI) < 1e-9);
+        QCOMPARE(headings[1]->value, 90.0); // kept
+        const auto rates = curveValues(profile, Quantity::TurnRate);
+        QVERIFY(std::abs(rates[0]->value - 2 * 180 / M_PI) < 1e-9);
+        QVERIFY(!rates[1].has_value());
     }
     void gapsSplitACurve()
     {

@@ -174,6 +174,32 @@ private Q_SLOTS:
             told = told || label->text() == QStringLiteral("not registered");
         QVERIFY(told);
     }
+    void mapShowsTheTask()
+    {
+        for (const QPalette &palette : {lightPalette(), darkPalette()}) {
+            QApplication::setPalette(palette);
+            TrialScene scene = *m_scene;
+            scene.task = Task{};
+            scene.task->gates = {{"Start", GateRole::Start, {1.2, 0.2}, {1.2, 0.6}},
+                                 {"a", GateRole::Split, {1.6, 0.2}, {1.6, 0.6}}};
+            scene.task->path.points = {{0.4, 0.1}, {2.6, 0.1}};
+            Desk desk(std::make_shared<const TrialScene>(scene));
+            QTRY_VERIFY_WITH_TIMEOUT(desk.isSettled(), 20000);
+            const QImage image = shot(desk.map.mapArea());
+            const QColor colour = ThemeColours::of(palette).text;
+            QVERIFY(hasColourNear(image, desk.map.fromWorld({1.2, 0.4}), colour));
+            QVERIFY(hasColourNear(image, desk.map.fromWorld({1.6, 0.4}), colour));
+            // The arrow points the way the gate is passed: to its right.
+            const QPointF arrow = desk.map.fromWorld({1.2, 0.3}) + QPointF(10, 0);
+            QVERIFY(hasColourNear(image, arrow, colour, 2));
+            QVERIFY(!hasColourNear(image, arrow - QPointF(20, 0), colour, 2));
+            int dashes = 0;
+            for (double x = 0.5; x < 2.5; x += 0.05)
+                dashes += hasColourNear(image, desk.map.fromWorld({x, 0.1}), colour, 2);
+            QVERIFY2(dashes > 15, qPrintable(QString::number(dashes)));
+        }
+        QApplication::setPalette(lightPalette());
+    }
     void mapShowsTrailFloorAndRobot()
     {
         Desk desk(m_scene);
