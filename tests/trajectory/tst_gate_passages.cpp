@@ -123,6 +123,9 @@ private Q_SLOTS:
         QVERIFY(passagesOf({start}, back).empty());
         const Gate turned{"turned", GateRole::Split, start.to, start.from};
         QCOMPARE(passagesOf({turned}, back).size(), std::size_t(1));
+        const Gate across = gateAcross("across", GateRole::Split, {0.1, 0}, {-2, 0}, 0.3);
+        QCOMPARE(passagesOf({across}, back).size(), std::size_t(1));
+        QVERIFY(std::abs((across.to - across.from).norm() - 0.3) < 1e-12);
     }
     void theEndsBelongToTheGate()
     {
