@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/blob_finder.h"
 
+#include "core/tracking/fetch_early.h"
+
 #include <algorithm>
 
 namespace odo {
@@ -22,29 +24,12 @@ void RegionMask::reset(const ChromaRect &newArea)
     bytes.assign(static_cast<std::size_t>(area.width()) * area.height(), 0);
 }
 
-namespace {
-
-/// Asks for a part of a plane to be brought near the processor. A decoder leaves most of a picture in far
-/// memory, and a window's rows are too short for the processor to foresee: waiting for one after the other
-/// costs as much as all the work on them.
-void fetchEarly(const PlaneView &plane, const ChromaRect &area)
-{
-    constexpr int cacheLine = 64;
-    for (int y = area.top; y < area.bottom; ++y) {
-        const std::uint8_t *row = plane.row(y);
-        for (int x = area.left; x < area.right; x += cacheLine)
-            __builtin_prefetch(row + x);
-        __builtin_prefetch(row + area.right - 1);
-    }
-}
-
-} // namespace
-
 void BlobFinder::find(const ChromaGrid &grid, const ChromaTable &table, const ChromaRect &area, int step)
 {
     if (step == 1 && !area.isEmpty()) {
-        fetchEarly(grid.u, area);
-        fetchEarly(grid.v, area);
+        const PixelRect samples{area.left, area.top, area.right, area.bottom};
+        fetchEarly(grid.u, samples);
+        fetchEarly(grid.v, samples);
     }
     m_runs.clear();
     m_parents.clear();
@@ -80,30 +65,45 @@ int BlobFinder::joinWithRowAbove(const Run &run, std::size_t &above, std::size_t
     return label;
 }
 
-void BlobFinder::findRuns(const ChromaGrid &grid, const ChromaTable &table, const ChromaRect &area, int step)
+/// The runs of one row. One sample that noise took out does not break a run.
+void BlobFinder::findRunsInRow(const ChromaGrid &grid, const ChromaTable &table, const ChromaRect &area,
+                               int y, int step)
 {
-    // One sample that noise took out does not break a run.
+    const std::uint8_t *u = grid.u.row(y), *v = grid.v.row(y);
     const int reach = 2 * step;
-    std::size_t aboveBegin = 0;
-    for (int y = area.top; y < area.bottom; y += step) {
-        const std::uint8_t *u = grid.u.row(y);
-        const std::uint8_t *v = grid.v.row(y);
-        const std::size_t rowBegin = m_runs.size();
-        for (int x = area.left; x < area.right; x += step) {
+    // Blocks without the robot's colour are passed over, as long as that keeps to the lattice of the step.
+    const int block = ChromaTable::blockSamples % step == 0 ? ChromaTable::blockSamples : area.width();
+    for (int x = area.left; x < area.right;) {
+        const int end = std::min(x + block, area.right);
+        if (end - x == ChromaTable::blockSamples && !table.mayTakeBlock(u + x, v + x)) {
+            x = end;
+            continue;
+        }
+        while (x < end && table.weight(u[x], v[x]) < ChromaTable::threshold)
+            x += step;
+        if (x >= end)
+            continue;
+        Run run{y, x, x, 0, 0, 0, 0, 0};
+        for (; x < area.right && x - run.last <= reach; x += step) {
             const std::uint8_t weight = table.weight(u[x], v[x]);
             if (weight < ChromaTable::threshold)
                 continue;
-            if (m_runs.size() > rowBegin && x - m_runs.back().last <= reach) {
-                Run &run = m_runs.back();
-                run.last = x;
-                ++run.taken;
-                run.weight += weight;
-                run.sumU += u[x];
-                run.sumV += v[x];
-            } else {
-                m_runs.push_back({y, x, x, 0, 1, weight, u[x], v[x]});
-            }
+            run.last = x;
+            ++run.taken;
+            run.weight += weight;
+            run.sumU += u[x];
+            run.sumV += v[x];
         }
+        m_runs.push_back(run);
+    }
+}
+
+void BlobFinder::findRuns(const ChromaGrid &grid, const ChromaTable &table, const ChromaRect &area, int step)
+{
+    std::size_t aboveBegin = 0;
+    for (int y = area.top; y < area.bottom; y += step) {
+        const std::size_t rowBegin = m_runs.size();
+        findRunsInRow(grid, table, area, y, step);
         const std::size_t rowEnd = m_runs.size();
         std::size_t above = aboveBegin;
         for (std::size_t i = rowBegin; i < rowEnd; ++i)

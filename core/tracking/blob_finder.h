@@ -66,6 +66,8 @@ private:
     };
     int rootOf(int label);
     int joinWithRowAbove(const Run &run, std::size_t &above, std::size_t aboveEnd, int step);
+    void findRunsInRow(const ChromaGrid &grid, const ChromaTable &table, const ChromaRect &area, int y,
+                       int step);
     void findRuns(const ChromaGrid &grid, const ChromaTable &table, const ChromaRect &area, int step);
     void gatherBlobs(int step);
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double dimmestUnpenalised = 0.6, brightestUnpenalised = 1.5;
 constexpr double hueSigmaRad = 11.0 * std::numbers::pi / 180.0;
-constexpr double chromaSigma = 3.0; ///< code values: noise and coding, matters for pale colours
+constexpr double chromaSigma = 3.0;      ///< code values: noise and coding, matters for pale colours
+constexpr double mostSquaredSigmas = 40; ///< beyond this a likeness is none: below 1e-8
 constexpr int lightSteps = 9;
 
 } // namespace
@@ -27,17 +28,33 @@ Chroma ChromaDensity::centreOf(std::size_t bin)
 
 void ChromaDensity::count(const ChromaGrid &grid, const ChromaRect &area, int step, float weight)
 {
+    // Neighbours often fall into one bin, and a count must wait for the one before it in the same bin: so
+    // every other one goes to other bins.
+    std::array<float, binCount> others{};
     for (int y = area.top; y < area.bottom; y += step) {
         const std::uint8_t *u = grid.u.row(y);
         const std::uint8_t *v = grid.v.row(y);
-        for (int x = area.left; x < area.right; x += step)
+        int x = area.left;
+        for (; x + step < area.right; x += 2 * step) {
+            m_bins[binOf(u[x], v[x])] += weight;
+            others[binOf(u[x + step], v[x + step])] += weight;
+        }
+        if (x < area.right)
             m_bins[binOf(u[x], v[x])] += weight;
     }
+    for (std::size_t bin = 0; bin < binCount; ++bin)
+        m_bins[bin] += others[bin];
 }
 
 double ChromaDensity::sum() const
 {
-    return std::accumulate(m_bins.begin(), m_bins.end(), 0.0);
+    // Four sums at once: each need not wait for the one before.
+    std::array<double, 4> sums{};
+    for (std::size_t bin = 0; bin < binCount; bin += sums.size()) {
+        for (std::size_t k = 0; k < sums.size(); ++k)
+            sums[k] += m_bins[bin + k];
+    }
+    return sums[0] + sums[1] + sums[2] + sums[3];
 }
 
 void ChromaDensity::normalise()
@@ -52,17 +69,26 @@ void ChromaDensity::normalise()
 
 void ChromaDensity::blur(int times)
 {
-    constexpr int n = binsPerAxis;
+    constexpr std::size_t n = binsPerAxis;
+    const auto mixed = [](float before, float here, float after) {
+        return 0.25f * before + 0.5f * here + 0.25f * after;
+    };
     std::array<float, binCount> once;
-    for (int pass = 0; pass < 2 * times; ++pass) {
-        const int stride = pass % 2 == 0 ? 1 : n;
-        for (int i = 0; i < binCount; ++i) {
-            const int along = stride == 1 ? i % n : i / n;
-            const float before = along > 0 ? m_bins[i - stride] : m_bins[i];
-            const float after = along < n - 1 ? m_bins[i + stride] : m_bins[i];
-            once[i] = 0.25f * before + 0.5f * m_bins[i] + 0.25f * after;
+    for (int pass = 0; pass < times; ++pass) {
+        for (std::size_t row = 0; row < binCount; row += n) {
+            const float *from = &m_bins[row];
+            float *to = &once[row];
+            to[0] = mixed(from[0], from[0], from[1]);
+            for (std::size_t i = 1; i < n - 1; ++i)
+                to[i] = mixed(from[i - 1], from[i], from[i + 1]);
+            to[n - 1] = mixed(from[n - 2], from[n - 1], from[n - 1]);
         }
-        m_bins = once;
+        for (std::size_t row = 0; row < binCount; row += n) {
+            const float *here = &once[row], *before = row > 0 ? here - n : here,
+                        *after = row + n < binCount ? here + n : here;
+            for (std::size_t i = 0; i < n; ++i)
+                m_bins[row + i] = mixed(before[i], here[i], after[i]);
+        }
     }
 }
 
@@ -157,8 +183,10 @@ ChromaDensity ChromaDensity::transformed(double scale, double turnRad) const
 double ChromaDensity::overlap(const ChromaDensity &other) const
 {
     double sum = 0;
-    for (std::size_t bin = 0; bin < binCount; ++bin)
-        sum += std::sqrt(static_cast<double>(m_bins[bin]) * other.m_bins[bin]);
+    for (std::size_t bin = 0; bin < binCount; ++bin) {
+        if (m_bins[bin] > 0 && other.m_bins[bin] > 0) // both in small corners of the plane, as a rule
+            sum += std::sqrt(static_cast<double>(m_bins[bin]) * other.m_bins[bin]);
+    }
     return sum;
 }
 
@@ -167,15 +195,20 @@ double likeness(const Chroma &seen, const Chroma &told)
     const double toldSaturation = told.norm(), seenSaturation = seen.norm();
     if (toldSaturation <= 0 || seenSaturation <= 0)
         return 0;
-    const double angle = std::acos(std::clamp(seen.dot(told) / (seenSaturation * toldSaturation), -1.0, 1.0));
-    const double angleSigma = std::hypot(hueSigmaRad, chromaSigma / std::min(toldSaturation, seenSaturation));
+    const double cosine = std::clamp(seen.dot(told) / (seenSaturation * toldSaturation), -1.0, 1.0);
+    const double paler = std::min(toldSaturation, seenSaturation);
+    const double variance = hueSigmaRad * hueSigmaRad + chromaSigma * chromaSigma / (paler * paler);
+    // The square of an angle is no less than that of its chord.
+    if (2 * (1 - cosine) > mostSquaredSigmas * variance)
+        return 0;
+    const double angle = std::acos(cosine);
     const double ratio = seenSaturation / toldSaturation;
     double excess = 0;
     if (ratio < dimmestUnpenalised)
         excess = std::log(dimmestUnpenalised / ratio) / 0.25;
     else if (ratio > brightestUnpenalised)
         excess = std::log(ratio / brightestUnpenalised) / 0.35;
-    return std::exp(-0.5 * (angle * angle / (angleSigma * angleSigma) + excess * excess));
+    return std::exp(-0.5 * (angle * angle / variance + excess * excess));
 }
 
 ChromaDensity densityOfToldColour(const Chroma &told)

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double dimmer = 0.6, brighter = 1.35; ///< smear of the table about the present colour
 constexpr double learnedDoubt = 2e-3, toldDoubt = 1e-4;
+constexpr double leastLikeness = 0.4; ///< to the told colour, without regard to the background
 constexpr double followGain = 0.25;
 constexpr double scaleStep = 0.06, turnStepRad = 0.035; ///< before the table is built again
 constexpr double leastScale = 0.35, mostScale = 2.5, mostTurnRad = 0.4;
@@ -41,16 +42,31 @@ ChromaDensity ColourModel::densityUnderOtherLight() const
     return m_learned ? m_smeared.transformed(m_scale, m_turnRad) : m_density;
 }
 
-ChromaTable ColourModel::toldTable(const ChromaDensity *background) const
+/// Of the told density: what is no longer like the told colour.
+float ColourModel::leastAlike() const
 {
-    const ChromaDensity &told = m_toldDensity;
-    if (background)
-        return {told, *background, static_cast<float>(toldDoubt)};
-    // Without a background the doubt is set so that a likeness of 0.4 just passes.
     float highest = 0;
     for (std::size_t bin = 0; bin < ChromaDensity::binCount; ++bin)
-        highest = std::max(highest, told[bin]);
-    return {told, ChromaDensity(), 0.4f * highest};
+        highest = std::max(highest, m_toldDensity[bin]);
+    return static_cast<float>(leastLikeness) * highest;
+}
+
+double ColourModel::shareAlike(const ChromaDensity &picture) const
+{
+    const float least = leastAlike();
+    double share = 0;
+    for (std::size_t bin = 0; bin < ChromaDensity::binCount; ++bin) {
+        if (m_toldDensity[bin] > least)
+            share += picture[bin];
+    }
+    return share;
+}
+
+ChromaTable ColourModel::toldTable(const ChromaDensity *background) const
+{
+    if (background)
+        return {m_toldDensity, *background, static_cast<float>(toldDoubt)};
+    return {m_toldDensity, ChromaDensity(), leastAlike()};
 }
 
 void ColourModel::learn(const ChromaGrid &grid, const RegionMask &mask, const Chroma &mean)

@@ -25,6 +25,9 @@ public:
     /// The same, once learned, with what dimmer and brighter light makes of it: not of sum one.
     ChromaDensity densityUnderOtherLight() const;
 
+    /// The part of a picture, given as its density, that looks like the told colour: 0 to 1.
+    double shareAlike(const ChromaDensity &picture) const;
+
     /// A table from the told colour. Without regard to the background it finds more, and more that is wrong.
     ChromaTable toldTable(const ChromaDensity *background) const;
 
@@ -39,6 +42,8 @@ public:
     const ChromaTable &table() const { return m_table; }
 
 private:
+    float leastAlike() const;
+
     Chroma m_told = Chroma::Zero(), m_mean = Chroma::Zero();
     bool m_learned = false;
     ChromaDensity m_toldDensity;

@@ -14,7 +14,6 @@ namespace {
 constexpr double leastSaturation =
     8.0;                      ///< code values of 128; paler than that a robot cannot be told from its floor
 constexpr double alike = 0.6; ///< overlap of two robots' colours above which colour does not tell them apart
-constexpr double leastLikeness = 0.4; ///< as when a told colour is searched without regard to the background
 
 bool sameLayout(const FrameFormat &a, const FrameFormat &b)
 {
@@ -58,28 +57,24 @@ void ColourTracker::Impl::compareColours(std::size_t robot)
     if (followers.size() == 1)
         return;
     const ColourModel &own = followers[robot].model();
+    const ChromaDensity ownNow = own.density();
     for (std::size_t other = 0; other < followers.size(); ++other) {
+        if (other == robot)
+            continue;
         const ColourModel &theirs = followers[other].model();
         // What was learned of one says nothing against what was only told of the other.
         const bool learned = own.isLearned() && theirs.isLearned();
-        const double overlap = learned ? own.density().overlap(theirs.density())
-                                       : own.toldDensity().overlap(theirs.toldDensity());
-        const bool same = other != robot && overlap > alike;
-        alikes[robot * followers.size() + other] = alikes[other * followers.size() + robot] = same;
+        const double overlap =
+            learned ? ownNow.overlap(theirs.density()) : own.toldDensity().overlap(theirs.toldDensity());
+        alikes[robot * followers.size() + other] = alikes[other * followers.size() + robot] = overlap > alike;
     }
 }
 
 void ColourTracker::Impl::measureShares(TrackedFrame &frame)
 {
     const ChromaDensity picture = frame.backgroundWithout({});
-    for (const RobotFollower &follower : followers) {
-        double share = 0;
-        for (std::size_t bin = 0; bin < ChromaDensity::binCount; ++bin) {
-            if (likeness(ChromaDensity::centreOf(bin), follower.model().told()) > leastLikeness)
-                share += picture[bin];
-        }
-        sharesAlike.push_back(share);
-    }
+    for (const RobotFollower &follower : followers)
+        sharesAlike.push_back(follower.model().shareAlike(picture));
 }
 
 /// What there is in the picture but the robot, which takes up the rectangle; and the other robots' colours.

@@ -1,85 +1,108 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstdint>
 
 namespace odo {
 
-/// The samples of a plane along a scan line, as running sums: the mean over any stretch of it costs nothing.
-/// Places are luma pixels along the line.
-class EdgeProfile
+/// Four figures, of four scan lines, in one register of the processor. To find an edge is a long chain of
+/// steps of which each waits for the one before; four lines at once wait together.
+using Float4 = float __attribute__((vector_size(16)));
+using Int4 = std::int32_t __attribute__((vector_size(16)));
+
+inline Float4 same(float value)
+{
+    return Float4{value, value, value, value};
+}
+inline Float4 atLeast(Float4 values, Float4 least)
+{
+    return values > least ? values : least;
+}
+inline Float4 atMost(Float4 values, Float4 most)
+{
+    return values < most ? values : most;
+}
+inline Float4 magnitudeOf(Float4 values)
+{
+    return reinterpret_cast<Float4>(reinterpret_cast<Int4>(values) & 0x7fffffff);
+}
+
+/// The samples of a plane along four scan lines, as running sums: the mean over any stretch of them costs
+/// nothing. Places are luma pixels along the line.
+class EdgeProfiles
 {
 public:
-    static constexpr int mostSamples = 24;
+    static constexpr int lines = 4, mostSamples = 24;
 
-    /// The first sample is centred at `first`; the next ones follow at `spacing`.
-    EdgeProfile(float first, float spacing)
-        : m_begin(first - 0.5f * spacing), m_spacing(spacing), m_perSpacing(1 / spacing)
+    /// The samples of one of the lines: at most mostSamples, as valueOf(0), valueOf(1), ... gives them, times
+    /// `unit`. The first is centred at `first`; the next ones follow at `spacing`.
+    template <class ValueOf>
+    void set(int line, float first, float spacing, float unit, int count, ValueOf valueOf)
     {
-        m_sums[0] = 0;
+        m_begin[line] = first - 0.5f * spacing;
+        m_perSpacing[line] = 1 / spacing;
+        m_last[line] = static_cast<float>(count) - 0.001f;
+        m_unit[line] = spacing * unit;
+        std::uint64_t *samples = m_samples[static_cast<std::size_t>(line)].data();
+        std::int32_t sum = 0;
+        for (int i = 0; i < count; ++i) {
+            const std::int32_t value = valueOf(i);
+            samples[i] = static_cast<std::uint32_t>(sum) |
+                         static_cast<std::uint64_t>(static_cast<std::uint32_t>(value)) << 32;
+            sum += value;
+        }
+    }
+    /// A line of which nothing can be seen: all alike.
+    void setEmpty(int line)
+    {
+        m_begin[line] = m_perSpacing[line] = m_last[line] = m_unit[line] = 0;
+        m_samples[static_cast<std::size_t>(line)][0] = 0;
     }
 
-    void add(float value)
-    {
-        m_sums[m_count + 1] = m_sums[m_count] + value;
-        ++m_count;
-    }
-    float mean(float from, float to) const { return (upTo(to) - upTo(from)) / (to - from); }
-    bool covers(float from, float to) const
-    {
-        return from >= m_begin && to <= m_begin + m_spacing * static_cast<float>(m_count);
-    }
+    Float4 mean(Float4 from, Float4 to) const;
 
-    /// Sum from the begin of the profile up to a place.
-    float upTo(float place) const
+    /// Sum from the begin of each line up to a place on it.
+    Float4 upTo(Float4 places) const
     {
-        const float at =
-            std::clamp((place - m_begin) * m_perSpacing, 0.0f, static_cast<float>(m_count) - 0.001f);
-        const int i = static_cast<int>(at);
-        return m_spacing * (m_sums[i] + (at - static_cast<float>(i)) * (m_sums[i + 1] - m_sums[i]));
+        const Float4 at = atMost(atLeast((places - m_begin) * m_perSpacing, Float4{}), m_last);
+        const Int4 i = __builtin_convertvector(at, Int4);
+        const auto two = reinterpret_cast<Int4>(Long2{sampleAt(0, i[0]), sampleAt(1, i[1])}),
+                   more = reinterpret_cast<Int4>(Long2{sampleAt(2, i[2]), sampleAt(3, i[3])});
+        const Float4 sums = __builtin_convertvector(__builtin_shuffle(two, more, Int4{0, 2, 4, 6}), Float4),
+                     values = __builtin_convertvector(__builtin_shuffle(two, more, Int4{1, 3, 5, 7}), Float4);
+        return m_unit * (sums + (at - __builtin_convertvector(i, Float4)) * values);
     }
 
 private:
-    std::array<float, mostSamples + 1> m_sums; ///< only the first count + 1 are set
-    float m_begin, m_spacing, m_perSpacing;
-    int m_count = 0;
+    using Long2 = std::uint64_t __attribute__((vector_size(16)));
+    std::uint64_t sampleAt(std::size_t line, int i) const
+    {
+        return m_samples[line][static_cast<std::size_t>(i)];
+    }
+
+    /// Of each sample the sum of those before it (low half) and its own value, to be had in one look. Only
+    /// those that were set.
+    std::array<std::array<std::uint64_t, mostSamples>, lines> m_samples;
+    Float4 m_begin{}, m_perSpacing{};
+    Float4 m_last{}; ///< the end, but for a trifle, in samples from the begin
+    Float4 m_unit{}; ///< of the sums
 };
 
-/// How an edge is looked for about the place where it is expected.
+/// How the edges of four lines are looked for about the places where they are expected.
 struct EdgeSearch
 {
-    float inward = 1;    ///< +1: the inside is at larger places; −1: at smaller ones
-    float halfWidth = 1; ///< of the stretch about the edge that must be made up of inside and outside
-    float reference = 1; ///< length of the stretches beside it that show what inside and outside are
+    Float4 inward = same(1);    ///< +1: the inside is at larger places; −1: at smaller ones
+    Float4 halfWidth = same(1); ///< of the stretch about the edge that must be made up of inside and outside
+    float reference = 1;        ///< length of the stretches beside it that show what inside and outside are
     bool leadOn =
         false; ///< the outside changes towards the edge, as a shadow does: led on along a straight line
 };
 
-/// Moves `place` to where the edge must be for the samples about it to be the sum of both sides: exact for a
-/// step of any symmetric blur once repeated until it stays. Returns the contrast, inside less outside; when
-/// it is below the least the place stays.
-inline float moveToEdge(const EdgeProfile &profile, const EdgeSearch &search, float leastContrast,
-                        float &place)
-{
-    const float h = search.halfWidth, r = search.reference, d = search.inward, perR = d / r;
-    // Sums up to the ends of the stretches, from the inside outwards.
-    const float inner = profile.upTo(place + d * (h + r)), innerEnd = profile.upTo(place + d * h),
-                outerEnd = profile.upTo(place - d * h), outer = profile.upTo(place - d * (h + r));
-    const float in = perR * (inner - innerEnd);
-    float out = perR * (outerEnd - outer);
-    if (search.leadOn) {
-        const float farther = perR * (outer - profile.upTo(place - d * (h + 2 * r)));
-        out += (out - farther) * (0.5f + 0.5f * h * d * perR);
-    }
-    const float contrast = in - out;
-    if (std::abs(contrast) < leastContrast)
-        return contrast;
-    const float across = d * (innerEnd - outerEnd) / (2 * h);
-    const float inside = std::clamp((across - out) / contrast, 0.0f, 1.0f);
-    place += d * h * (1 - 2 * inside);
-    return contrast;
-}
+/// Moves `places` to where the edges must be for the samples about them to be the sum of both sides: exact
+/// for a step of any symmetric blur once repeated until it stays. Returns the contrasts, inside less outside;
+/// where one is below the least its place stays.
+Float4 moveToEdges(const EdgeProfiles &profiles, const EdgeSearch &search, float leastContrast,
+                   Float4 &places);
 
 } // namespace odo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/robot_follower.h"
 
+#include "core/tracking/fetch_early.h"
 #include "core/tracking/region_score.h"
 
 #include <algorithm>
@@ -11,74 +12,24 @@ namespace odo {
 
 namespace {
 
-constexpr int mostSearchSamples = 160'000; ///< per plane and frame, in a whole-frame search
-constexpr int mostCountedSamples = 20'000;
 constexpr int framesPerTable = 64;
 constexpr int missesUntilLost = 1, missesWhileHidden = 30;
 constexpr double relearnAfterS = 1.5; ///< lost for so long, the told colour is believed again
 constexpr int missesPerRelearning = 8;
 constexpr double leastRankInWindow = 0.02, leastRankInPicture = 0.15, leastFirstScore = 0.25;
-constexpr double steadyChange = 0.025; ///< of the logarithm of the area, from one frame to the next
-constexpr int steadyEnough = 8;
-constexpr double sizeSigma = 0.2; ///< of the logarithm of the area, from one frame to the next
-constexpr double leastSolidity = 0.96, solidityGain = 0.1; ///< of a robot that is taken as convex
+constexpr double sizeSigma = 0.2;      ///< of the logarithm of the area, from one frame to the next
 constexpr double mostSizeNoise = 0.12; ///< of the area of a small robot, from frame to frame
 constexpr std::size_t mostCandidates = 6;
 constexpr double leastColourSigma = 3.0, relativeColourSigma = 0.06; ///< of a region's mean, in code values
 constexpr double mostSizeCost = 12.0, mostColourCost = 16.0;
 constexpr double doubtPerFrameTogether = 0.04; ///< of the place, in radii
-/// A stranger is looked for so soon after the loss that the robot cannot be so far from where it was (in
-/// radii).
-constexpr double soonAfterLossS = 0.2, fartherThanRobotRadii = 4.0;
-constexpr double strangerShiftRadii = 0.25,
-                 strangerAreaSpan = 0.3; ///< of one that stands still; the latter in ln
-constexpr std::size_t mostStrangers = 8;
-constexpr double scoreTogether = 0.1; ///< below what is used where another view is surer
-constexpr double sigmaTogether = 0.3; ///< of the place, in radii
+constexpr double scoreTogether = 0.1;          ///< below what is used where another view is surer
+constexpr double sigmaTogether = 0.3;          ///< of the place, in radii
 /// Of a touched robot's area: what may always be hidden unnoticed, and what may be without a doubt of its
 /// place.
 constexpr double leastPartHidden = 0.02, mostPartHidden = 0.08;
 
 } // namespace
-
-TrackedFrame::TrackedFrame(const Frame &frame) : m_frame(&frame), m_grid(frame)
-{
-    const double samples = static_cast<double>(m_grid.u.width) * m_grid.u.height;
-    m_searchStep = std::max(1, static_cast<int>(std::ceil(std::sqrt(samples / mostSearchSamples))));
-    m_countStep = std::max(1, static_cast<int>(std::ceil(std::sqrt(samples / mostCountedSamples))));
-}
-
-bool TrackedFrame::complete()
-{
-    if (!m_frame->validRegion)
-        return true;
-    auto whole = wholeFrame(*m_frame);
-    if (!whole)
-        return false;
-    m_whole = std::move(*whole);
-    m_frame = &*m_whole;
-    m_grid = ChromaGrid(*m_frame);
-    return true;
-}
-
-ChromaDensity TrackedFrame::backgroundWithout(const ChromaRect &rect)
-{
-    if (!m_counts) {
-        m_counts.emplace();
-        m_counts->count(m_grid, m_grid.bounds(), m_countStep);
-    }
-    ChromaDensity density = *m_counts;
-    ChromaRect inside = rect.clippedTo(m_grid.bounds());
-    if (!inside.isEmpty()) {
-        // The same samples that were counted: on the same lattice.
-        inside.left = (inside.left + m_countStep - 1) / m_countStep * m_countStep;
-        inside.top = (inside.top + m_countStep - 1) / m_countStep * m_countStep;
-        density.count(m_grid, inside, m_countStep, -1.0f);
-    }
-    density.normalise();
-    density.blur(1);
-    return density;
-}
 
 void RobotFollower::reset(const FrameFormat &format)
 {
@@ -128,7 +79,7 @@ std::optional<PixelRect> RobotFollower::neededRegion(const FrameFormat &format, 
 
 double RobotFollower::rankInWindow(const TrackedFrame &frame, const Blob &blob) const
 {
-    const double ratio = blob.area() * frame.lumaPerSample() / m_areaPx;
+    const double ratio = blob.area() * frame.lumaPerSample() / m_area.px();
     if (ratio > 4 || ratio < (m_atBorder ? 0.02 : 0.25))
         return 0;
     const Eigen::Vector2d centre = frame.grid().toLuma(blob.centre());
@@ -148,7 +99,7 @@ double RobotFollower::rankUnseen(const TrackedFrame &frame, const Blob &blob) co
 
 double RobotFollower::rankLost(const TrackedFrame &frame, const Blob &blob) const
 {
-    const double ratio = blob.area() * frame.lumaPerSample() / m_areaPx;
+    const double ratio = blob.area() * frame.lumaPerSample() / m_area.px();
     const Eigen::Vector2d centre = frame.grid().toLuma(blob.centre());
     const double lostS = std::max(0.0, frame.timeS() - m_predictor.lastTimeS());
     const double reach = m_radiusPx * (3.0 + 25.0 * lostS);
@@ -156,46 +107,11 @@ double RobotFollower::rankLost(const TrackedFrame &frame, const Blob &blob) cons
            blob.meanWeight() * compactness(blob.covariance(), blob.area());
 }
 
-/// What has the robot's colour elsewhere at the moment of its loss is not the robot, as long as it stands
-/// there.
-void RobotFollower::noteStrangers(const TrackedFrame &frame)
-{
-    const auto isGone = [&](const Stranger &stranger) {
-        return std::none_of(m_finder.blobs().begin(), m_finder.blobs().end(), [&](const Blob &blob) {
-            return (frame.grid().toLuma(blob.centre()) - stranger.centrePx).norm() <
-                   strangerShiftRadii * m_radiusPx;
-        });
-    };
-    std::erase_if(m_strangers, isGone);
-    const bool justLost =
-        m_missed == missesUntilLost && frame.timeS() - m_predictor.lastTimeS() < soonAfterLossS;
-    if (!justLost)
-        return;
-    m_strangers.clear();
-    for (const Blob &blob : m_finder.blobs()) {
-        const Eigen::Vector2d centre = frame.grid().toLuma(blob.centre());
-        const double areaPx = blob.area() * frame.lumaPerSample();
-        if (m_strangers.size() < mostStrangers && areaPx > 0.25 * m_areaPx &&
-            (centre - predictedPx(frame)).norm() > fartherThanRobotRadii * m_radiusPx)
-            m_strangers.push_back({centre, areaPx});
-    }
-}
-
-bool RobotFollower::isStranger(const TrackedFrame &frame, const Blob &blob) const
-{
-    const Eigen::Vector2d centre = frame.grid().toLuma(blob.centre());
-    const double areaPx = blob.area() * frame.lumaPerSample();
-    return std::any_of(m_strangers.begin(), m_strangers.end(), [&](const Stranger &stranger) {
-        return (centre - stranger.centrePx).norm() < strangerShiftRadii * m_radiusPx &&
-               std::abs(std::log(areaPx / stranger.areaPx)) < strangerAreaSpan;
-    });
-}
-
 void RobotFollower::collect(const TrackedFrame &frame, Candidate::By by, double least,
                             double (RobotFollower::*rank)(const TrackedFrame &, const Blob &) const)
 {
     for (const Blob &blob : m_finder.blobs()) {
-        if (blob.count < 3 || (!isFollowing() && isStranger(frame, blob)))
+        if (blob.count < 3 || (!isFollowing() && m_strangers.contain(frame, blob, m_radiusPx)))
             continue;
         const double score = (this->*rank)(frame, blob);
         if (score >= least)
@@ -234,7 +150,7 @@ double RobotFollower::costOf(const TrackedFrame &frame, const Blob &region) cons
     const double reach = (0.35 + doubtful) * m_radiusPx + 3.0 + 0.5 * sinceS * m_predictor.velocity().norm();
     const double away = (frame.grid().toLuma(region.centre()) - predictedPx(frame)).norm() / reach;
     const double size =
-        std::log(region.area() * frame.lumaPerSample() / m_areaPx) / (m_atBorder ? 1.0 : sizeSigma);
+        std::log(region.area() * frame.lumaPerSample() / m_area.px()) / (m_atBorder ? 1.0 : sizeSigma);
     const Chroma expected = m_model.expected();
     const double colour =
         (region.meanChroma() - expected).norm() / (leastColourSigma + relativeColourSigma * expected.norm());
@@ -248,7 +164,9 @@ void RobotFollower::search(const TrackedFrame &frame, const ChromaDensity &backg
     const ChromaRect picture = frame.grid().bounds();
     if (m_phase == Phase::Lost) {
         m_finder.find(frame.grid(), m_model.table(), picture, frame.searchStep());
-        noteStrangers(frame);
+        m_strangers.note(frame, m_finder.blobs(),
+                         {predictedPx(frame), m_radiusPx, m_area.px(),
+                          frame.timeS() - m_predictor.lastTimeS(), m_missed == missesUntilLost});
         collect(frame, Candidate::By::LearnedColour, leastRankInPicture, &RobotFollower::rankLost);
         const bool forLong = frame.timeS() - m_predictor.lastTimeS() > relearnAfterS;
         if (!m_candidates.empty() || !forLong || m_missed % missesPerRelearning != 0) {
@@ -333,7 +251,7 @@ void RobotFollower::keepSilhouette(const TrackedFrame &frame, const Observation 
 /// Another robot may hide a part of this one, which shifts the centre; or has lent it a part of its own.
 void RobotFollower::doubtWhenTouched(Observation &observation) const
 {
-    const double off = std::abs(1 - observation.areaPx / m_areaPx);
+    const double off = std::abs(1 - observation.areaPx / m_area.px());
     const double shift = std::clamp(off, leastPartHidden, 1.0) * m_radiusPx;
     observation.centreCovariancePx2 += Eigen::Matrix2d::Identity() * shift * shift;
     if (off > mostPartHidden)
@@ -349,7 +267,7 @@ void RobotFollower::acceptTogether(const TrackedFrame &frame, const Eigen::Vecto
     observation.ellipse.centrePx = centrePx;
     const double sigma = sigmaTogether * m_radiusPx;
     observation.centreCovariancePx2 = Eigen::Matrix2d::Identity() * sigma * sigma;
-    observation.areaPx = m_areaPx;
+    observation.areaPx = m_area.px();
     observation.score = scoreTogether;
     m_predictor.nudge(centrePx, frame.timeS());
     const Eigen::Vector2d samples = moved.cwiseQuotient(frame.grid().scale);
@@ -368,19 +286,28 @@ bool RobotFollower::acceptFound(const TrackedFrame &frame, const Candidate &cand
     const bool known = candidate.by == Candidate::By::LearnedColour;
     if (!(known ? lookAgain(frame, candidate, blob) : learnFrom(frame, candidate, background, blob)))
         return false;
-    m_areaPx = m_lastAreaPx = blob.area() * frame.lumaPerSample();
-    m_areaRate = 0;
-    m_steadyFrames = 0;
+    m_area.start(blob.area() * frame.lumaPerSample());
     m_predictor.start(frame.grid().toLuma(blob.centre()), frame.timeS());
-    m_memory.forget();
-    m_solidity = -1;
+    m_outline.reset();
     observe(frame, blob, observation);
     keepSilhouette(frame, observation);
     return true;
 }
 
+/// The edges will be looked for on the luma plane soon.
+void RobotFollower::fetchLuma(const TrackedFrame &frame, const Blob &blob)
+{
+    const FrameFormat &format = frame.frame().format;
+    const ChromaRect part = blob.box.grownBy(RegionMeasure::margin);
+    fetchEarly(frame.frame().y,
+               PixelRect{part.left << format.chromaShiftX, part.top << format.chromaShiftY,
+                         part.right << format.chromaShiftX, part.bottom << format.chromaShiftY}
+                   .clipped({0, 0, format.width, format.height}));
+}
+
 void RobotFollower::observe(const TrackedFrame &frame, const Blob &blob, Observation &observation)
 {
+    fetchLuma(frame, blob);
     m_finder.paint(blob, RegionMeasure::margin, m_mask);
     const ChromaRect inner = frame.grid().bounds().grownBy(-1);
     m_atBorder = blob.box.left < inner.left || blob.box.top < inner.top || blob.box.right > inner.right ||
@@ -388,90 +315,40 @@ void RobotFollower::observe(const TrackedFrame &frame, const Blob &blob, Observa
     observation.found = true;
     observation.touchesBorder = m_atBorder;
     RegionShape shape = m_measure.look(frame.grid(), blob, m_mask, m_model.expected());
-    double trust = 1;
-    if (!m_atBorder && fitOutline(frame, shape)) {
-        const OutlineVerdict verdict = m_memory.judge(m_outline, frame.timeS());
-        adopt(frame, verdict, shape);
-        trust = verdict.trust;
-    } else {
-        m_outline.points.clear();
+    const Eigen::Vector2d motionPx = m_predictor.velocity() * (frame.timeS() - m_predictor.lastTimeS());
+    const auto trust = m_atBorder ? std::nullopt : m_outline.refine(frame, m_mask, motionPx, shape);
+    if (!trust)
         shape = m_measure.measure(frame.grid(), blob, m_mask, m_model.expected());
-    }
     const Eigen::Vector2d &scale = frame.grid().scale;
     observation.ellipse = ellipseOf(shape, frame.grid());
     observation.centreCovariancePx2 = scale.asDiagonal() * shape.centreCovariance * scale.asDiagonal();
     observation.areaPx = shape.area * frame.lumaPerSample();
-    if (m_outline.points.empty() && !m_atBorder)
+    if (!trust && !m_atBorder)
         doubtSize(observation);
     observation.meanChroma = shape.colour;
-    observation.score = trust * scoreOf(frame, blob, shape);
+    observation.score = trust.value_or(1) * scoreOf(frame, blob, shape);
     update(frame, blob, shape, observation);
-}
-
-/// Fits the outline of a robot that is convex as a rule: then a region that is not for once has something
-/// else in it, or before it.
-bool RobotFollower::fitOutline(const TrackedFrame &frame, const RegionShape &shape)
-{
-    const Eigen::Vector2d motionPx = m_predictor.velocity() * (frame.timeS() - m_predictor.lastTimeS());
-    const bool fitted =
-        m_outlineFit.fit(frame.frame(), frame.grid(), m_mask, {shape.colour, motionPx}, m_outline);
-    m_solidity =
-        m_solidity < 0 ? m_outline.solidity : m_solidity + solidityGain * (m_outline.solidity - m_solidity);
-    return fitted && m_solidity > leastSolidity;
 }
 
 /// Moments alone cannot tell a cover or a merge from the robot: an area that is not the expected one has
 /// moved the centre by as much of the radius, at most.
 void RobotFollower::doubtSize(Observation &observation) const
 {
-    const double off = std::abs(1 - observation.areaPx / m_areaPx);
+    const double off = std::abs(1 - observation.areaPx / m_area.px());
     if (off < mostSizeNoise)
         return;
     const double shift = std::min(off, 1.0) * m_radiusPx;
     observation.centreCovariancePx2 += Eigen::Matrix2d::Identity() * shift * shift;
 }
 
-/// The shape becomes that of the outline.
-void RobotFollower::adopt(const TrackedFrame &frame, const OutlineVerdict &verdict, RegionShape &shape) const
-{
-    const Eigen::Vector2d perLuma = frame.grid().scale.cwiseInverse();
-    shape.area = verdict.moments.areaPx2 / frame.lumaPerSample();
-    shape.centre = frame.grid().fromLuma(verdict.moments.centrePx);
-    shape.covariance = perLuma.asDiagonal() * verdict.moments.covariancePx2 * perLuma.asDiagonal();
-    shape.centreCovariance =
-        perLuma.asDiagonal() * (m_outline.centreCovariance + verdict.doubt) * perLuma.asDiagonal();
-}
-
 double RobotFollower::scoreOf(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape) const
 {
     const double colour = std::min(1.0, blob.meanWeight() / 0.9) * likeness(shape.colour, m_model.expected());
     const double form = compactness(shape.covariance, shape.area);
-    const double sizeRatio = shape.area * frame.lumaPerSample() / m_areaPx;
+    const double sizeRatio = shape.area * frame.lumaPerSample() / m_area.px();
     const double size = m_atBorder ? 1.0 : bellOf(std::log(sizeRatio) / sizeSigma);
     const double away = (frame.grid().toLuma(shape.centre) - m_predictor.at(frame.timeS())).norm();
     return std::clamp(colour * form * size * bellOf(away / (m_radiusPx + 4.0)), 0.0, 1.0);
-}
-
-/// A robot that turns or comes nearer changes smoothly, at a rate that is followed; what changes at once has
-/// merged with something or is partly hidden, and is believed only when it has stayed so for some frames. At
-/// the border only growth tells of the whole.
-void RobotFollower::followArea(double seenPx)
-{
-    if (m_touched)
-        return;
-    if (m_atBorder) {
-        m_areaPx = std::max(m_areaPx, seenPx);
-        m_areaRate = 0;
-        return;
-    }
-    const double change = std::log(seenPx / m_lastAreaPx);
-    m_lastAreaPx = seenPx;
-    m_steadyFrames = std::abs(change) < steadyChange ? m_steadyFrames + 1 : 0;
-    const double surprise = std::log(seenPx / m_areaPx);
-    const double trust = m_steadyFrames >= steadyEnough ? 1 : bellOf(surprise / 0.13);
-    // Without trust the rate dies away, so that the expectation never runs off by itself.
-    m_areaRate = (0.5 + 0.5 * trust) * std::clamp(m_areaRate + 0.3 * trust * surprise, -0.15, 0.15);
-    m_areaPx *= std::exp((0.03 + 0.47 * trust) * surprise + m_areaRate);
 }
 
 void RobotFollower::update(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape,
@@ -484,9 +361,9 @@ void RobotFollower::update(const TrackedFrame &frame, const Blob &blob, const Re
     m_ellipse = observation.ellipse;
     m_predictor.update(observation.ellipse.centrePx, frame.timeS());
     const bool trusted = observation.score > 0.4;
-    if (wasFollowing)
-        followArea(observation.areaPx);
-    m_radiusPx = std::sqrt(m_areaPx / std::numbers::pi);
+    if (wasFollowing && !m_touched)
+        m_area.follow(observation.areaPx, m_atBorder);
+    m_radiusPx = std::sqrt(m_area.px() / std::numbers::pi);
     m_halfSizePx =
         2.0 * frame.grid().scale.cwiseProduct(shape.covariance.diagonal().cwiseMax(0.1).cwiseSqrt());
     m_occupied = blob.box.grownBy(3);

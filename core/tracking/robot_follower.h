@@ -1,46 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/tracking/area_expectation.h"
 #include "core/tracking/colour_model.h"
 #include "core/tracking/motion_predictor.h"
-#include "core/tracking/outline_memory.h"
-#include "core/tracking/region_measure.h"
+#include "core/tracking/robot_outline.h"
+#include "core/tracking/strangers.h"
 
 #include <Eigen/Geometry>
 
 namespace odo {
-
-/// A frame as all followers share it; what several need is made once.
-class TrackedFrame
-{
-public:
-    explicit TrackedFrame(const Frame &frame);
-    TrackedFrame(const TrackedFrame &) = delete;
-    TrackedFrame &operator=(const TrackedFrame &) = delete;
-
-    const Frame &frame() const { return *m_frame; }
-    const ChromaGrid &grid() const { return m_grid; }
-    double timeS() const { return toSeconds(m_frame->time); }
-    int searchStep() const { return m_searchStep; }
-    double pictureAreaPx() const
-    {
-        return static_cast<double>(m_frame->format.width) * m_frame->format.height;
-    }
-    double lumaPerSample() const { return m_grid.scale.prod(); }
-    /// Makes sure that all of the picture can be looked at, not only the part that was decoded. False when
-    /// the rest is damaged.
-    bool complete();
-    /// Density of all chroma of the picture outside a rectangle (empty: of the whole picture). Wants a
-    /// complete frame.
-    ChromaDensity backgroundWithout(const ChromaRect &rect);
-
-private:
-    const Frame *m_frame;
-    std::optional<Frame> m_whole; ///< where a part was given and more was needed
-    ChromaGrid m_grid;
-    int m_searchStep = 1, m_countStep = 1;
-    std::optional<ChromaDensity> m_counts; ///< of the whole picture, once they were needed
-};
 
 /// A region that may be the robot.
 struct Candidate
@@ -105,7 +74,7 @@ public:
     /// Tells that another robot's region touches this one's: what is seen may be a part of it.
     void setTouched(bool touched) { m_touched = touched; }
     Eigen::Vector2d predictedPx(const TrackedFrame &frame) const { return m_predictor.at(frame.timeS()); }
-    double areaPx() const { return m_areaPx; }
+    double areaPx() const { return m_area.px(); }
     double radiusPx() const { return m_radiusPx; }
     /// The region as it was when it was last seen alone, and its centre, in chroma samples.
     const RegionMask &silhouette() const { return m_silhouette; }
@@ -121,33 +90,23 @@ public:
 
 private:
     enum class Phase { Unseen, Following, Lost };
-    /// A thing of the robot's colour that stood elsewhere when the robot was lost, and stands there still.
-    struct Stranger
-    {
-        Eigen::Vector2d centrePx;
-        double areaPx = 0;
-    };
 
     Eigen::AlignedBox2d expectedBox(double timeS) const;
     double rankInWindow(const TrackedFrame &frame, const Blob &blob) const;
     double rankUnseen(const TrackedFrame &frame, const Blob &blob) const;
     double rankLost(const TrackedFrame &frame, const Blob &blob) const;
-    void noteStrangers(const TrackedFrame &frame);
-    bool isStranger(const TrackedFrame &frame, const Blob &blob) const;
     void collect(const TrackedFrame &frame, Candidate::By by, double least,
                  double (RobotFollower::*rank)(const TrackedFrame &, const Blob &) const);
     void sortCandidates();
     bool lookAgain(const TrackedFrame &frame, const Candidate &candidate, Blob &blob);
     bool learnFrom(const TrackedFrame &frame, const Candidate &candidate, const ChromaDensity &background,
                    Blob &blob);
+    static void fetchLuma(const TrackedFrame &frame, const Blob &blob);
     void observe(const TrackedFrame &frame, const Blob &blob, Observation &observation);
-    bool fitOutline(const TrackedFrame &frame, const RegionShape &shape);
-    void adopt(const TrackedFrame &frame, const OutlineVerdict &verdict, RegionShape &shape) const;
     void doubtSize(Observation &observation) const;
     double scoreOf(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape) const;
     void keepSilhouette(const TrackedFrame &frame, const Observation &observation);
     void doubtWhenTouched(Observation &observation) const;
-    void followArea(double seenPx);
     void update(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape,
                 const Observation &observation);
 
@@ -159,18 +118,12 @@ private:
     RegionMask m_mask, m_silhouette;
     Eigen::Vector2d m_silhouetteCentre = Eigen::Vector2d::Zero();
     RegionMeasure m_measure;
-    OutlineFit m_outlineFit;
-    OutlineMemory m_memory;
-    Outline m_outline; ///< of the last observation; without points where none was fitted
+    RobotOutline m_outline;
     std::vector<Candidate> m_candidates;
-    std::vector<Stranger> m_strangers;
+    Strangers m_strangers;
     ChromaRect m_occupied;
-    Ellipse m_ellipse;                                      ///< as last seen alone or touched
-    double m_solidity = -1;                                 ///< running mean; below 0 before the first
-    double m_areaPx = 0;                                    ///< expected in the next frame
-    double m_lastAreaPx = 1;                                ///< seen in the last frame
-    int m_steadyFrames = 0;                                 ///< during which the area seen hardly changed
-    double m_areaRate = 0;                                  ///< of its logarithm, a frame
+    Ellipse m_ellipse; ///< as last seen alone or touched
+    AreaExpectation m_area;
     double m_radiusPx = 0;                                  ///< of the circle of that area
     Eigen::Vector2d m_halfSizePx = Eigen::Vector2d::Zero(); ///< of the last ellipse along x and y
     bool m_atBorder = false;

@@ -24,8 +24,8 @@ TrackedClip trackClip(const BenchmarkClip &clip, std::size_t robots, bool shown)
             break;
         const double decoded = threadCpuS();
         const std::vector<Observation> seen = (*tracker)->track(**frame);
-        result.afterS += threadCpuS() - decoded;
-        result.decodeS += decoded - begin;
+        result.afterS += workS(decoded, threadCpuS());
+        result.decodeS += workS(begin, decoded);
         auto &centres = result.centres.emplace_back();
         for (const Observation &observation : seen)
             centres.push_back(observation.found ? std::optional(observation.ellipse.centrePx) : std::nullopt);

@@ -70,7 +70,7 @@ OpencvTrackedClip trackByOpencv(const BenchmarkClip &clip, std::size_t robots)
         cv::cvtColor(planes, bgr, cv::COLOR_YUV2BGR_I420);
         const double bgrReady = threadCpuS();
         cv::cvtColor(bgr, hsv, cv::COLOR_BGR2HSV);
-        double after = threadCpuS() - bgrReady;
+        double after = workS(bgrReady, threadCpuS());
         if (followed.empty()) {
             for (std::size_t robot = 0; robot < robots; ++robot)
                 followed.push_back(learn(hsv, clip.trueCentre(robot, 0), clip.trueHalfSize(robot, 0)));
@@ -81,13 +81,13 @@ OpencvTrackedClip trackByOpencv(const BenchmarkClip &clip, std::size_t robots)
             cv::calcBackProject(&hsv, 1, channels, robot.histogram, projection, ranges);
             const double projected = threadCpuS();
             const cv::RotatedRect found = cv::CamShift(projection, robot.window, enough);
-            after += threadCpuS() - robotBegin;
-            result.backProjectionS += projected - robotBegin;
+            after += workS(robotBegin, projected) + workS(projected, threadCpuS());
+            result.backProjectionS += workS(robotBegin, projected);
             centres.emplace_back(Eigen::Vector2d(found.center.x, found.center.y));
         }
-        result.tracked.decodeS += decoded - begin;
+        result.tracked.decodeS += workS(begin, decoded);
         result.tracked.afterS += after;
-        result.toBgrS += bgrReady - planesReady;
+        result.toBgrS += workS(planesReady, bgrReady);
         ++result.tracked.frames;
     }
     return result;

@@ -3,7 +3,7 @@
 
 #include "core/tracking/blob_finder.h"
 #include "core/tracking/colour_model.h"
-#include "core/tracking/robot_follower.h"
+#include "core/tracking/tracked_frame.h"
 #include "core/video/video_reader.h"
 #include "tests/benchmark/cpu_clock.h"
 #include "tests/benchmark/libav_decoding.h"
@@ -43,7 +43,7 @@ double searchPerFrame(const BenchmarkClip &clip)
         const ChromaTable table = model.toldTable(&background);
         const double begin = threadCpuS();
         finder.find(tracked.grid(), table, tracked.grid().bounds(), tracked.searchStep());
-        seconds += threadCpuS() - begin;
+        seconds += workS(begin, threadCpuS());
         ++searches;
     }
     return seconds / std::max(searches, 1);

@@ -53,6 +53,7 @@ private Q_SLOTS:
     void armsThatMeetBelowAreOne();
     void diagonalNeighboursAreOne();
     void oneLostSampleBreaksNothing();
+    void widthOfTheAreaIsOfNoMatter();
     void coarseStepKeepsAreaAndPlace();
     void onlyTheAreaIsLookedAt();
     void nothingThere();
@@ -108,6 +109,24 @@ void TestBlobFinder::oneLostSampleBreaksNothing()
 {
     QCOMPARE(blobsOf(drawn({"###.###"})).size(), std::size_t(1));
     QCOMPARE(blobsOf(drawn({"###..###"})).size(), std::size_t(2));
+}
+
+/// Samples are passed over in blocks: wherever a run begins and ends among them, it is found whole.
+void TestBlobFinder::widthOfTheAreaIsOfNoMatter()
+{
+    for (std::size_t width = 30; width < 64; ++width) {
+        for (std::size_t begin = 0; begin < width - 3; ++begin) {
+            for (const std::size_t length : {std::size_t(1), std::size_t(3), width - begin}) {
+                std::string row(width, '.');
+                row.replace(begin, length, std::string(length, '#'));
+                const auto blobs = blobsOf(drawn({row}));
+                QCOMPARE(blobs.size(), std::size_t(1));
+                QCOMPARE(blobs[0].box.left, static_cast<int>(begin));
+                QCOMPARE(blobs[0].box.right, static_cast<int>(begin + length));
+                QCOMPARE(blobs[0].visited, static_cast<double>(length));
+            }
+        }
+    }
 }
 
 void TestBlobFinder::coarseStepKeepsAreaAndPlace()

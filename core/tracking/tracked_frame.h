@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/chroma_density.h"
+
+#include <optional>
+
+namespace odo {
+
+/// A frame as all followers share it; what several need is made once.
+class TrackedFrame
+{
+public:
+    explicit TrackedFrame(const Frame &frame);
+    TrackedFrame(const TrackedFrame &) = delete;
+    TrackedFrame &operator=(const TrackedFrame &) = delete;
+
+    const Frame &frame() const { return *m_frame; }
+    const ChromaGrid &grid() const { return m_grid; }
+    double timeS() const { return toSeconds(m_frame->time); }
+    int searchStep() const { return m_searchStep; }
+    double pictureAreaPx() const
+    {
+        return static_cast<double>(m_frame->format.width) * m_frame->format.height;
+    }
+    double lumaPerSample() const { return m_grid.scale.prod(); }
+    /// Makes sure that all of the picture can be looked at, not only the part that was decoded. False when
+    /// the rest is damaged.
+    bool complete();
+    /// Density of all chroma of the picture outside a rectangle (empty: of the whole picture). Wants a
+    /// complete frame.
+    ChromaDensity backgroundWithout(const ChromaRect &rect);
+
+private:
+    const Frame *m_frame;
+    std::optional<Frame> m_whole; ///< where a part was given and more was needed
+    ChromaGrid m_grid;
+    int m_searchStep = 1, m_countStep = 1;
+    std::optional<ChromaDensity> m_counts; ///< of the whole picture, once they were needed
+};
+
+} // namespace odo
