@@ -27,7 +27,8 @@ namespace {
 
 // A told height is that of the top; where the colour ends is known less well.
 constexpr double toldPlaneSigmaM = 0.002;
-constexpr double toldHeightSigmaM = 0.001; // a ruler's
+// A ruler's: both of its ends are read to the nearest millimetre, 1 mm/√12 each.
+constexpr double toldHeightSigmaM = 0.00041;
 // A robot of unknown height seen by one view is taken to lie on the floor; most are less than 120 mm high.
 constexpr double unknownPlaneSigmaM = 0.03;
 // Pixel noise alone moves the height of a frame by some millimetres.

@@ -23,7 +23,8 @@ struct Sighting
 
 /// One view's observations laid on the plane z = planeM (the silhouette's centre of a box or cylinder of
 /// height h is, to first order, the picture of its centre: planeM = h/2). The view must be registered.
-/// Observations without a usable covariance are given half a pixel.
+/// Observations without a usable covariance are given half a pixel. What may last in all outlines of a run
+/// goes into the calibration's part of the covariance.
 std::vector<Sighting> placeObservations(const ViewTrack &view, double planeM);
 
 /// Each view's observations, each laid where the solid must stand, turned as `axes` says at its time, that

@@ -60,7 +60,7 @@ struct Sample
     std::int64_t frame = 0;                                     ///< frame of the first view
     std::optional<Eigen::Vector2d> position;                    ///< empty when no view found the robot
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();       ///< frame to frame, m²
-    Eigen::Matrix2d commonCovariance = Eigen::Matrix2d::Zero(); ///< calibration, common to the track, m²
+    Eigen::Matrix2d commonCovariance = Eigen::Matrix2d::Zero(); ///< calibration and what all outlines share, m²
     std::uint32_t views = 0;                                    ///< bit i: view i was used
     std::optional<double> viewDisagreementM; ///< largest distance between two views' positions
     SampleFlags flags = 0;

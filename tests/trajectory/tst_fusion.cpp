@@ -119,6 +119,25 @@ private Q_SLOTS:
         QVERIFY((fused.displacementPerMetreHeight - Eigen::Vector2d(1, 0)).norm() < 1e-12);
     }
 
+    void whatAllOutlinesShareIsCommon()
+    {
+        // Straight down from 2 m, 1000 px: a pixel is 2 mm. Of the outline 0.05 px last through the run.
+        Intrinsics lens{1280, 720, 1000, 1000, 640, 360, LensModel::Standard, {0, 0, 0, 0, 0}, {}};
+        ViewTrack view;
+        view.floorView = FloorView(*CameraModel::create(lens),
+                                   {Eigen::Quaterniond(0, 1, 0, 0), Eigen::Vector3d(0, 0, 2)},
+                                   Eigen::Matrix<double, 6, 6>::Zero());
+        Observation observation;
+        observation.found = true;
+        observation.ellipse.centrePx = {700, 300};
+        observation.centreCovariancePx2 = Eigen::Matrix2d::Identity() * 0.04 * 0.04;
+        view.observations = {observation};
+        const Sighting sighting = placeObservations(view, 0).front();
+        QVERIFY(sighting.seen);
+        const double expected = std::pow(0.05 * 0.002, 2);
+        QVERIFY((sighting.place.calibrationCovariance - Eigen::Matrix2d::Identity() * expected).norm() <
+                1e-6 * expected);
+    }
     void theGateStandsASteadyDisagreement()
     {
         // 20 mm apart all the time is bad calibration; 120 mm once is a false sighting.
