@@ -256,10 +256,10 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
     chooseByMotion(track, settings, options.longestBridgedGap);
     alignSingleViews(track, placed->views);
     applyOverrules(track.samples, options.overrules);
-    const MotionNoise noise = flagSpikes(track.samples, options, measurement);
+    const SpikeVerdict verdict = flagSpikes(track.samples, options, measurement);
 
     Profile profile;
-    profile.points = makePoints(track.samples, options, noise);
+    profile.points = makePoints(track.samples, verdict.struck, options, verdict.noise);
     const auto used = std::count_if(track.samples.begin(), track.samples.end(), [](const Sample &sample) {
         return sample.position && !isRejected(sample.flags);
     });

@@ -12,6 +12,19 @@ namespace {
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 using Matrix28 = Eigen::Matrix<double, 2, 8>;
 
+/// Of one axis (position, velocity, acceleration): one abrupt change at an unknown moment of the last t
+/// seconds, all moments alike.
+Eigen::Matrix3d changeNoise(double sigmaSpeedMps, double sigmaAccelMps2, double t)
+{
+    // A change u before now has moved the position by Δv·u and Δa·u²/2 and the velocity by Δa·u; u is even in
+    // [0, T], so that E[uⁿ] = Tⁿ/(n + 1).
+    const double t2 = t * t;
+    Eigen::Matrix3d ofSpeed, ofAccel;
+    ofSpeed << t2 / 3, t / 2, 0, t / 2, 1, 0, 0, 0, 0;
+    ofAccel << t2 * t2 / 20, t2 * t / 8, t2 / 6, t2 * t / 8, t2 / 3, t / 2, t2 / 6, t / 2, 1;
+    return sigmaSpeedMps * sigmaSpeedMps * ofSpeed + sigmaAccelMps2 * sigmaAccelMps2 * ofAccel;
+}
+
 /// The way from one node to the next: state ← F · state, with the covariance Q added. F holds the position's,
 /// velocity's and acceleration's integration, and how much of the slow error is kept. It is mostly zeros, so
 /// it is never written out: rows and columns are added to one another.
@@ -20,7 +33,7 @@ struct Step
     double dt, kept;
     Eigen::Matrix3d axisNoise;
 
-    Step(double dtS, double wayM, const MotionNoise &motion)
+    Step(double dtS, double wayM, bool struck, const MotionNoise &motion)
         : dt(dtS), kept(std::exp(-std::abs(wayM) / motion.slowLengthM))
     {
         const double t2 = dt * dt, t3 = t2 * dt;
@@ -28,6 +41,8 @@ struct Step
             t2 * t2 / 8, t3 / 3, t2 / 2,                //
             t3 / 6, t2 / 2, dt;
         axisNoise *= motion.jerkDensity;
+        if (struck)
+            axisNoise += changeNoise(blowSpeedSigmaMps, blowAccelSigmaMps2, dt);
     }
 
     /// F · matrix.
@@ -77,7 +92,7 @@ void MotionFilter::predict(const TrackNode &node)
 {
     if (!m_started)
         return;
-    const Step step(node.timeS - m_timeS, node.travelM - m_travelM, m_noise);
+    const Step step(node.timeS - m_timeS, node.travelM - m_travelM, node.struck, m_noise);
     m_state.mean = step.applied(m_state.mean);
     m_state.covariance = step.predicted(m_state.covariance);
     m_timeS = node.timeS;
@@ -114,15 +129,7 @@ void MotionFilter::restart(const TrackNode &measurement, double sigmaSpeedMps, d
 
 void MotionFilter::disturb(double sigmaSpeedMps, double sigmaAccelMps2, double sinceS)
 {
-    // A change u before now has moved the position by Δv·u and Δa·u²/2 and the velocity by Δa·u; u is even in
-    // [0, T], so that E[uⁿ] = Tⁿ/(n + 1).
-    const double t = sinceS, t2 = t * t;
-    Eigen::Matrix3d axis;
-    axis << t2 / 3, t / 2, 0, t / 2, 1, 0, 0, 0, 0;
-    axis *= sigmaSpeedMps * sigmaSpeedMps;
-    Eigen::Matrix3d ofAccel;
-    ofAccel << t2 * t2 / 20, t2 * t / 8, t2 / 6, t2 * t / 8, t2 / 3, t / 2, t2 / 6, t / 2, 1;
-    axis += sigmaAccelMps2 * sigmaAccelMps2 * ofAccel;
+    const Eigen::Matrix3d axis = changeNoise(sigmaSpeedMps, sigmaAccelMps2, sinceS);
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j)
             m_state.covariance.block<2, 2>(2 * i, 2 * j).diagonal().array() += axis(i, j);
@@ -161,7 +168,8 @@ std::vector<MotionEstimate> smoothMotion(std::span<const TrackNode> track, Motio
     for (std::size_t i = states.size(); i-- > 1;) {
         const MotionFilter::State &next = states[i];
         MotionFilter::State &now = states[i - 1];
-        const Step step(track[i].timeS - track[i - 1].timeS, track[i].travelM - track[i - 1].travelM, noise);
+        const Step step(track[i].timeS - track[i - 1].timeS, track[i].travelM - track[i - 1].travelM,
+                        track[i].struck, noise);
         const Matrix8 predicted = step.predicted(now.covariance);
         const Matrix8 gain = predicted.ldlt().solve(step.applied(now.covariance)).transpose();
         now.mean += gain * (next.mean - step.applied(now.mean));

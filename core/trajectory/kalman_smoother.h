@@ -16,7 +16,11 @@ struct TrackNode
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< m², positive definite where measured
     double travelM = 0; ///< length of the way up to here, which makes the slow part of the noise change
+    bool struck = false; ///< the velocity changed abruptly on the way here from the node before: a blow
 };
+
+/// By how much a collision changes the velocity and a motor, or a collision, the acceleration.
+constexpr double blowSpeedSigmaMps = 1.5, blowAccelSigmaMps2 = 10;
 
 /// How the errors of the measurements hang together. A part of them changes only as the robot moves and turns
 /// before the camera (its edges lie otherwise among the pixels, its sides are lit otherwise): standing still
@@ -59,7 +63,7 @@ public:
     explicit MotionFilter(MotionNoise noise) : m_noise(noise) {}
 
     bool started() const { return m_started; }
-    /// Moves the estimate on to a node's time (no-op before the start).
+    /// Moves the estimate on to a node's time (no-op before the start), disturbed by a blow if it is struck.
     void predict(const TrackNode &node);
     /// Squared Mahalanobis distance of a measurement from the prediction; logDeterminant of its covariance if
     /// wanted.
@@ -93,7 +97,8 @@ private:
 };
 
 /// Rauch–Tung–Striebel smoother (Rauch, Tung, Striebel 1965): one estimate for every time, from all
-/// measurements. The first time must be measured. Pure.
+/// measurements. The first time must be measured. At a blow the motion before and after are smoothed each by
+/// itself, but for the place, which goes on. Pure.
 std::vector<MotionEstimate> smoothMotion(std::span<const TrackNode> track, MotionNoise noise);
 
 /// Noise by maximum likelihood of the innovations (prediction error decomposition: Harvey 1989, § 3.4) over

@@ -73,13 +73,15 @@ const Eigen::Matrix2d &commonPart(const std::vector<Sample> &samples, const Trac
 
 } // namespace
 
-std::vector<ProfilePoint> makePoints(std::vector<Sample> &samples, const AnalysisOptions &options,
-                                     MotionNoise noise)
+std::vector<ProfilePoint> makePoints(std::vector<Sample> &samples, const std::vector<bool> &struck,
+                                     const AnalysisOptions &options, MotionNoise noise)
 {
     std::vector<ProfilePoint> points(samples.size(), emptyPoint());
     for (Sample &sample : samples)
         sample.flags &= ~flagBit(SampleFlag::Interpolated);
-    for (const TrackSegment &segment : cutIntoSegments(samples, options.longestBridgedGap)) {
+    auto segments = cutIntoSegments(samples, options.longestBridgedGap);
+    markBlows(segments, struck);
+    for (const TrackSegment &segment : segments) {
         const auto estimates = estimatesOf(segment, options.smoother, noise);
         for (std::size_t i = 0; i < estimates.size(); ++i) {
             if (!estimates[i] || !estimates[i]->mean.allFinite() || !estimates[i]->covariance.allFinite())

@@ -25,7 +25,9 @@ constexpr double leastScale = 0.25;
 struct Round
 {
     std::vector<bool> spike; ///< of each sample
-    std::vector<bool> abrupt;
+    std::vector<bool> abrupt, struck;
+
+    explicit Round(std::size_t samples) : spike(samples), abrupt(samples), struck(samples) {}
 };
 
 Round searchAll(const std::vector<Sample> &samples, const std::vector<bool> &open, MotionNoise noise,
@@ -33,7 +35,7 @@ Round searchAll(const std::vector<Sample> &samples, const std::vector<bool> &ope
 {
     noise.jerkDensity = std::clamp(noise.jerkDensity, leastJerkDensity, largestJerkDensity);
     noise.measurementScale = std::max(noise.measurementScale, leastScale);
-    Round round{std::vector<bool>(samples.size()), std::vector<bool>(samples.size())};
+    Round round(samples.size());
     const auto isOpen = [&](const Sample &sample) {
         return open[static_cast<std::size_t>(&sample - samples.data())];
     };
@@ -42,6 +44,7 @@ Round searchAll(const std::vector<Sample> &samples, const std::vector<bool> &ope
         for (std::size_t i = 0; i < segment.nodes.size(); ++i) {
             round.spike[segment.first + i] = found.spike[i];
             round.abrupt[segment.first + i] = found.abrupt[i];
+            round.struck[segment.first + i] = found.struck[i];
         }
     }
     return round;
@@ -114,7 +117,7 @@ std::size_t countUsed(const std::vector<Sample> &samples)
 Round standingOut(const std::vector<Sample> &samples, const std::vector<bool> &open,
                   const AnalysisOptions &options)
 {
-    Round round{std::vector<bool>(samples.size()), std::vector<bool>(samples.size())};
+    Round round(samples.size());
     const auto isOpen = [&](const Sample &sample) {
         return open[static_cast<std::size_t>(&sample - samples.data())];
     };
@@ -126,13 +129,22 @@ Round standingOut(const std::vector<Sample> &samples, const std::vector<bool> &o
     return round;
 }
 
+/// What is used, parted at the blows that were found.
+std::vector<TrackSegment> partedSegments(const std::vector<Sample> &samples, const Round &round,
+                                         const AnalysisOptions &options)
+{
+    auto segments = cutIntoSegments(samples, options.longestBridgedGap);
+    markBlows(segments, round.struck);
+    return segments;
+}
+
 /// Refuses samples that stand out from their neighbours by Hampel's identifier, and lie further from the
 /// smoothed track than their noise lets them. At an abrupt change of motion they may.
 void flagStandingOut(std::vector<Sample> &samples, const Round &round, MotionNoise noise, const AnalysisOptions &options)
 {
     constexpr double gate = 30; // χ²(2): 1 in 3 million
     constexpr double leastShareOpen = 0.1; // of the noise: what the track leaves, having used the sample too
-    for (const TrackSegment &segment : cutIntoSegments(samples, options.longestBridgedGap)) {
+    for (const TrackSegment &segment : partedSegments(samples, round, options)) {
         const auto outliers = hampelSpikes(segment.nodes);
         if (std::none_of(outliers.begin(), outliers.end(), [](HampelSpike one) { return one.any(); }))
             continue;
@@ -154,7 +166,7 @@ void flagStandingOut(std::vector<Sample> &samples, const Round &round, MotionNoi
 
 } // namespace
 
-MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
+SpikeVerdict flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
                        const MeasurementNoise &measurement)
 {
     // Samples refused for another reason before are not judged again.
@@ -176,14 +188,14 @@ MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &opti
             samples[i].flags |= flagBit(SampleFlag::Jump);
     }
     const auto noiseOfUsed = [&] {
-        return estimateMotionNoise(nodesOf(cutIntoSegments(samples, options.longestBridgedGap)), false, measurement);
+        return estimateMotionNoise(nodesOf(partedSegments(samples, round, options)), false, measurement);
     };
     const MotionNoise noise = noiseOfUsed();
     const std::size_t used = countUsed(samples);
     flagStandingOut(samples, round, noise, options);
     nameLimits(samples, options);
     refuseBeyondTask(samples, options, noise.measurementScale);
-    return countUsed(samples) == used ? noise : noiseOfUsed();
+    return {countUsed(samples) == used ? noise : noiseOfUsed(), std::move(round.struck)};
 }
 
 namespace {

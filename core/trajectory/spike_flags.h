@@ -9,13 +9,20 @@
 
 namespace odo {
 
+/// What is known of the motion once the spikes are told apart from it.
+struct SpikeVerdict
+{
+    MotionNoise noise;        ///< of what remains, with the slow part of the measurement's
+    std::vector<bool> struck; ///< of each sample: a blow changed the velocity before it
+};
+
 /// Sets Jump, with SpeedLimit and AccelerationLimit as further reasons, on samples that no robot's motion
 /// explains (searchSpikes, with the noise learnt from the run itself; Hampel's identifier gives the first
 /// guess), and on those that Hampel's identifier on position or speed tells and that lie beyond their noise
 /// from the smoothed track of all; AccelerationLimit alone on those that break a limit of the task
 /// (refuseBeyondTask). Samples that a person has judged (ByHand) are left as they are. A collision, a start and a bounce
-/// are motions. Returns the noise estimated from what remains, with the slow part of `measurement`.
-MotionNoise flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
+/// are motions.
+SpikeVerdict flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
                        const MeasurementNoise &measurement = {});
 
 /// The flagged measurements in words with figures, e.g. "jump of 212 mm; stands out in position and speed".

@@ -20,8 +20,6 @@ constexpr double secondSpikePrice = 12;
 constexpr double spikePricePerSecond = 50; // for those that follow the first
 constexpr double changePrice = 2;          // beside what the widened covariance costs
 constexpr double restartPrice = 70;        // the robot was carried elsewhere
-// What a collision and a motor do.
-constexpr double changeSpeedSigma = 1.5, changeAccelSigma = 10;
 constexpr double startSpeedSigma = 2, startAccelSigma = 10;
 constexpr double innovationToDoubt = 6; // below it there is nothing to explain
 constexpr double innovationToRestart = 30;
@@ -221,9 +219,9 @@ private:
             for (const Decision decision : {Decision::Sped, Decision::Collided}) {
                 Hypothesis changed = moved;
                 // A push shows only some time after it began, a blow at once.
-                changed.filter.disturb(0, changeAccelSigma, std::max(since, noticedAfterS));
+                changed.filter.disturb(0, blowAccelSigmaMps2, std::max(since, noticedAfterS));
                 if (decision == Decision::Collided)
-                    changed.filter.disturb(changeSpeedSigma, 0, since);
+                    changed.filter.disturb(blowSpeedSigmaMps, 0, since);
                 believe(changed, i, changePrice + priceOf(changed.filter, node), decision);
             }
         }
@@ -260,13 +258,15 @@ private:
 
     SpikeSearch result() const
     {
-        SpikeSearch found{std::vector<bool>(m_track.size()), std::vector<bool>(m_track.size())};
+        const std::vector<bool> none(m_track.size());
+        SpikeSearch found{none, none, none};
         if (m_alive.empty())
             return found;
         for (std::int64_t r = m_alive.front().remark; r >= 0;
              r = m_remarks[static_cast<std::size_t>(r)].before) {
             const Remark &remark = m_remarks[static_cast<std::size_t>(r)];
             (remark.decision == Decision::Spike ? found.spike : found.abrupt)[remark.node] = true;
+            found.struck[remark.node] = remark.decision == Decision::Collided;
         }
         return found;
     }

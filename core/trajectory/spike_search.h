@@ -14,6 +14,7 @@ struct SpikeSearch
     std::vector<bool> spike; ///< measurements that no motion explains
     std::vector<bool>
         abrupt; ///< the motion changed abruptly before this measurement: a collision, a hard start
+    std::vector<bool> struck; ///< of these the ones whose velocity did: a blow
 };
 
 /// The cheapest explanation of a whole track. Each measurement either follows the motion before it, or

@@ -61,6 +61,18 @@ std::vector<TrackSegment> cutIntoSegments(const std::vector<Sample> &samples, Na
     return segments;
 }
 
+void markBlows(std::vector<TrackSegment> &segments, const std::vector<bool> &struck)
+{
+    if (struck.empty())
+        return;
+    for (TrackSegment &segment : segments) {
+        std::vector<TrackNode> &nodes = segment.nodes;
+        for (std::size_t i = nodes.size(); i-- > 1;)
+            nodes[i].struck = struck[segment.first + i] ||
+                              (i + 1 < nodes.size() && !nodes[i].measured && nodes[i + 1].struck);
+    }
+}
+
 std::vector<std::span<const TrackNode>> nodesOf(const std::vector<TrackSegment> &segments)
 {
     std::vector<std::span<const TrackNode>> nodes;

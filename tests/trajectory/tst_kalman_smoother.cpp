@@ -117,6 +117,64 @@ private Q_SLOTS:
         QVERIFY(covariance(4, 4) < 1e-9);
     }
 
+    void aBlowPartsTheMotionBeforeFromThatAfter()
+    {
+        // A bounce between two frames, exactly measured: a straight line on either side. Without the word the
+        // smoother must bend the way.
+        const double impactS = 2.01;
+        const auto course = [&](double t) {
+            return Eigen::Vector2d(t < impactS ? t : impactS - 0.3 * (t - impactS), 0.1 * t);
+        };
+        auto nodes = track(120, 1 / 30.0, 0.0005, course, 3);
+        for (TrackNode &node : nodes)
+            node.position = course(node.timeS);
+        const auto worstSpeedError = [&] {
+            double worst = 0;
+            for (const MotionEstimate &estimate : smoothMotion(nodes, {5, 1})) {
+                worst = std::max(worst, std::min((estimate.velocity() - Eigen::Vector2d(1, 0.1)).norm(),
+                                                 (estimate.velocity() - Eigen::Vector2d(-0.3, 0.1)).norm()));
+            }
+            return worst;
+        };
+        QVERIFY(worstSpeedError() > 0.3);
+        nodes[61].struck = true;
+        QVERIFY2(worstSpeedError() < 0.005, qPrintable(QString::number(worstSpeedError())));
+    }
+    void aBlowIsAsUncertainAsStated()
+    {
+        // Runs of the model with a blow as it is allowed for, at an even moment of the step before node 30.
+        std::mt19937 random(12);
+        std::normal_distribution<double> normal;
+        std::uniform_real_distribution<double> even(0, 1);
+        constexpr int runs = 400, struck = 30;
+        constexpr double dt = 1 / 30.0, density = 5, sigmaM = 0.0005;
+        double squares[2] = {0, 0};
+        for (int run = 0; run < runs; ++run) {
+            Simulated simulated = simulate(60, dt, density, sigmaM, random);
+            const double since = dt * even(random);
+            const Eigen::Vector2d speed = blowSpeedSigmaMps * Eigen::Vector2d(normal(random), normal(random));
+            const Eigen::Vector2d accel = blowAccelSigmaMps2 * Eigen::Vector2d(normal(random), normal(random));
+            for (int i = struck; i < 60; ++i) {
+                const double t = since + (i - struck) * dt;
+                auto &state = simulated.states[static_cast<std::size_t>(i)];
+                const Eigen::Vector2d shift = speed * t + accel * t * t / 2;
+                state.head<2>() += shift;
+                state.segment<2>(2) += speed + accel * t;
+                state.tail<2>() += accel;
+                simulated.nodes[static_cast<std::size_t>(i)].position += shift;
+            }
+            simulated.nodes[struck].struck = true;
+            const auto estimates = smoothMotion(simulated.nodes, {density, 1});
+            for (const int i : {struck - 1, struck}) {
+                const auto node = static_cast<std::size_t>(i);
+                const Eigen::Matrix<double, 6, 1> error = estimates[node].mean - simulated.states[node];
+                squares[i - struck + 1] += error.dot(estimates[node].covariance.ldlt().solve(error)) / runs;
+            }
+        }
+        // χ² of six degrees of freedom: the mean of 400 is known to ±0.17; the moment is uniform, not normal.
+        for (const double squared : squares)
+            QVERIFY2(std::abs(squared - 6) < 0.7, qPrintable(QString::number(squared)));
+    }
     void withoutProcessNoiseItIsAParabolaFit()
     {
         // q → 0: least squares of a parabola with equal weights (the start's ignorance is negligible: 1e4 σ).

@@ -55,7 +55,7 @@ std::vector<Metric> measured(const Course &course, double durationS, double sigm
         sample.covariance = Eigen::Matrix2d::Identity() * sigmaM * sigmaM;
         samples.push_back(sample);
     }
-    const auto points = makePoints(samples, {}, {jerkDensity, 1});
+    const auto points = makePoints(samples, {}, {}, {jerkDensity, 1});
     return measureRun(samples, points);
 }
 

@@ -48,7 +48,8 @@ Run smoothed(const Course &course, double durationS, double sigmaM, std::mt19937
     std::normal_distribution<double> noise(0, sigmaM);
     for (Sample &sample : run.samples)
         *sample.position += Eigen::Vector2d(noise(random), noise(random));
-    run.points = makePoints(run.samples, {}, flagSpikes(run.samples, {}));
+    const SpikeVerdict verdict = flagSpikes(run.samples, {});
+    run.points = makePoints(run.samples, verdict.struck, {}, verdict.noise);
     return run;
 }
 
