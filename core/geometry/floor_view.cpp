@@ -55,13 +55,8 @@ std::optional<Vector2d> FloorView::floorFromPixel(const Vector2d &pixel, double 
     return Vector2d(m_worldFromCamera.translation.head<2>() + ray.head<2>() * (climb / ray.z()));
 }
 
-std::optional<FloorPosition> FloorView::locate(const Vector2d &pixel, const Eigen::Matrix2d &pixelCovariance,
-                                               double heightM) const
+std::optional<FloorView::Slopes> FloorView::slopesAt(const Vector3d &point) const
 {
-    const auto floor = floorFromPixel(pixel, heightM);
-    if (!floor)
-        return std::nullopt;
-    const Vector3d point(floor->x(), floor->y(), heightM);
     const Vector3d fromCamera = point - m_worldFromCamera.translation;
     Eigen::Matrix<double, 2, 3> pixelByPoint;
     const Vector3d pointInCamera = m_cameraFromWorld * point;
@@ -70,22 +65,43 @@ std::optional<FloorPosition> FloorView::locate(const Vector2d &pixel, const Eige
     // The pixel is a function of point, rotation, camera position and lens; it stays where it is, so by the
     // implicit function theorem each derivative of the point is the negative quotient of the pixel's
     // derivatives.
-    const Eigen::Matrix<double, 2, 3> pixelByWorld =
-        pixelByPoint * m_cameraFromWorld.rotation.toRotationMatrix();
-    const Eigen::Matrix2d pointByPixel = pixelByWorld.leftCols<2>().inverse();
-    if (!pointByPixel.allFinite())
+    Slopes slopes;
+    slopes.pixelByWorld = pixelByPoint * m_cameraFromWorld.rotation.toRotationMatrix();
+    slopes.pointByPixel = slopes.pixelByWorld.leftCols<2>().inverse();
+    if (!slopes.pointByPixel.allFinite())
         return std::nullopt;
-    Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, 18> pixelByJoint(2,
-                                                                                  m_jointCovariance.rows());
-    pixelByJoint.leftCols<3>() = pixelByWorld * crossMatrix(fromCamera);
-    pixelByJoint.middleCols<3>(3) = -pixelByWorld;
+    slopes.pixelByJoint.resize(2, m_jointCovariance.rows());
+    slopes.pixelByJoint.leftCols<3>() = slopes.pixelByWorld * crossMatrix(fromCamera);
+    slopes.pixelByJoint.middleCols<3>(3) = -slopes.pixelByWorld;
     if (hasLensPart())
-        pixelByJoint.rightCols(pixelByJoint.cols() - 6) = m_camera.pixelByLens(pointInCamera);
+        slopes.pixelByJoint.rightCols(slopes.pixelByJoint.cols() - 6) = m_camera.pixelByLens(pointInCamera);
+    return slopes;
+}
+
+std::optional<FloorPosition> FloorView::locate(const Vector2d &pixel, const Eigen::Matrix2d &pixelCovariance,
+                                               double heightM) const
+{
+    const auto floor = floorFromPixel(pixel, heightM);
+    const auto slopes = floor ? slopesAt({floor->x(), floor->y(), heightM}) : std::nullopt;
+    if (!slopes)
+        return std::nullopt;
+    const Eigen::Matrix2d &pointByPixel = slopes->pointByPixel;
     const Eigen::Matrix2d pixelCalibration =
-        pixelByJoint.lazyProduct(m_jointCovariance).eval().lazyProduct(pixelByJoint.transpose());
+        slopes->pixelByJoint.lazyProduct(m_jointCovariance).eval().lazyProduct(slopes->pixelByJoint.transpose());
     return FloorPosition{*floor, pointByPixel * pixelCovariance * pointByPixel.transpose(),
                          pointByPixel * pixelCalibration * pointByPixel.transpose(),
-                         -pointByPixel * pixelByWorld.col(2)};
+                         -pointByPixel * slopes->pixelByWorld.col(2)};
+}
+
+std::optional<Eigen::Matrix2d> FloorView::sharedCovariance(const Vector2d &a, const Vector2d &b,
+                                                           double heightM) const
+{
+    const auto atA = slopesAt({a.x(), a.y(), heightM}), atB = slopesAt({b.x(), b.y(), heightM});
+    if (!atA || !atB)
+        return std::nullopt;
+    const Eigen::Matrix2d pixels =
+        atA->pixelByJoint.lazyProduct(m_jointCovariance).eval().lazyProduct(atB->pixelByJoint.transpose());
+    return Eigen::Matrix2d(atA->pointByPixel * pixels * atB->pointByPixel.transpose());
 }
 
 std::optional<Vector2d> FloorView::pixelFromWorld(const Vector3d &pointInWorld) const

@@ -62,11 +62,25 @@ public:
     std::optional<FloorPosition> locate(const Eigen::Vector2d &pixel, const Eigen::Matrix2d &pixelCovariance,
                                         double heightM) const;
 
+    /// How the calibration's errors at two places of the plane z = heightM hang together: E[δa·δbᵀ], m². For
+    /// a = b it is the calibrationCovariance there. nullopt where a place is not seen.
+    std::optional<Eigen::Matrix2d> sharedCovariance(const Eigen::Vector2d &a, const Eigen::Vector2d &b,
+                                                    double heightM) const;
+
     /// Pixel of a world point; nullopt behind the camera or where the lens model folds. May lie outside the
     /// picture.
     std::optional<Eigen::Vector2d> pixelFromWorld(const Eigen::Vector3d &pointInWorld) const;
 
 private:
+    /// Derivatives about a point: of it in its plane by the pixel, and of its pixel by point and calibration.
+    struct Slopes
+    {
+        Eigen::Matrix2d pointByPixel;
+        Eigen::Matrix<double, 2, 3> pixelByWorld;
+        Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, 18> pixelByJoint;
+    };
+    std::optional<Slopes> slopesAt(const Eigen::Vector3d &pointInWorld) const;
+
     CameraModel m_camera;
     RigidTransform m_worldFromCamera, m_cameraFromWorld;
     Eigen::Matrix<double, 6, 6> m_poseCovariance;

@@ -254,7 +254,7 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
     settings.measurement = measurement;
     FusedTrack track = fuseViews(times, frames, placed->views, settings);
     chooseByMotion(track, settings, options.longestBridgedGap);
-    alignSingleViews(track, placed->views);
+    alignSingleViews(track, placed->views, views);
     applyOverrules(track.samples, options.overrules);
     const SpikeVerdict verdict = flagSpikes(track.samples, options, measurement);
 

@@ -140,6 +140,7 @@ private Q_SLOTS:
         const Vector3d points[] = {{1.2, 0.9, 0.06}, {0.3, 1.7, 0}, {2.4, 0.4, 0.1}};
         Eigen::Matrix2d sampled[] = {Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Zero(),
                                      Eigen::Matrix2d::Zero()};
+        Eigen::Matrix2d sampledTogether = Eigen::Matrix2d::Zero(); // of the first two points, on the floor
         const int draws = 3000;
         for (int draw = 0; draw < draws; ++draw) {
             const Eigen::VectorXd step =
@@ -155,12 +156,21 @@ private Q_SLOTS:
             const auto refitted = registerFloor(layout(), pixels, camera, true);
             QVERIFY(refitted.has_value());
             const FloorView wrong(camera, refitted->worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());
+            const auto floorError = [&](int i) {
+                const Vector2d place = points[i].head<2>();
+                return Vector2d(*wrong.floorFromPixel(*truth.pixelFromWorld({place.x(), place.y(), 0}), 0) - place);
+            };
+            sampledTogether += floorError(0) * floorError(1).transpose() / draws;
             for (int i = 0; i < 3; ++i) {
                 const auto place = wrong.floorFromPixel(*truth.pixelFromWorld(points[i]), points[i].z());
                 const Vector2d error = *place - points[i].head<2>();
                 sampled[i] += error * error.transpose() / draws;
             }
         }
+        const auto together = view.sharedCovariance(points[0].head<2>(), points[1].head<2>(), 0);
+        QVERIFY(together.has_value());
+        // Beside the spread of each place: what they share may be little.
+        QVERIFY((sampledTogether - *together).norm() < 0.1 * std::sqrt(sampled[0].norm() * sampled[1].norm()));
         for (int i = 0; i < 3; ++i) {
             const auto stated =
                 view.locate(*truth.pixelFromWorld(points[i]), Eigen::Matrix2d::Zero(), points[i].z());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/fusion.h"
 #include "core/trajectory/height_estimation.h"
+#include "core/trajectory/view_alignment.h"
 #include "core/trajectory/view_interpolation.h"
 
 #include "synthetic_trial.h"
@@ -137,6 +138,36 @@ private Q_SLOTS:
         const double expected = std::pow(0.05 * 0.002, 2);
         QVERIFY((sighting.place.calibrationCovariance - Eigen::Matrix2d::Identity() * expected).norm() <
                 1e-6 * expected);
+    }
+    void anOffsetIsLedOnAsFarAsItsCauseReaches()
+    {
+        // A camera whose turn about the vertical is all that is not known: at a place it errs across the ray,
+        // by as much as the place is far.
+        Intrinsics lens{1280, 720, 1000, 1000, 640, 360, LensModel::Standard, {0, 0, 0, 0, 0}, {}};
+        Eigen::Matrix<double, 6, 6> pose = 1e-12 * Eigen::Matrix<double, 6, 6>::Identity();
+        pose(2, 2) = 1e-6;
+        ViewTrack known, other;
+        known.floorView = FloorView(*CameraModel::create(lens),
+                                    {Eigen::Quaterniond(0, 1, 0, 0), Eigen::Vector3d(0, 0, 2)}, pose);
+        const Eigen::Vector2d near(1, 0), far(2, 0), offset(0, 0.003);
+        FusedTrack track;
+        std::vector<std::vector<Sighting>> views(2);
+        for (int i = 0; i < 30; ++i) {
+            const bool joined = i < 20;
+            Sample sample;
+            sample.time = fromSeconds(i / 30.0);
+            sample.position = joined ? near : Eigen::Vector2d((i < 25 ? near : far) + offset);
+            sample.views = joined ? 3 : 1;
+            track.samples.push_back(sample);
+            Sighting sighting;
+            sighting.seen = true;
+            sighting.place.pointInWorld = near + offset;
+            views[0].push_back(sighting);
+            views[1].emplace_back();
+        }
+        alignSingleViews(track, views, {known, other});
+        QVERIFY((*track.samples[22].position - near).norm() < 1e-4);
+        QVERIFY((*track.samples[28].position - (far + offset - 2 * offset)).norm() < 2e-4);
     }
     void theGateStandsASteadyDisagreement()
     {
