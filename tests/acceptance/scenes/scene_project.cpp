@@ -144,10 +144,15 @@ private:
         for (const ToldRobot &robot : m_out.scene.told)
             arguments << s("--robot") << q(robot.name);
         const bool several = scene().cameras.size() > 1;
-        const double offsetS = several ? frameSceneTime(scene(), 1, 0) - frameSceneTime(scene(), 0, 0) : 0;
+        const auto offsetS = [&](std::size_t camera) {
+            return frameSceneTime(scene(), static_cast<int>(camera), 0) - frameSceneTime(scene(), 0, 0);
+        };
+        QStringList offsets;
+        for (std::size_t camera = 1; camera < scene().cameras.size(); ++camera)
+            offsets << QString::number(offsetS(camera), 'f', 6);
         arguments << s("--sync")
                   << (m_out.scene.findsOffset ? s("auto")
-                      : several               ? QString::number(offsetS, 'f', 6)
+                      : several               ? offsets.join(u',')
                                               : s("none"))
                   << s("--json");
         ProgramRun run;
@@ -155,7 +160,7 @@ private:
             return false;
         if (m_out.scene.findsOffset)
             m_out.offsetErrorS =
-                run.json().value(s("sync")).toObject().value(s("offset_s")).toDouble() - offsetS;
+                run.json().value(s("sync")).toObject().value(s("offset_s")).toDouble() - offsetS(1);
         return true;
     }
 
