@@ -53,6 +53,8 @@ QJsonObject recordingJson(const RecordingRecord &recording)
             {QStringLiteral("fps"), recording.framesPerSecond},
             {QStringLiteral("duration_s"), duration + interval},
             {QStringLiteral("start_offset_s"), recording.startOffsetS},
+            {QStringLiteral("start_offset_sigma_s"), recording.startOffsetSigmaS},
+            {QStringLiteral("sync_method"), QString::fromStdString(recording.syncMethod)},
             {QStringLiteral("clock_rate_ppm"), recording.clockRate * 1e6}};
 }
 

@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "app/step_words.h"
 #include "core/project/repositories.h"
 #include "core/workflow/import_trial_job.h"
 
@@ -23,17 +24,17 @@ Result<ImportSettings> settingsFrom(const CommandCall &call)
         return tl::unexpected(videos.error());
     for (const auto &[camera, file] : *videos)
         settings.videos.emplace_back(camera, file);
-    if (const std::string how = call.value(sync); how == "none") {
-        settings.sync = ImportSettings::Sync::None;
-    } else if (!how.empty() && how != "auto") {
-        settings.sync = ImportSettings::Sync::Told;
-        for (const QString &text : QString::fromStdString(how).split(u',')) {
-            const auto offset = parseNumber(text.trimmed().toStdString());
-            if (!offset)
-                return call.wrongCall(
-                    QStringLiteral("--sync is auto, none or seconds, one number for each view but the first"));
-            settings.offsetsS.push_back(*offset);
+    for (const QString &text : QString::fromStdString(call.value(sync)).split(u',', Qt::SkipEmptyParts)) {
+        const std::string how = text.trimmed().toStdString();
+        if (how == "auto" || how == "none") {
+            settings.steps.push_back({how == "auto" ? ImportSettings::Sync::Automatic : ImportSettings::Sync::None, 0});
+            continue;
         }
+        const auto offset = parseNumber(how);
+        if (!offset)
+            return call.wrongCall(
+                QStringLiteral("--sync is auto, none or seconds, one of them for each view but the first"));
+        settings.steps.push_back({ImportSettings::Sync::Told, *offset});
     }
     settings.team = call.value(team);
     settings.task = call.value(task);
@@ -52,13 +53,13 @@ Result<ImportSettings> settingsFrom(const CommandCall &call)
 Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("import"),
-                      QStringLiteral("P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--sync auto|none|SECONDS[,SECONDS]...] "
+                      QStringLiteral("P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--sync auto|none|SECONDS[,...]] "
                                      "[--team T] [--task NAME] [--robot R]... [--rate 240] [--json]"),
                       1, 1,
                       {{trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
                        {video, QStringLiteral("A view: the camera's name and the file."), QStringLiteral("CAMERA=FILE")},
-                       {sync, QStringLiteral("How much later each other view's first frame was taken than the first view's."),
-                        QStringLiteral("auto|none|SECONDS[,SECONDS]...")},
+                       {sync, QStringLiteral("How much later each other view's first frame was taken than the first view's; auto: found from the motion or a flash of light."),
+                        QStringLiteral("auto|none|SECONDS[,...]")},
                        {team, QStringLiteral("The team that ran."), QStringLiteral("T")},
                        {task, QStringLiteral("The task that was driven; see odograph task add."), QStringLiteral("NAME")},
                        {robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
@@ -85,11 +86,11 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
     call.answer({{QStringLiteral("trial"), QString::fromStdString(job.trial().name)},
                  {QStringLiteral("views"), views},
                  {QStringLiteral("sync"), syncJson(job.trial())}},
-                QStringLiteral("Trial %1 imported with %2 views; synchronisation: %3, %4 s.")
-                    .arg(QString::fromStdString(job.trial().name))
-                    .arg(job.recordings().size())
-                    .arg(QString::fromStdString(job.trial().syncMethod))
-                    .arg(job.trial().syncOffsetS, 0, 'f', 4));
+                (QStringList(QStringLiteral("Trial %1 imported, views: %2")
+                                 .arg(QString::fromStdString(job.trial().name))
+                                 .arg(job.recordings().size()))
+                 << stepSentences(job.recordings()))
+                    .join(u'\n'));
     for (const std::string &warning : job.warnings())
         CommandCall::warn(warning);
     return {};

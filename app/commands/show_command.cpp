@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "app/step_words.h"
 #include "app/task_answers.h"
 #include "core/project/repositories.h"
 #include "core/workflow/track_warnings.h"
@@ -100,10 +101,9 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
     }
     QJsonObject robots;
     std::vector<std::string> warnings;
-    QStringList lines(QStringLiteral("Trial %1, team %2, synchronisation: %3, %4 s")
-                          .arg(QString::fromStdString(trial->name), QString::fromStdString(trial->teamName),
-                               QString::fromStdString(trial->syncMethod))
-                          .arg(trial->syncOffsetS, 0, 'f', 4));
+    QStringList lines(QStringLiteral("Trial %1, team %2")
+                          .arg(QString::fromStdString(trial->name), QString::fromStdString(trial->teamName)));
+    lines << stepSentences(*recordings);
     if (analyses->empty())
         lines << QStringLiteral("Not tracked yet; run: odograph track %1 %2").arg(call.positional(0), call.positional(1));
     for (const AnalysisRecord &analysis : *analyses) {

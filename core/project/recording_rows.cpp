@@ -63,12 +63,13 @@ Result<RecordId> addRecording(ProjectConnection &connection, const RecordingReco
     Statement insert(
         connection,
         QStringLiteral("INSERT INTO recording (trial_id, camera_id, position, path, sha256, bytes, "
-                       "width_px, height_px, frames_per_second, start_offset_s, clock_rate) "
-                       "VALUES (?,?,?,?,?,?,?,?,?,?,?)"));
+                       "width_px, height_px, frames_per_second, start_offset_s, clock_rate, sync_method, "
+                       "start_offset_sigma_s) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?)"));
     insert.bind(recording.trial).bind(recording.camera).bind(recording.position);
     insert.bind(path.is_absolute() ? storedPath(connection.file(), path) : recording.path);
     insert.bind(recording.sha256).bind(recording.bytes).bind(recording.widthPx).bind(recording.heightPx);
-    if (auto done = insert.bind(recording.framesPerSecond).bind(recording.startOffsetS).bind(recording.clockRate).run(); !done)
+    insert.bind(recording.framesPerSecond).bind(recording.startOffsetS).bind(recording.clockRate);
+    if (auto done = insert.bind(recording.syncMethod).bind(recording.startOffsetSigmaS).run(); !done)
         return tl::unexpected(done.error());
     const RecordId id = insert.insertedId();
     if (auto added = addFrameTimes(connection, id, recording.frameTimes); !added)
@@ -82,7 +83,8 @@ Result<std::vector<RecordingRecord>> recordingsOf(const ProjectConnection &conne
     Statement select(
         connection,
         QStringLiteral("SELECT recording.id, trial_id, camera_id, camera.name, position, path, sha256, "
-                       "bytes, width_px, height_px, frames_per_second, start_offset_s, clock_rate FROM recording "
+                       "bytes, width_px, height_px, frames_per_second, start_offset_s, clock_rate, sync_method, "
+                       "start_offset_sigma_s FROM recording "
                        "JOIN camera ON camera.id=camera_id WHERE trial_id=? ORDER BY position"));
     auto read = select.bind(trial).eachRow([&](const Statement &row) -> Result<void> {
         RecordingRecord recording;
@@ -99,6 +101,8 @@ Result<std::vector<RecordingRecord>> recordingsOf(const ProjectConnection &conne
         recording.framesPerSecond = row.real(10);
         recording.startOffsetS = row.real(11);
         recording.clockRate = row.real(12);
+        recording.syncMethod = row.text(13);
+        recording.startOffsetSigmaS = row.real(14);
         if (auto times = readFrameTimes(connection, recording); !times)
             return times;
         recordings.push_back(std::move(recording));

@@ -92,7 +92,7 @@ struct TrialRecord
     std::string task; ///< its name; empty: none
     Instant date;
     std::string notes;
-    std::string syncMethod;       ///< "none", "told", "auto" (from the motion), "flash"
+    std::string syncMethod;       ///< of the second view: "none", "told", "auto" (from the motion), "flash" (of light)
     double syncOffsetS = 0;       ///< how much later the second view's first frame was taken than the first's
     double syncOffsetSigmaS = 0;
     double syncRate = 0;          ///< by how much the second view's clock runs faster than the first's
@@ -117,7 +117,9 @@ struct RecordingRecord
     std::int64_t bytes = 0;
     int widthPx = 0, heightPx = 0;
     double framesPerSecond = 0;
+    std::string syncMethod;      ///< how startOffsetS is known, as in TrialRecord; empty: the first view
     double startOffsetS = 0;     ///< against the first view
+    double startOffsetSigmaS = 0; ///< 0: not known
     double clockRate = 0;        ///< by how much its clock runs faster than the first view's
     std::vector<Nanoseconds> frameTimes;
 };

@@ -157,6 +157,19 @@ std::vector<std::string> tasks()
     };
 }
 
+/// Each view can be put in step with the first one in its own way.
+std::vector<std::string> viewsInStep()
+{
+    return {
+        "ALTER TABLE recording ADD COLUMN sync_method TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE recording ADD COLUMN start_offset_sigma_s REAL NOT NULL DEFAULT 0",
+        "UPDATE recording SET sync_method=(SELECT sync_method FROM trial WHERE trial.id=trial_id) "
+        "WHERE position>0",
+        "UPDATE recording SET start_offset_sigma_s=(SELECT sync_offset_sigma_s FROM trial WHERE "
+        "trial.id=trial_id) WHERE position=1",
+    };
+}
+
 } // namespace
 
 std::vector<Migration> projectMigrations()
@@ -164,7 +177,8 @@ std::vector<Migration> projectMigrations()
     return {sqlMigration("the first schema", firstSchema()),
             sqlMigration("samples overruled by hand", overrules()),
             sqlMigration("rates of the cameras' clocks", clockRates()),
-            sqlMigration("tasks with gates, a reference path and limits", tasks())};
+            sqlMigration("tasks with gates, a reference path and limits", tasks()),
+            sqlMigration("how each view was put in step", viewsInStep())};
 }
 
 } // namespace odo

@@ -203,8 +203,10 @@ Result<void> TrialRepository::setSync(const TrialRecord &trial)
             return done;
         Statement second(
             m_connection,
-            QStringLiteral("UPDATE recording SET start_offset_s=?, clock_rate=? WHERE trial_id=? AND position=1"));
-        return second.bind(trial.syncOffsetS).bind(trial.syncRate).bind(trial.id).run();
+            QStringLiteral("UPDATE recording SET sync_method=?, start_offset_s=?, start_offset_sigma_s=?, clock_rate=? "
+                           "WHERE trial_id=? AND position=1"));
+        second.bind(trial.syncMethod).bind(trial.syncOffsetS).bind(trial.syncOffsetSigmaS).bind(trial.syncRate);
+        return second.bind(trial.id).run();
     });
 }
 

@@ -211,6 +211,14 @@ std::vector<PaintedThing> thingsInExposure(const SimulatedScene &scene, int came
     return Exposure(scene, camera, outline, timeS).things();
 }
 
+double lightInExposure(const std::vector<LightChange> &lights, double exposureS, double timeS)
+{
+    double gain = 1;
+    for (const LightChange &light : lights)
+        gain *= 1 + (light.gain - 1) * shareOfExposure(timeS, exposureS, light.startS, light.durationS);
+    return gain;
+}
+
 double gainInExposure(const SensorModel &sensor, double timeS)
 {
     // The mean of a sine over the exposure is the sine at its middle times sin(x)/x.

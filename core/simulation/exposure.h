@@ -28,6 +28,9 @@ struct PaintedThing
 std::vector<PaintedThing> thingsInExposure(const SimulatedScene &scene, int camera,
                                            const PictureOutline &outline, double timeS);
 
+/// Mean of the room's light over an exposure about a time, 1 where nothing changes it.
+double lightInExposure(const std::vector<LightChange> &lights, double exposureS, double timeS);
+
 /// Mean of the light's gain over an exposure about a time: drift and flicker.
 double gainInExposure(const SensorModel &sensor, double timeS);
 

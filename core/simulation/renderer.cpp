@@ -116,8 +116,10 @@ Frame SceneRenderer::render(std::int64_t frame)
     const double timeS = frameSceneTime(d.scene, d.camera, frame);
     d.paint(thingsInExposure(d.scene, d.camera, d.outline, timeS));
     const auto picture = static_cast<std::uint64_t>(framePicture(d.scene, d.camera, frame));
-    return FrameBuffer::toFrame(d.sensor.read(gainInExposure(d.settings.sensor, timeS), picture), frame,
-                                frameStamp(d.scene, d.camera, frame));
+    const SensorModel &model = d.settings.sensor;
+    const double gain =
+        gainInExposure(model, timeS) * lightInExposure(d.scene.lights, model.exposureS, timeS);
+    return FrameBuffer::toFrame(d.sensor.read(gain, picture), frame, frameStamp(d.scene, d.camera, frame));
 }
 
 } // namespace odo

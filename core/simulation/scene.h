@@ -51,6 +51,13 @@ struct Occluder
     double startS = 0, durationS = 1e9;
 };
 
+/// The light of the room is another for a while, for all cameras: a flash, or a lamp that is switched on.
+struct LightChange
+{
+    double gain = 1; ///< of all luma and chroma
+    double startS = 0, durationS = 1e9;
+};
+
 /// What a simulated camera adds to the perfect picture.
 struct SensorModel
 {
@@ -101,6 +108,7 @@ struct SimulatedScene
     std::vector<SimulatedRobot> robots;
     std::vector<Reflection> reflections;
     std::vector<Occluder> occluders;
+    std::vector<LightChange> lights;
     std::vector<SimulatedCamera> cameras;
     double durationS = 10;
     std::uint32_t seed = 1;

@@ -23,7 +23,7 @@ constexpr std::size_t searchedPairs = 1000; // on the grid
 tl::unexpected<Error> undetermined(const std::string &why)
 {
     return fail(ErrorCode::Undetermined, "synchronisation of the clips", why,
-                "give the offset by hand, with --sync SECONDS");
+                "flash the room lights once while both cameras record, or give --sync SECONDS");
 }
 
 double medianStepS(const std::vector<TimedPosition> &track)
@@ -199,18 +199,19 @@ struct GridSearch
 };
 
 GridSearch searchGrid(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
-                      double frameS, double longestOffsetS)
+                      double frameS, const OffsetRange &range)
 {
     const std::size_t stride = 1 + first.size() / searchedPairs;
     const std::size_t enough = std::max(fewestPairs, std::min(first.size(), second.size()) / 2) / stride;
     const double stepS = frameS / 2;
     std::vector<Candidate> candidates;
-    const int steps = int(std::ceil(longestOffsetS / stepS));
+    const int steps = int(std::ceil(range.halfWidthS / stepS));
     for (int i = -steps; i <= steps; ++i) {
-        const Pairs pairs = pairsAt(first, second, {i * stepS, 0}, stride);
+        const double offsetS = range.middleS + i * stepS;
+        const Pairs pairs = pairsAt(first, second, {offsetS, 0}, stride);
         if (pairs.size() >= enough)
             candidates.push_back(
-                {i * stepS, agreementOf(pairs, false, independentVariance(0, frameS)).variance});
+                {offsetS, agreementOf(pairs, false, independentVariance(0, frameS)).variance});
     }
     GridSearch found;
     for (const Candidate &c : candidates) {
@@ -289,13 +290,13 @@ ClipOffset withRate(const ClipOffset &plain, const Fit &plainFit, const Fit &fit
 } // namespace
 
 Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &first,
-                                      const std::vector<TimedPosition> &second, double longestOffsetS)
+                                      const std::vector<TimedPosition> &second, const OffsetRange &range)
 {
     if (first.size() < fewestPairs || second.size() < fewestPairs)
         return undetermined("one view saw the robot in fewer than " + std::to_string(fewestPairs) +
                             " pictures");
     const double frameS = std::max(medianStepS(first), 1e-3);
-    const GridSearch grid = searchGrid(first, second, frameS, longestOffsetS);
+    const GridSearch grid = searchGrid(first, second, frameS, range);
     if (!grid.best)
         return undetermined("the views hardly ever saw the robot at the same time");
 
@@ -305,6 +306,8 @@ Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &first,
         return undetermined("the robot stood still or ran straight at constant speed, so every offset fits");
     if (plain.score < 0.8)
         return undetermined("the views' tracks do not resemble one another");
+    if (std::abs(plain.offsetS - range.middleS) > range.halfWidthS + frameS)
+        return undetermined("the views' tracks do not coincide at any offset looked at");
     if (grid.rival) {
         const Fit rival = refine(first, second, {grid.rival->offsetS, 0}, false, frameS);
         if (std::abs(rival.clock.offsetS - plain.offsetS) > closestRivalS / 2 &&

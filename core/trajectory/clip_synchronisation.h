@@ -27,16 +27,22 @@ struct ClipOffset
     double rateSigma = 0; ///< also where the rate is 0: what the motion can tell
 };
 
+/// The offsets to look at.
+struct OffsetRange
+{
+    double middleS = 0, halfWidthS = 10;
+};
+
 /// Finds the offset, and the rate difference, at which the floor tracks of one robot in two views coincide:
 /// least squares of r(t) = p1(t) − p2((t − offset)(1 + rate)). A constant shift and a small scale between the
 /// tracks are fitted as well, for a plane at a wrong height moves a view's track by just these (away from the
 /// camera's foot, in proportion); so a straight run at constant speed determines nothing, and is refused.
-/// Searches ±longestOffsetS in half frames, refines by Gauss–Newton. σ from the curvature, less what noise
+/// Searches the range in half frames, refines by Gauss–Newton. σ from the curvature, less what noise
 /// adds to it, and the residual, taking the residuals as correlated over half a second. The rate is taken
 /// where it is beyond 3σ, makes the tracks agree better, and is one that a clock can have (half a percent).
 /// Pure; any thread. Undetermined: too few common positions, no or uniform motion, periodic motion with two
 /// equal answers.
 Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &first,
-                                      const std::vector<TimedPosition> &second, double longestOffsetS);
+                                      const std::vector<TimedPosition> &second, const OffsetRange &range);
 
 } // namespace odo

@@ -19,31 +19,6 @@ constexpr double usualPlaneM = 0.04, highestPlaneM = 0.6;
 constexpr double firstSigmaM = 0.1, secondSigmaM = 0.05;
 constexpr double mostDisagreementM = 0.25; ///< median; beyond it the views do not show the same time or floor
 
-/// Groups of robots whose colours might be taken for one another.
-std::vector<std::vector<std::size_t>> confusableRobots(const std::vector<NamedRobot> &robots)
-{
-    std::vector<std::vector<std::size_t>> groups;
-    const auto hue = [&](std::size_t robot) { return hueOf(chromaOf(robots[robot].colour, FrameFormat{})); };
-    for (std::size_t robot = 0; robot < robots.size(); ++robot) {
-        std::vector<std::size_t> group;
-        std::erase_if(groups, [&](const std::vector<std::size_t> &earlier) {
-            const bool near = std::any_of(earlier.begin(), earlier.end(), [&](std::size_t other) {
-                return std::abs(hueDifference(hue(robot), hue(other))) < confusableHueRad;
-            });
-            if (near)
-                group.insert(group.end(), earlier.begin(), earlier.end());
-            return near;
-        });
-        group.push_back(robot);
-        groups.push_back(std::move(group));
-    }
-    std::erase_if(groups,
-                  [](const auto &group) { return group.size() < 2 || group.size() > mostConfusable; });
-    for (auto &group : groups)
-        std::sort(group.begin(), group.end());
-    return groups;
-}
-
 constexpr int noName = -1;
 
 /// For each view, slot and frame the name of the tracklet it belongs to, or noName.
@@ -275,10 +250,34 @@ std::optional<double> toldPlane(const std::vector<NamedRobot> &robots,
 
 } // namespace
 
+std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<NamedRobot> &robots)
+{
+    std::vector<std::vector<std::size_t>> groups;
+    const auto hue = [&](std::size_t robot) { return hueOf(chromaOf(robots[robot].colour, FrameFormat{})); };
+    for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+        std::vector<std::size_t> group;
+        std::erase_if(groups, [&](const std::vector<std::size_t> &earlier) {
+            const bool near = std::any_of(earlier.begin(), earlier.end(), [&](std::size_t other) {
+                return std::abs(hueDifference(hue(robot), hue(other))) < confusableHueRad;
+            });
+            if (near)
+                group.insert(group.end(), earlier.begin(), earlier.end());
+            return near;
+        });
+        group.push_back(robot);
+        groups.push_back(std::move(group));
+    }
+    for (auto &group : groups)
+        std::sort(group.begin(), group.end());
+    return groups;
+}
+
 std::int64_t assignNames(std::vector<NamedView> &views, const std::vector<NamedRobot> &robots)
 {
     std::int64_t renamed = 0;
-    for (const std::vector<std::size_t> &considered : confusableRobots(robots)) {
+    for (const std::vector<std::size_t> &considered : robotsOfLikeColours(robots)) {
+        if (considered.size() < 2 || considered.size() > mostConfusable)
+            continue;
         const NameEvidence evidence = gatherEvidence(views, robots, considered);
         if (evidence.tracklets.empty())
             continue;

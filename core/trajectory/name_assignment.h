@@ -27,6 +27,9 @@ struct NamedView
     double clockRate = 0; ///< by how much its clock runs faster than the first view's
 };
 
+/// The robots in groups whose told colours might be taken for one another; a robot of a colour of its own is a group.
+std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<NamedRobot> &robots);
+
 /// Decides which robot is which, in all views at once, where colours alone may not have: robots that overlap
 /// in one picture are usually apart in another one, and the floor tells.
 ///

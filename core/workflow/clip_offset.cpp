@@ -3,56 +3,65 @@
 
 #include "core/workflow/view_tracking.h"
 
+#include <algorithm>
+
 namespace odo {
 
 namespace {
 
 constexpr double longestOffsetS = 10;
-constexpr double sureScore = 0.5; // of an observation; doubtful ones only blur the answer
 
-std::vector<TimedPosition> floorTrack(const FloorView &view, const ObservationSeries &series, double heightM)
+std::vector<std::vector<MotionTrack>> tracksOf(const std::vector<RegisteredView> &views,
+                                               const std::vector<RobotRecord> &robots,
+                                               const std::vector<TrackedView> &tracked)
 {
-    std::vector<TimedPosition> track;
-    for (const Observation &observation : series.observations) {
-        if (!observation.found || observation.score < sureScore || observation.touchesBorder)
-            continue;
-        if (const auto point = view.floorFromPixel(observation.ellipse.centrePx, heightM / 2))
-            track.push_back({toSeconds(observation.time), *point});
+    std::vector<NamedRobot> named;
+    std::vector<std::string> names;
+    for (const RobotRecord &robot : robots) {
+        named.push_back({robot.colour, robot.heightM});
+        names.push_back(robot.name);
     }
-    return track;
+    std::vector<NamedView> seen(views.size());
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        seen[v].floorView = views[v].floorView;
+        for (const ObservationSeries &series : tracked[v].series)
+            seen[v].robots.push_back(series.observations);
+    }
+    return motionTracks(seen, named, names);
+}
+
+std::string whyNoTracks(const RegisteredView &view, const std::vector<RobotRecord> &robots)
+{
+    if (!view.floorView)
+        return "camera '" + view.recording.cameraName + "' is not registered to the floor";
+    return robots.empty() ? "the project has no robot to look for" : std::string();
 }
 
 } // namespace
 
-Result<ClipOffset> clipOffsetFromMotion(const RegisteredView &first, const RegisteredView &second,
-                                        const std::vector<RobotRecord> &robots, const JobControl &control)
+Result<std::vector<Result<FoundOffset>>> findClipOffsets(const std::vector<RegisteredView> &views,
+                                                         const std::vector<RobotRecord> &robots,
+                                                         const JobControl &control)
 {
-    const auto impossible = [](const std::string &why, const std::string &advice) {
-        return fail(ErrorCode::Undetermined, "synchronisation of the clips", why, advice);
-    };
-    for (const RegisteredView *view : {&first, &second}) {
-        if (!view->floorView)
-            return impossible("camera '" + view->recording.cameraName + "' is not registered to the floor",
-                              "register it first, or give the offset with --sync SECONDS");
-    }
-    if (robots.empty())
-        return impossible("the project has no robot to look for", "add the robot first, or give --sync SECONDS");
-
-    const auto tracked = trackViews({first, second}, robots, control);
+    const auto registered =
+        std::count_if(views.begin(), views.end(), [](const RegisteredView &view) { return view.floorView; });
+    const bool canTrack = views.front().floorView && registered > 1 && !robots.empty();
+    const auto tracked =
+        trackViews(views, canTrack ? robots : std::vector<RobotRecord>{}, control, WithLight::Measured);
     if (!tracked)
         return tl::unexpected(tracked.error());
-    Result<ClipOffset> best = impossible("no robot was seen", "check the robots' colours, or give --sync SECONDS");
-    for (std::size_t r = 0; r < robots.size(); ++r) {
-        const double heightM = robots[r].heightM.value_or(0);
-        const auto offset = estimateClipOffset(floorTrack(*first.floorView, (*tracked)[0].series[r], heightM),
-                                               floorTrack(*second.floorView, (*tracked)[1].series[r], heightM),
-                                               longestOffsetS);
-        if (!best || (offset && offset->sigmaS < best->sigmaS)) {
-            if (offset || !best)
-                best = offset;
-        }
-    }
-    return best;
+    std::vector<std::vector<MotionTrack>> tracks(views.size());
+    if (canTrack)
+        tracks = tracksOf(views, robots, *tracked);
+    std::vector<ClipEvidence> evidence;
+    for (std::size_t v = 0; v < views.size(); ++v)
+        evidence.push_back(
+            {std::move(tracks[v]), whyNoTracks(views[v], robots), lightCourseOf((*tracked)[v].light)});
+
+    std::vector<Result<FoundOffset>> found;
+    for (std::size_t v = 1; v < views.size(); ++v)
+        found.push_back(findClipOffset(evidence.front(), evidence[v], {0, longestOffsetS}));
+    return found;
 }
 
 } // namespace odo

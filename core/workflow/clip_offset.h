@@ -2,15 +2,16 @@
 #pragma once
 
 #include "core/base/job_control.h"
-#include "core/trajectory/clip_synchronisation.h"
+#include "core/trajectory/clip_evidence.h"
 #include "core/workflow/registered_view.h"
 
 namespace odo {
 
-/// Tracks the robots in two registered views and finds the offset between the clips from the motion of the one that
-/// moved most. Undetermined, with the reason, where a view is not registered, no robot is known, or the motion does not
-/// tell. Touches no project.
-Result<ClipOffset> clipOffsetFromMotion(const RegisteredView &first, const RegisteredView &second,
-                                        const std::vector<RobotRecord> &robots, const JobControl &control);
+/// Reads all views once, tracks the robots where two views or more are registered and measures the light, and finds for
+/// each view but the first how its clock lies against the first view's (findClipOffset): Undetermined, with the reason,
+/// where neither the motion nor a flash tells. Touches no project. Errors: a video that cannot be read; cancelled.
+Result<std::vector<Result<FoundOffset>>> findClipOffsets(const std::vector<RegisteredView> &views,
+                                                         const std::vector<RobotRecord> &robots,
+                                                         const JobControl &control);
 
 } // namespace odo

@@ -8,6 +8,7 @@
 #include "core/workflow/clip_offset.h"
 #include "core/workflow/media_copy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -43,12 +44,8 @@ Result<void> ImportTrialJob::prepare(Project &project)
     const std::string what = "import of trial '" + m_settings.trial + "'";
     if (m_settings.videos.empty())
         return fail(ErrorCode::InvalidInput, what, "no video was given", "give one view or more, like --video A=a.mp4");
-    const std::size_t toShift = m_settings.videos.size() - 1;
-    if (m_settings.sync == ImportSettings::Sync::Told && m_settings.offsetsS.size() != std::max<std::size_t>(toShift, 1))
-        return fail(ErrorCode::InvalidInput, what,
-                    std::to_string(m_settings.videos.size()) + " views were given and the offsets of " +
-                        std::to_string(m_settings.offsetsS.size()),
-                    "give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto");
+    if (auto checked = checkSteps(); !checked)
+        return checked;
     if (project.trials().find(m_settings.trial))
         return fail(ErrorCode::AlreadyExists, what, "the project has a trial of that name", "choose another name");
     std::set<std::string> names;
@@ -63,7 +60,9 @@ Result<void> ImportTrialJob::prepare(Project &project)
     }
     m_trial.name = m_settings.trial;
     m_trial.task = m_settings.task;
-    if (!m_settings.robots.empty() || m_settings.sync == ImportSettings::Sync::Automatic) {
+    const bool looks = std::any_of(m_settings.steps.begin(), m_settings.steps.end(),
+                                   [](const auto &step) { return step.how == ImportSettings::Sync::Automatic; });
+    if (!m_settings.robots.empty() || looks) {
         auto robots = robotsToTrack(project, m_trial, m_settings.robots);
         if (!robots && !m_settings.robots.empty())
             return tl::unexpected(robots.error());
@@ -142,39 +141,76 @@ Result<void> ImportTrialJob::readVideo(std::size_t view)
     return {};
 }
 
+/// Afterwards there is one step for each view but the first.
+Result<void> ImportTrialJob::checkSteps()
+{
+    const std::size_t others = m_settings.videos.size() - 1, given = m_settings.steps.size();
+    const bool forAll =
+        given == 0 || (given == 1 && (others == 0 || m_settings.steps.front().how != ImportSettings::Sync::Told));
+    if (given != others && !forAll)
+        return fail(ErrorCode::InvalidInput, "import of trial '" + m_settings.trial + "'",
+                    std::to_string(others + 1) + " views were given and the offsets of " + std::to_string(given),
+                    "give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto");
+    if (forAll)
+        m_settings.steps.resize(others, given > 0 ? m_settings.steps.front() : ImportSettings::ViewStep{});
+    return {};
+}
+
 Result<void> ImportTrialJob::synchronise(const JobControl &control)
 {
     m_trial.syncMethod = "none";
-    if (m_recordings.size() < 2)
-        return {};
-    if (m_settings.sync == ImportSettings::Sync::Told) {
-        m_trial.syncMethod = "told";
-        m_trial.syncOffsetS = m_settings.offsetsS.front();
-        for (std::size_t view = 1; view < m_recordings.size(); ++view)
-            m_recordings[view].startOffsetS = m_settings.offsetsS[view - 1];
-        m_trial.syncScore = 1;
-        return {};
+    std::vector<std::size_t> toFind;
+    for (std::size_t view = 1; view < m_recordings.size(); ++view) {
+        const ImportSettings::ViewStep &step = m_settings.steps[view - 1];
+        m_recordings[view].syncMethod = "none";
+        if (step.how == ImportSettings::Sync::Automatic)
+            toFind.push_back(view);
+        if (step.how == ImportSettings::Sync::Told) {
+            m_recordings[view].syncMethod = "told";
+            m_recordings[view].startOffsetS = step.offsetS;
+        }
     }
-    if (m_settings.sync == ImportSettings::Sync::None)
-        return {};
-    for (std::size_t view = 1; view < m_views.size(); ++view) {
-        const auto offset = clipOffsetFromMotion(m_views[0], m_views[view], m_robots, control);
-        if (!offset && offset.error().code != ErrorCode::Undetermined)
-            return tl::unexpected(offset.error());
+    if (!toFind.empty()) {
+        if (auto found = findOffsets(toFind, control); !found)
+            return found;
+    }
+    if (m_recordings.size() > 1) {
+        m_trial.syncMethod = m_recordings[1].syncMethod;
+        m_trial.syncOffsetS = m_recordings[1].startOffsetS;
+        m_trial.syncOffsetSigmaS = m_recordings[1].startOffsetSigmaS;
+        m_trial.syncRate = m_recordings[1].clockRate;
+        if (m_trial.syncMethod == "told")
+            m_trial.syncScore = 1;
+    }
+    return {};
+}
+
+Result<void> ImportTrialJob::findOffsets(const std::vector<std::size_t> &toFind, const JobControl &control)
+{
+    std::vector<RegisteredView> views{m_views.front()};
+    for (const std::size_t view : toFind)
+        views.push_back(m_views[view]);
+    const auto found = findClipOffsets(views, m_robots, control);
+    if (!found)
+        return tl::unexpected(found.error());
+    for (std::size_t i = 0; i < toFind.size(); ++i) {
+        RecordingRecord &recording = m_recordings[toFind[i]];
+        const Result<FoundOffset> &offset = (*found)[i];
+        const std::string what = "synchronisation of view '" + recording.cameraName + "': ";
         if (!offset) {
-            m_warnings.push_back("synchronisation of view '" + m_recordings[view].cameraName + "': " +
-                                 offset.error().why + "; taken as started together, or give --sync SECONDS");
+            m_warnings.push_back(what + offset.error().why + ", so it is taken as begun together; " +
+                                 offset.error().advice);
             continue;
         }
-        m_recordings[view].startOffsetS = offset->offsetS;
-        m_recordings[view].clockRate = offset->rate;
-        if (view == 1) {
-            m_trial.syncMethod = "auto";
-            m_trial.syncOffsetS = offset->offsetS;
-            m_trial.syncOffsetSigmaS = offset->sigmaS;
-            m_trial.syncRate = offset->rate;
-            m_trial.syncRateSigma = offset->rateSigma;
-            m_trial.syncScore = offset->score;
+        for (const std::string &remark : offset->remarks)
+            m_warnings.push_back(what + remark);
+        recording.syncMethod = offset->fromFlash ? "flash" : "auto";
+        recording.startOffsetS = offset->clock.offsetS;
+        recording.startOffsetSigmaS = offset->clock.sigmaS;
+        recording.clockRate = offset->clock.rate;
+        if (toFind[i] == 1) {
+            m_trial.syncRateSigma = offset->clock.rateSigma;
+            m_trial.syncScore = offset->clock.score;
         }
     }
     return {};

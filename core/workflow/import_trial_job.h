@@ -16,11 +16,16 @@ namespace odo {
 struct ImportSettings
 {
     enum class Sync { Automatic, None, Told };
+    /// How a view gets in step with the first one.
+    struct ViewStep
+    {
+        Sync how = Sync::Automatic;
+        double offsetS = 0; ///< when told: how much later its first frame was taken
+    };
 
     std::string trial;
     std::vector<std::pair<std::string, std::filesystem::path>> videos; ///< camera's name and file, first view first
-    Sync sync = Sync::Automatic;
-    std::vector<double> offsetsS; ///< when told: for each view but the first, how much later its first frame was taken
+    std::vector<ViewStep> steps; ///< for each view but the first; one that is not told goes for all, none is automatic
     std::string team;   ///< made when new; empty: none
     std::string task;
     std::vector<std::string> robots;
@@ -47,7 +52,9 @@ public:
 private:
     Result<void> readVideo(std::size_t view);
     Result<void> copyVideo(std::size_t view, const JobControl &control);
+    Result<void> checkSteps();
     Result<void> synchronise(const JobControl &control);
+    Result<void> findOffsets(const std::vector<std::size_t> &toFind, const JobControl &control);
     Result<void> compareViews();
     void removeCopies();
 

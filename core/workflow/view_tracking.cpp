@@ -41,13 +41,21 @@ private:
     std::mutex m_mutex;
 };
 
-Result<TrackedView> trackView(const RegisteredView &view, const std::vector<RobotRecord> &robots,
-                              const JobControl &control, SharedProgress &progress)
+/// None without a robot.
+Result<std::unique_ptr<ColourTracker>> trackerOf(const std::vector<RobotRecord> &robots)
 {
+    if (robots.empty())
+        return nullptr;
     std::vector<TrackTarget> targets;
     for (const RobotRecord &robot : robots)
         targets.push_back({robot.name, robot.colour});
-    const auto tracker = ColourTracker::create(std::move(targets));
+    return ColourTracker::create(std::move(targets));
+}
+
+Result<TrackedView> trackView(const RegisteredView &view, const std::vector<RobotRecord> &robots,
+                              const JobControl &control, SharedProgress &progress, WithLight light)
+{
+    const auto tracker = trackerOf(robots);
     if (!tracker)
         return tl::unexpected(tracker.error());
     auto reader = VideoReader::open(view.file);
@@ -55,17 +63,19 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
         return tl::unexpected(reader.error());
     // Decoding only what the tracker will look at is so much cheaper that a thread that decodes ahead, and cannot know
     // it, would be slower.
-    const bool byRegion = (*reader)->decodesRegions();
+    const bool byRegion = *tracker && (*reader)->decodesRegions();
     FrameStream stream(std::move(*reader), byRegion ? 0 : framesAhead);
 
     TrackedView tracked;
+    LightMeter lightMeter;
     for (const RobotRecord &robot : robots)
         tracked.series.push_back({view.recording.id, robot.id, trackerVersion, {}});
     const std::vector<Nanoseconds> &times = view.recording.frameTimes;
     for (std::size_t next = 0;;) {
         if (control.isCancelled())
             return cancelled("tracking");
-        auto frame = stream.pop(next < times.size() ? (*tracker)->neededRegion(times[next]) : std::nullopt);
+        auto frame =
+            stream.pop(byRegion && next < times.size() ? (*tracker)->neededRegion(times[next]) : std::nullopt);
         if (!frame)
             return tl::unexpected(frame.error());
         if (!*frame)
@@ -75,7 +85,10 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
         if (index < times.size())
             (*frame)->time = times[index];
         next = index + 1;
-        const std::vector<Observation> observations = (*tracker)->track(**frame);
+        if (light == WithLight::Measured)
+            tracked.light.push_back(lightMeter.measure(**frame));
+        const std::vector<Observation> observations =
+            *tracker ? (*tracker)->track(**frame) : std::vector<Observation>{};
         for (std::size_t r = 0; r < observations.size(); ++r)
             tracked.series[r].observations.push_back(observations[r]);
         ++tracked.frames;
@@ -83,14 +96,16 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     }
     tracked.damagedFrames = stream.damagedFrames();
     tracked.decodeCpuTime = stream.decodeCpuTime();
-    tracked.sharesAlike = (*tracker)->sharesAlike();
+    if (*tracker)
+        tracked.sharesAlike = (*tracker)->sharesAlike();
     return tracked;
 }
 
 } // namespace
 
 Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
-                                            const std::vector<RobotRecord> &robots, const JobControl &control)
+                                            const std::vector<RobotRecord> &robots, const JobControl &control,
+                                            WithLight light)
 {
     std::int64_t total = 0;
     for (const RegisteredView &view : views)
@@ -100,7 +115,7 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
     std::vector<Result<TrackedView>> results(views.size(), TrackedView{});
     std::vector<std::thread> threads;
     for (std::size_t v = 0; v < views.size(); ++v)
-        threads.emplace_back([&, v] { results[v] = trackView(views[v], robots, control, progress); });
+        threads.emplace_back([&, v] { results[v] = trackView(views[v], robots, control, progress, light); });
     for (std::thread &thread : threads)
         thread.join();
 

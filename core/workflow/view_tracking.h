@@ -3,6 +3,7 @@
 
 #include "core/base/job_control.h"
 #include "core/project/records.h"
+#include "core/tracking/light_meter.h"
 #include "core/workflow/registered_view.h"
 
 #include <vector>
@@ -18,13 +19,18 @@ struct TrackedView
     Nanoseconds decodeCpuTime{0};
     /// Of each robot: the part of the first picture that has its told colour. Empty where nothing was decoded.
     std::vector<double> sharesAlike;
+    std::vector<LightLevel> light; ///< of every frame, where it was asked for
 };
 
+enum class WithLight { Ignored, Measured };
+
 /// Decodes and tracks all views at once, a thread to track and a thread to decode for each; MJPEG is decoded by the
-/// thread that tracks, which alone knows what part of the next picture it needs. Touches no project.
+/// thread that tracks, which alone knows what part of the next picture it needs. Without a robot only the light is
+/// measured. Touches no project.
 /// Errors: a recording that is missing or is no video; cancelled.
 Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
-                                            const std::vector<RobotRecord> &robots, const JobControl &control);
+                                            const std::vector<RobotRecord> &robots, const JobControl &control,
+                                            WithLight light = WithLight::Ignored);
 
 /// One robot's part of what trackViews gave, ready to be analysed.
 std::vector<ViewTrack> viewTracks(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked,

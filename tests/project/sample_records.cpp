@@ -90,6 +90,8 @@ RecordingRecord RecordSource::recording(RecordId camera, std::size_t frames)
     record.framesPerSecond = positive();
     record.startOffsetS = number();
     record.clockRate = number();
+    record.syncMethod = "flash";
+    record.startOffsetSigmaS = positive();
     for (std::size_t i = 0; i < frames; ++i)
         record.frameTimes.emplace_back(integer());
     return record;

@@ -285,6 +285,7 @@ private Q_SLOTS:
             QVERIFY(a.path == b.path && a.sha256 == b.sha256 && a.bytes == b.bytes && a.widthPx == b.widthPx);
             QVERIFY(a.heightPx == b.heightPx && same(a.framesPerSecond, b.framesPerSecond));
             QVERIFY(same(a.startOffsetS, b.startOffsetS) && same(a.clockRate, b.clockRate));
+            QVERIFY(a.syncMethod == b.syncMethod && same(a.startOffsetSigmaS, b.startOffsetSigmaS));
             QVERIFY(a.frameTimes == b.frameTimes);
         }
     }
@@ -360,6 +361,7 @@ private Q_SLOTS:
         QVERIFY(m_project->trials().setRobots(trial.id, {robot}));
         trial.syncMethod = "told";
         trial.syncOffsetS = 0.25;
+        trial.syncOffsetSigmaS = 0.01;
         trial.syncRate = 2e-4;
         trial.syncRateSigma = 3e-6;
         QVERIFY(m_project->trials().setSync(trial));
@@ -371,6 +373,8 @@ private Q_SLOTS:
         QCOMPARE(changed->syncRateSigma, 3e-6);
         QCOMPARE(m_project->trials().recordings(trial.id)->at(1).startOffsetS, 0.25);
         QCOMPARE(m_project->trials().recordings(trial.id)->at(1).clockRate, 2e-4);
+        QCOMPARE(m_project->trials().recordings(trial.id)->at(1).syncMethod, std::string("told"));
+        QCOMPARE(m_project->trials().recordings(trial.id)->at(1).startOffsetSigmaS, 0.01);
         QCOMPARE(m_project->trials().setNotes(999, "").error().code, ErrorCode::NotFound);
     }
 

@@ -291,6 +291,16 @@ private Q_SLOTS:
             QVERIFY(std::abs(renderer.render(i).y.at(640, 400) - (16 + lit * (1 + expected[i]))) < 0.6);
     }
 
+    void theRoomsLightChangesWithinAnExposure()
+    {
+        const std::vector<LightChange> lights{{1.4, 1.0, 0.5}, {0.5, 1.2, 1e9}};
+        QCOMPARE(lightInExposure(lights, 0.01, 0.9), 1.0);
+        QCOMPARE(lightInExposure(lights, 0.01, 1.1), 1.4);
+        QVERIFY(std::abs(lightInExposure(lights, 0.01, 1.0025) - 1.3) < 1e-12); // three quarters of it are behind
+        QVERIFY(std::abs(lightInExposure(lights, 0.01, 1.3) - 0.7) < 1e-12);
+        QCOMPARE(lightInExposure(lights, 0.01, 2.0), 0.5);
+    }
+
     void markersAreWhereTheLayoutSays()
     {
         const SimulatedScene scene = demoTestbed(3);

@@ -71,7 +71,7 @@ private Q_SLOTS:
         // 0.4 ms.
         const auto first = view(slowingCurve, 3, 30, 0.003, {0, 0}, 1);
         const auto second = view(slowingCurve, 3 + offset, secondRate, 0.003, {0.03, -0.026}, 2);
-        const auto found = estimateClipOffset(first, second, 4);
+        const auto found = estimateClipOffset(first, second, {0, 4});
         QVERIFY2(found.has_value(), found ? "" : found.error().message().c_str());
         QVERIFY2(std::abs(found->offsetS - offset) < 0.003,
                  qPrintable(QString::number(found->offsetS - offset)));
@@ -103,7 +103,7 @@ private Q_SLOTS:
             return positions;
         };
         const auto found =
-            estimateClipOffset(track(3, 0, {0, 0}, 7), track(3 + offset, ppm * 1e-6, {0.02, -0.01}, 8), 2);
+            estimateClipOffset(track(3, 0, {0, 0}, 7), track(3 + offset, ppm * 1e-6, {0.02, -0.01}, 8), {0, 2});
         QVERIFY2(found.has_value(), found ? "" : found.error().message().c_str());
         QVERIFY(found->rateSigma > 1e-6 && found->rateSigma < 40e-6);
         QVERIFY2(std::abs(found->rate - ppm * 1e-6) < 27e-6, qPrintable(QString::number(found->rate)));
@@ -124,7 +124,7 @@ private Q_SLOTS:
                     {i / 30.0, Eigen::Vector2d(0.05 * (startS + i / 30.0) + noise(random), noise(random))});
             return positions;
         };
-        const auto found = estimateClipOffset(run(0, 9), run(0.2, 10), 1);
+        const auto found = estimateClipOffset(run(0, 9), run(0.2, 10), {0, 1});
         QVERIFY(!found.has_value());
         QVERIFY2(found.error().why.find("straight") != std::string::npos, found.error().message().c_str());
     }
@@ -133,7 +133,7 @@ private Q_SLOTS:
         auto first = view(slowingCurve, 3, 30, 0.003, {0, 0}, 3);
         auto second = view(slowingCurve, 3.2, 30, 0.003, {0, 0}, 4);
         second.erase(second.begin() + 60, second.begin() + 110);
-        const auto found = estimateClipOffset(first, second, 4);
+        const auto found = estimateClipOffset(first, second, {0, 4});
         QVERIFY(found.has_value());
         QVERIFY(std::abs(found->offsetS - 0.2) < 0.003);
     }
@@ -155,7 +155,7 @@ private Q_SLOTS:
         const auto second = view(paths[which], 3.3, 30, 0.003, {0, 0}, 6);
         if (which == 3)
             first.resize(10);
-        const auto found = estimateClipOffset(first, second, 4);
+        const auto found = estimateClipOffset(first, second, {0, 4});
         QVERIFY(!found.has_value());
         QCOMPARE(found.error().code, ErrorCode::Undetermined);
         QVERIFY2(found.error().message().find(words.toStdString()) != std::string::npos,

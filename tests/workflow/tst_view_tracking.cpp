@@ -2,11 +2,13 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/tracking/colour_tracker.h"
+#include "core/trajectory/light_edges.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/view_tracking.h"
 
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 using namespace odo;
 
@@ -17,6 +19,8 @@ class TestViewTracking : public QObject
     Q_OBJECT
 private Q_SLOTS:
     void partsGiveWhatTheWholeGives();
+    void measuresTheLight_data();
+    void measuresTheLight();
 };
 
 void TestViewTracking::partsGiveWhatTheWholeGives()
@@ -71,6 +75,63 @@ void TestViewTracking::partsGiveWhatTheWholeGives()
         }
     }
     QVERIFY(found > 290);
+}
+
+void TestViewTracking::measuresTheLight_data()
+{
+    QTest::addColumn<bool>("mjpeg"); // decoded where the robot is, so that there is no whole picture to measure
+    QTest::addColumn<bool>("robot");
+    QTest::newRow("whole pictures") << false << true;
+    QTest::newRow("parts of pictures") << true << true;
+    QTest::newRow("no robot") << true << false;
+}
+
+void TestViewTracking::measuresTheLight()
+{
+    QFETCH(bool, mjpeg);
+    QFETCH(bool, robot);
+    SimulatedScene scene = demoTestbed(8);
+    scene.durationS = 3.5;
+    scene.cameras[0].sensor.exposureS = 0.02;
+    // A lamp for 0.4 s; and the sun comes out, and in the end a dark board is put up in a corner.
+    scene.lights = {{1.3, 1.511, 0.4}};
+    scene.cameras[0].sensor.gainDriftPerS = 0.1;
+    scene.occluders = {{{40, 40, 40}, {-0.3, 0.0}, {0.5, 0.0}, 0.7, 2.5, 1e9}};
+    SimulatedRobot red;
+    red.name = "red";
+    red.colour = {215, 35, 40};
+    red.motion = makeFigureEightMotion({1.7, 1.4}, 0.8, 0.3, 4.0, 0.5);
+    scene.robots.push_back(red);
+    const QTemporaryDir folder;
+    RegisteredView view;
+    view.file = folder.filePath(QStringLiteral("a.mkv")).toStdString();
+    VideoWriterOptions options;
+    if (mjpeg)
+        options.codec = VideoCodec::Mjpeg;
+    QVERIFY(renderVideo(scene, 0, view.file, options, {}));
+    const auto reader = VideoReader::open(view.file);
+    QVERIFY(reader.has_value());
+    view.recording.frameTimes = (*reader)->info().frameTimes;
+    std::vector<RobotRecord> robots(1);
+    robots[0].name = red.name;
+    robots[0].colour = red.colour;
+    if (!robot)
+        robots.clear();
+
+    QVERIFY(trackViews({view}, robots, {})->front().light.empty()); // only where it is asked for
+    const auto tracked = trackViews({view}, robots, {}, WithLight::Measured);
+    QVERIFY2(tracked, tracked ? "" : tracked.error().message().c_str());
+    QCOMPARE(tracked->front().series.size(), robots.size());
+    QCOMPARE(tracked->front().frames, std::int64_t(105));
+    QCOMPARE(tracked->front().light.size(), std::size_t(105));
+    const auto edges = findLightEdges(tracked->front().light);
+    QCOMPARE(edges.size(), std::size_t(2));
+    QVERIFY(edges[0].brighter && !edges[1].brighter);
+    QVERIFY2(std::abs(edges[0].timeS - 1.511) < 3 * edges[0].sigmaS && edges[0].sigmaS < 0.012,
+             qPrintable(QStringLiteral("%1 +- %2").arg(edges[0].timeS).arg(edges[0].sigmaS)));
+    QVERIFY2(std::abs(edges[1].timeS - 1.911) < 3 * edges[1].sigmaS && edges[1].sigmaS < 0.012,
+             qPrintable(QStringLiteral("%1 +- %2").arg(edges[1].timeS).arg(edges[1].sigmaS)));
+    QVERIFY(std::abs(edges[0].change - std::log(1.3)) < 0.05); // eight code values stand for black
 }
 
 QTEST_GUILESS_MAIN(TestViewTracking)

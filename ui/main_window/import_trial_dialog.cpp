@@ -2,6 +2,7 @@
 #include "ui/main_window/import_trial_dialog.h"
 
 #include "ui/main_window/check_list.h"
+#include "ui/main_window/view_steps.h"
 #include "ui/views/path_field.h"
 
 #include <QCheckBox>
@@ -20,14 +21,13 @@
 namespace odo {
 namespace {
 constexpr int usualViews = 2;
-constexpr double highestOffsetS = 600;
 constexpr double usualRate = 240;
 } // namespace
 
 ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     : QDialog(parent), m_cameras(offer.cameras), m_name(new QLineEdit(offer.name)), m_team(new QComboBox),
       m_task(new QLineEdit), m_robots(new CheckList(tr("Robots in the trial"))), m_videoGrid(new QGridLayout),
-      m_sync(new QComboBox), m_offset(new QDoubleSpinBox),
+      m_addView(new QPushButton(tr("Add &view"))), m_steps(new ViewSteps),
       m_rateTold(new QCheckBox(tr("Camera's real &rate"))), m_rate(new QDoubleSpinBox),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
 {
@@ -42,7 +42,10 @@ ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     form->addRow(tr("Tas&k"), m_task);
     form->addRow(tr("R&obots"), m_robots);
     form->addRow(tr("Videos"), makeVideos());
-    form->addRow(tr("In &step"), makeStep());
+    auto *step = new QLabel(tr("In &step"));
+    step->setBuddy(m_steps->fields().constFirst());
+    form->addRow(step, m_steps);
+    form->addRow(m_rateTold, makeRate());
     QPushButton *accept = m_buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
@@ -53,6 +56,7 @@ ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     connect(m_name, &QLineEdit::textChanged, this, &ImportTrialDialog::updateButtons);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    orderTabs();
     updateButtons();
 }
 
@@ -65,41 +69,39 @@ QWidget *ImportTrialDialog::makeVideos()
     m_videoGrid->addWidget(new QLabel(tr("Camera")), 0, 0);
     m_videoGrid->addWidget(new QLabel(tr("Video file")), 0, 1);
     layout->addLayout(m_videoGrid);
-    auto *add = new QPushButton(tr("Add &view"));
-    add->setAutoDefault(false); // Enter is the dialog's
-    layout->addWidget(add, 0, Qt::AlignLeft);
-    connect(add, &QPushButton::clicked, this, [this] { addVideo({}, {}); });
+    m_addView->setAutoDefault(false); // Enter is the dialog's
+    layout->addWidget(m_addView, 0, Qt::AlignLeft);
+    connect(m_addView, &QPushButton::clicked, this, [this] {
+        addVideo({}, {});
+        orderTabs();
+        m_videos.back().camera->setFocus();
+    });
     for (int i = 0; i < usualViews; ++i)
         addVideo(m_cameras.value(i, QString(QChar(QLatin1Char(static_cast<char>('A' + i))))), {});
     return widget;
 }
 
-QWidget *ImportTrialDialog::makeStep()
+QWidget *ImportTrialDialog::makeRate()
 {
-    m_sync->addItem(tr("Found in the videos"), static_cast<int>(ImportSettings::Sync::Automatic));
-    m_sync->addItem(tr("Begun together"), static_cast<int>(ImportSettings::Sync::None));
-    m_sync->addItem(tr("Second view began later by"), static_cast<int>(ImportSettings::Sync::Told));
-    m_offset->setRange(-highestOffsetS, highestOffsetS);
-    m_offset->setDecimals(4);
-    m_offset->setSuffix(tr(" s"));
-    m_offset->setAccessibleName(tr("How much later the second view began"));
     m_rate->setRange(1, 10000);
     m_rate->setValue(usualRate);
     m_rate->setSuffix(tr(" frames/s"));
     m_rate->setAccessibleName(tr("Camera's real rate"));
-    m_rateTold->setToolTip(tr("For slow motion: the file plays slower than the camera took it"));
-    auto *widget = new QWidget;
-    auto *layout = new QGridLayout(widget);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_sync, 0, 0);
-    layout->addWidget(m_offset, 0, 1);
-    layout->addWidget(m_rateTold, 1, 0);
-    layout->addWidget(m_rate, 1, 1);
-    layout->setColumnStretch(0, 1);
-    connect(m_sync, &QComboBox::currentIndexChanged, this, &ImportTrialDialog::updateButtons);
-    connect(m_rateTold, &QCheckBox::toggled, m_rate, &QWidget::setEnabled);
     m_rate->setEnabled(false);
-    return widget;
+    m_rateTold->setToolTip(tr("For slow motion: the file plays slower than the camera took it"));
+    connect(m_rateTold, &QCheckBox::toggled, m_rate, &QWidget::setEnabled);
+    return m_rate;
+}
+
+/// A view that was added would be reached last.
+void ImportTrialDialog::orderTabs()
+{
+    QList<QWidget *> chain{m_robots};
+    for (const VideoRow &row : m_videos)
+        chain << row.camera << row.file;
+    chain << m_addView << m_steps->fields() << m_rateTold << m_rate;
+    for (int i = 1; i < chain.size(); ++i)
+        setTabOrder(chain.at(i - 1), chain.at(i));
 }
 
 void ImportTrialDialog::addVideo(const QString &camera, const QString &file)
@@ -121,6 +123,7 @@ void ImportTrialDialog::addVideo(const QString &camera, const QString &file)
     m_videoGrid->addWidget(name, number, 0);
     m_videoGrid->addWidget(path, number, 1);
     m_videos.push_back({name, path});
+    m_steps->addView();
     connect(name, &QComboBox::editTextChanged, this, &ImportTrialDialog::updateButtons);
     connect(path, &PathField::changed, this, &ImportTrialDialog::updateButtons);
     updateButtons();
@@ -128,7 +131,10 @@ void ImportTrialDialog::addVideo(const QString &camera, const QString &file)
 
 void ImportTrialDialog::updateButtons()
 {
-    m_offset->setEnabled(m_sync->currentData().toInt() == static_cast<int>(ImportSettings::Sync::Told));
+    QStringList cameras;
+    for (const VideoRow &row : m_videos)
+        cameras << row.camera->currentText();
+    m_steps->setCameras(cameras);
     // A video without a camera would be left out in silence.
     const bool nameless = std::any_of(m_videos.begin(), m_videos.end(), [](const VideoRow &row) {
         return !row.file->path().empty() && row.camera->currentText().trimmed().isEmpty();
@@ -146,13 +152,15 @@ ImportSettings ImportTrialDialog::settings() const
     settings.team = m_team->currentText().trimmed().toStdString();
     settings.task = m_task->text().trimmed().toStdString();
     settings.robots = m_robots->checkedNames();
-    for (const VideoRow &row : m_videos) {
+    for (std::size_t view = 0; view < m_videos.size(); ++view) {
+        const VideoRow &row = m_videos[view];
         const std::string camera = row.camera->currentText().trimmed().toStdString();
-        if (!camera.empty() && !row.file->path().empty())
-            settings.videos.emplace_back(camera, row.file->path());
+        if (camera.empty() || row.file->path().empty())
+            continue;
+        if (!settings.videos.empty()) // the first one that there is needs no step
+            settings.steps.push_back(m_steps->step(view));
+        settings.videos.emplace_back(camera, row.file->path());
     }
-    settings.sync = static_cast<ImportSettings::Sync>(m_sync->currentData().toInt());
-    settings.offsetsS = {m_offset->value()};
     if (m_rateTold->isChecked())
         settings.rate = m_rate->value();
     return settings;

@@ -11,14 +11,16 @@ class QDialogButtonBox;
 class QDoubleSpinBox;
 class QGridLayout;
 class QLineEdit;
+class QPushButton;
 
 namespace odo {
 
 class CheckList;
 class PathField;
+class ViewSteps;
 
-/// Asks what belongs to a trial: its name, team, task and robots, the video of each camera, and how they are
-/// in step.
+/// Asks what belongs to a trial: its name, team, task and robots, the video of each camera, and how each gets in step
+/// with the first.
 class ImportTrialDialog : public QDialog
 {
     Q_OBJECT
@@ -40,7 +42,8 @@ private:
         PathField *file;
     };
     QWidget *makeVideos();
-    QWidget *makeStep();
+    QWidget *makeRate();
+    void orderTabs();
     void updateButtons();
 
     QStringList m_cameras;
@@ -50,8 +53,8 @@ private:
     CheckList *m_robots;
     QGridLayout *m_videoGrid;
     std::vector<VideoRow> m_videos;
-    QComboBox *m_sync;
-    QDoubleSpinBox *m_offset;
+    QPushButton *m_addView;
+    ViewSteps *m_steps;
     QCheckBox *m_rateTold;
     QDoubleSpinBox *m_rate;
     QDialogButtonBox *m_buttons;

@@ -8,6 +8,7 @@
 #include <QDateTime>
 #include <QLocale>
 #include <QStringList>
+#include <cmath>
 #include <filesystem>
 
 namespace odo {
@@ -48,16 +49,43 @@ Fact viewFact(const SceneView &view)
     return fact;
 }
 
-QString syncText(const TrialRecord &trial)
+QString millisecondText(double seconds)
 {
-    const QLocale locale;
-    const QString offset = Words::tr("%1 ms").arg(locale.toString(trial.syncOffsetS * 1e3, 'f', 1));
-    if (trial.syncMethod == "told")
-        return Words::tr("as told: second view %1 later").arg(offset);
-    if (trial.syncMethod == "auto")
-        return Words::tr("found in the videos: second view %1 ±%2 later")
-            .arg(offset, Words::tr("%1 ms").arg(locale.toString(trial.syncOffsetSigmaS * 1e3, 'f', 1)));
-    return Words::tr("none: taken as begun together");
+    return Words::tr("%1 ms").arg(QLocale().toString(seconds * 1e3, 'f', 1));
+}
+
+QString begunText(double offsetS)
+{
+    return offsetS < 0 ? Words::tr("begun %1 earlier").arg(millisecondText(-offsetS))
+                       : Words::tr("begun %1 later").arg(millisecondText(offsetS));
+}
+
+QString stepText(const RecordingRecord &view)
+{
+    const QString sigma = millisecondText(view.startOffsetSigmaS), begun = begunText(view.startOffsetS);
+    if (view.syncMethod == "told")
+        return Words::tr("%1, as told").arg(begun);
+    QString text;
+    if (view.syncMethod == "auto")
+        text = Words::tr("in step to %1, found from the motion; %2").arg(sigma, begun);
+    else if (view.syncMethod == "flash")
+        text = Words::tr("in step to %1, found from a flash of light; %2").arg(sigma, begun);
+    else
+        return Words::tr("taken as begun together");
+    if (view.clockRate != 0)
+        text += view.clockRate > 0 ? Words::tr(", its clock %1 ppm fast").arg(std::lround(view.clockRate * 1e6))
+                                   : Words::tr(", its clock %1 ppm slow").arg(std::lround(-view.clockRate * 1e6));
+    return text;
+}
+
+Fact stepFact(const SceneView &view)
+{
+    Fact fact{Words::tr("In step"),
+              Words::tr("%1: %2").arg(QString::fromStdString(view.camera), stepText(view.recording)),
+              {}};
+    if (view.recording.syncMethod == "none")
+        fact.badge = {Words::tr("not synchronised"), BadgeState::Warning};
+    return fact;
 }
 
 QString smootherText(Smoother smoother)
@@ -152,8 +180,8 @@ QList<Fact> trialFacts(const TrialScene &scene)
         add(Words::tr("Testbed"), Words::tr("markers “%1”").arg(QString::fromStdString(scene.layout->name)));
     for (const SceneView &view : scene.views)
         facts.append(viewFact(view));
-    if (scene.views.size() > 1)
-        add(Words::tr("In step"), syncText(trial));
+    for (std::size_t view = 1; view < scene.views.size(); ++view)
+        facts.append(stepFact(scene.views[view]));
     if (!scene.robots.empty() && scene.robots.front().analysis) {
         const AnalysisRecord &analysis = *scene.robots.front().analysis;
         facts += gateFacts(analysis.profile);

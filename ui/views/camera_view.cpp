@@ -22,11 +22,12 @@ QString viewRemark(const TrialScene &scene, std::size_t index)
 {
     const RecordingRecord &recording = scene.views[index].recording;
     QStringList parts; // the most telling first: the end may be cut off
-    const bool synchronised =
-        index > 0 && scene.trial.syncMethod != "none" && scene.trial.syncOffsetSigmaS > 0;
-    if (synchronised)
+    const std::string &method = recording.syncMethod;
+    if (index > 0 && (method == "auto" || method == "flash"))
         parts += CameraView::tr("in step to %1 ms")
-                     .arg(QLocale().toString(scene.trial.syncOffsetSigmaS * 1e3, 'f', 1));
+                     .arg(QLocale().toString(recording.startOffsetSigmaS * 1e3, 'f', 1));
+    else if (index > 0 && method == "none")
+        parts += CameraView::tr("not synchronised");
     parts += QStringLiteral("%1\u00d7%2").arg(recording.widthPx).arg(recording.heightPx);
     if (recording.framesPerSecond > 0)
         parts += CameraView::tr("%1 /s").arg(QLocale().toString(recording.framesPerSecond, 'f', 1));

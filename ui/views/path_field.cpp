@@ -26,6 +26,7 @@ PathField::PathField(const QString &name, const QString &filter, QWidget *parent
     m_line->setAccessibleName(name);
     m_line->setAcceptDrops(false); // a dropped file replaces the text, it is not inserted into it
     setAcceptDrops(true);
+    setFocusPolicy(Qt::StrongFocus); // so that the tab order takes it with its line and button
     setFocusProxy(m_line);
     auto *button = new QPushButton(tr("Browse…"), this);
     button->setAccessibleName(tr("Browse: %1").arg(name));

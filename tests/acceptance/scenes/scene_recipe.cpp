@@ -73,6 +73,8 @@ std::string recipeOf(const AccuracyScene &scene)
     for (const Occluder &board : s.occluders)
         recipe.line("board", board.colour.toString(), board.from.transpose(), board.to.transpose(),
                     board.heightM, board.startS, board.durationS);
+    for (const LightChange &light : s.lights)
+        recipe.line("light", light.gain, light.startS, light.durationS);
     return recipe.text();
 }
 

@@ -283,7 +283,7 @@ Answer TestWindowFlows::importAnswer(const QString &trial, const QString &first,
         auto &import = dynamic_cast<ImportTrialDialog &>(dialog);
         import.findChildren<QLineEdit *>().at(0)->setText(trial);
         for (auto *box : import.findChildren<QComboBox *>())
-            if (const int index = box->findText(QStringLiteral("Second view began later by")); index >= 0)
+            if (const int index = box->findText(QStringLiteral("By hand: begun later by")); index >= 0)
                 box->setCurrentIndex(sync);
         setFile(dialog, 0, path(first));
         setFile(dialog, 1, path(second));

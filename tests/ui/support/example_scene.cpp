@@ -198,6 +198,8 @@ TrialScenePtr exampleScene(const ExampleOptions &options)
         "floor", {{"O", {0, 0}}, {"U", {markerX, 0}}, {"V", {0, markerY}}, {"D", {markerX, markerY}}}};
     scene->views.push_back(exampleView("A", {1.2, -2.2, 2.0}, times, options));
     scene->views.push_back(exampleView("B", {4.4, -1.2, 2.1}, times, options));
+    scene->views[1].recording.syncMethod = scene->trial.syncMethod;
+    scene->views[1].recording.startOffsetSigmaS = scene->trial.syncOffsetSigmaS;
     for (int robot = 0; robot < options.robots; ++robot) {
         SceneRobot shown;
         shown.robot.name = robot == 0 ? "Red 2" : "Blue 1";

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/import_trial_dialog.h"
+#include "ui/main_window/view_steps.h"
+#include "ui/views/path_field.h"
+#include "ui/views/theme.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+
+using namespace odo;
+
+using Sync = ImportSettings::Sync;
+
+class TestImportTrialDialog : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void init();
+    void asksOneStepForEachFurtherView();
+    void aViewWithoutAVideoNeedsNoStep();
+    void isReachedByTheTabKey();
+    void paintsThePicture_data();
+    void paintsThePicture();
+
+private:
+    template <class Field>
+    Field *field(const char *accessibleName) const
+    {
+        for (Field *one : m_dialog->findChildren<Field *>())
+            if (one->accessibleName() == QLatin1String(accessibleName))
+                return one;
+        return nullptr;
+    }
+    void addThirdView() const;
+
+    std::unique_ptr<ImportTrialDialog> m_dialog;
+};
+
+void TestImportTrialDialog::init()
+{
+    m_dialog = std::make_unique<ImportTrialDialog>(
+        ImportTrialDialog::Offer{QStringLiteral("Run 7"), {QStringLiteral("Falcon")}, {QStringLiteral("Red")},
+                                 {QStringLiteral("Door"), QStringLiteral("Window"), QStringLiteral("Wall")}});
+}
+
+void TestImportTrialDialog::addThirdView() const
+{
+    for (auto *button : m_dialog->findChildren<QPushButton *>())
+        if (button->text() == QStringLiteral("Add &view"))
+            button->click();
+    field<QComboBox>("Camera of view 3")->setCurrentText(QStringLiteral("Wall"));
+    const auto files = m_dialog->findChildren<PathField *>();
+    for (int i = 0; i < 3; ++i)
+        files.at(i)->setPath(QStringLiteral("%1.mp4").arg(QChar(u'a' + i)));
+}
+
+void TestImportTrialDialog::asksOneStepForEachFurtherView()
+{
+    auto *how = field<QComboBox>("How view 2 gets in step with the first");
+    auto *later = field<QDoubleSpinBox>("How much later view 2 began");
+    QVERIFY(how && later && !later->isEnabled());
+    QVERIFY(!field<QComboBox>("How view 1 gets in step with the first"));
+    QVERIFY(!field<QComboBox>("How view 3 gets in step with the first"));
+    addThirdView();
+    auto *howThird = field<QComboBox>("How view 3 gets in step with the first");
+    auto *laterThird = field<QDoubleSpinBox>("How much later view 3 began");
+    QVERIFY(howThird && laterThird);
+
+    const ImportSettings automatic = m_dialog->settings();
+    QCOMPARE(automatic.videos.size(), std::size_t(3));
+    QCOMPARE(automatic.steps.size(), std::size_t(2));
+    QVERIFY(automatic.steps[0].how == Sync::Automatic && automatic.steps[1].how == Sync::Automatic);
+
+    how->setCurrentIndex(1);
+    howThird->setCurrentIndex(2);
+    QVERIFY(!later->isEnabled() && laterThird->isEnabled());
+    laterThird->setValue(-0.1375);
+    const ImportSettings told = m_dialog->settings();
+    QVERIFY(told.steps[0].how == Sync::None);
+    QVERIFY(told.steps[1].how == Sync::Told);
+    QCOMPARE(told.steps[1].offsetS, -0.1375);
+    // The rows are called as the cameras are.
+    QStringList labels;
+    for (const auto *label : m_dialog->findChild<ViewSteps *>()->findChildren<QLabel *>())
+        labels << label->text();
+    QCOMPARE(labels, (QStringList{QStringLiteral("Window"), QStringLiteral("Wall")}));
+    field<QComboBox>("Camera of view 3")->setCurrentText(QString());
+    QCOMPARE(m_dialog->findChild<ViewSteps *>()->findChildren<QLabel *>().at(1)->text(), QStringLiteral("View 3"));
+}
+
+void TestImportTrialDialog::aViewWithoutAVideoNeedsNoStep()
+{
+    addThirdView();
+    field<QComboBox>("How view 2 gets in step with the first")->setCurrentIndex(1);
+    field<QComboBox>("How view 3 gets in step with the first")->setCurrentIndex(2);
+    const auto files = m_dialog->findChildren<PathField *>();
+    files.at(1)->setPath({});
+    const ImportSettings gap = m_dialog->settings();
+    QCOMPARE(gap.videos.size(), std::size_t(2));
+    QCOMPARE(gap.videos[1].first, std::string("Wall"));
+    QCOMPARE(gap.steps.size(), std::size_t(1));
+    QVERIFY(gap.steps[0].how == Sync::Told);
+    files.at(1)->setPath(QStringLiteral("b.mp4"));
+    files.at(0)->setPath({}); // the second is the first one now
+    const ImportSettings later = m_dialog->settings();
+    QCOMPARE(later.videos[0].first, std::string("Window"));
+    QCOMPARE(later.steps.size(), std::size_t(1));
+    QVERIFY(later.steps[0].how == Sync::Told);
+}
+
+void TestImportTrialDialog::isReachedByTheTabKey()
+{
+    addThirdView();
+    field<QComboBox>("How view 2 gets in step with the first")->setCurrentIndex(2);
+    m_dialog->show();
+    QVERIFY(QTest::qWaitForWindowActive(m_dialog.get()));
+    QStringList reached;
+    field<QComboBox>("Camera of view 1")->setFocus();
+    for (int i = 0; i < 15; ++i) {
+        const QWidget *focus = QApplication::focusWidget();
+        QVERIFY(focus);
+        const auto *button = qobject_cast<const QPushButton *>(focus);
+        reached << (focus->accessibleName().isEmpty() && button ? button->text() : focus->accessibleName());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    }
+    const auto s = [](const char *text) { return QString::fromLatin1(text); };
+    const QStringList wanted{s("Camera of view 1"), s("Video of view 1"), s("Browse: Video of view 1"),
+                             s("Camera of view 2"), s("Video of view 2"), s("Browse: Video of view 2"),
+                             s("Camera of view 3"), s("Video of view 3"), s("Browse: Video of view 3"), s("Add &view"),
+                             s("How view 2 gets in step with the first"), s("How much later view 2 began"),
+                             s("How view 3 gets in step with the first")};
+    QCOMPARE(reached.mid(0, 13), wanted);
+    // By keyboard alone.
+    auto *third = field<QComboBox>("How view 3 gets in step with the first");
+    third->setFocus();
+    QTest::keyClick(third, Qt::Key_Down);
+    QTest::keyClick(third, Qt::Key_Down);
+    QTest::keyClick(third, Qt::Key_Tab);
+    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("1.25"));
+    QCOMPARE(m_dialog->settings().steps.at(1).offsetS, 1.25);
+}
+
+void TestImportTrialDialog::paintsThePicture_data()
+{
+    QTest::addColumn<bool>("dark");
+    QTest::newRow("light") << false;
+    QTest::newRow("dark") << true;
+}
+
+void TestImportTrialDialog::paintsThePicture()
+{
+    QFETCH(bool, dark);
+    m_dialog->setPalette(dark ? darkPalette() : lightPalette());
+    addThirdView();
+    field<QComboBox>("How view 3 gets in step with the first")->setCurrentIndex(2);
+    field<QDoubleSpinBox>("How much later view 3 began")->setValue(0.4137);
+    m_dialog->adjustSize();
+    const QPixmap picture = m_dialog->grab();
+    // Nothing is cut off.
+    for (const auto *box : m_dialog->findChild<ViewSteps *>()->findChildren<QComboBox *>())
+        QVERIFY(box->width() >= box->minimumSizeHint().width());
+    QVERIFY(m_dialog->width() <= 900);
+    const QString folder = qEnvironmentVariable("ODOGRAPH_KEEP_PICTURES");
+    if (!folder.isEmpty())
+        QVERIFY(picture.save(QStringLiteral("%1/import_%2_%3.png")
+                                 .arg(folder, QString::fromLatin1(QTest::currentDataTag()))
+                                 .arg(m_dialog->devicePixelRatio())));
+}
+
+QTEST_MAIN(TestImportTrialDialog)
+#include "tst_import_trial_dialog.moc"
