@@ -82,7 +82,8 @@ struct FilmSettings
     double startS = 0;    ///< of the first frame on the course's clock
     double planeM = 0.03; ///< height of the point that is seen
     double noisePx = 0.3;
-    double jitterS = 0; ///< the frame times scatter evenly by ± this
+    double jitterS = 0;  ///< the frame times scatter evenly by ± this
+    double driftPpm = 0; ///< the view's clock runs faster than the course's by this
 };
 
 /// What a view sees of a course: pixels of the robot's centre with white noise and its true covariance.
@@ -98,7 +99,7 @@ inline ViewTrack film(const std::string &name, const FloorView &view, const Cour
         observation.frame = i;
         const double t = i / settings.framesPerSecond + (i > 0 ? settings.jitterS * jitter(random) : 0);
         observation.time = fromSeconds(t);
-        const Truth truth = course(settings.startS + t);
+        const Truth truth = course(settings.startS + t / (1 + settings.driftPpm * 1e-6));
         const auto pixel = view.pixelFromWorld({truth.position.x(), truth.position.y(), settings.planeM});
         observation.found = pixel.has_value();
         if (pixel) {
