@@ -19,6 +19,7 @@ Result<void> runCamera(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTask(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runImport(const QStringList &arguments, const CancelToken &cancel);

@@ -1,18 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/json_answers.h"
 #include "core/exchange/layout_csv.h"
 #include "core/project/repositories.h"
+#include "core/workflow/layout_axes.h"
+#include "core/workflow/stored_registration.h"
 
 namespace odo {
 
-Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel)
+namespace {
+
+const QString origin = QStringLiteral("origin"), originAt = QStringLiteral("origin-at"), turn = QStringLiteral("turn"),
+              xAxis = QStringLiteral("x-axis"), reverse = QStringLiteral("reverse"), unit = QStringLiteral("unit");
+
+QJsonArray markersJson(const MarkerLayout &layout)
 {
-    CommandCall call({QStringLiteral("layout"), QStringLiteral("add P.odo NAME layout.csv"), 4, 4, {}}, cancel);
-    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
-        return parsed.map([](bool) {});
-    if (call.positional(0) != QStringLiteral("add"))
-        return call.wrongCall(QStringLiteral("'%1' is not known").arg(call.positional(0)));
+    QJsonArray markers;
+    for (const Marker &marker : layout.markers)
+        markers.append(QJsonObject{{QStringLiteral("label"), QString::fromStdString(marker.label)},
+                                   {QStringLiteral("x_mm"), toMillimetres(marker.pointInWorld.x())},
+                                   {QStringLiteral("y_mm"), toMillimetres(marker.pointInWorld.y())}});
+    return markers;
+}
+
+QString markersText(const MarkerLayout &layout)
+{
+    QStringList lines;
+    for (const Marker &marker : layout.markers)
+        lines << QStringLiteral("%1  %2 mm, %3 mm")
+                     .arg(QString::fromStdString(marker.label),
+                          QString::fromStdString(formatNumber(toMillimetres(marker.pointInWorld.x()), 1)),
+                          QString::fromStdString(formatNumber(toMillimetres(marker.pointInWorld.y()), 1)));
+    return lines.join(u'\n');
+}
+
+QStringList names(const std::vector<RegisteredCamera> &cameras)
+{
+    QStringList list;
+    for (const RegisteredCamera &camera : cameras)
+        list << QString::fromStdString(camera.camera.name);
+    return list;
+}
+
+Result<void> add(CommandCall &call)
+{
     auto layout = readLayoutCsv(call.text(3));
     if (!layout)
         return tl::unexpected(layout.error());
@@ -27,6 +59,178 @@ Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel)
     call.answer({{QStringLiteral("layout"), call.positional(2)}, {QStringLiteral("markers"), markers}},
                 QStringLiteral("Layout %1 has %2 markers.").arg(call.positional(2)).arg(markers));
     return {};
+}
+
+Result<void> list(CommandCall &call)
+{
+    const auto project = call.openProject(1, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto layouts = (*project)->layouts().all();
+    if (!layouts)
+        return tl::unexpected(layouts.error());
+    QJsonArray json;
+    QStringList lines;
+    for (const LayoutRecord &layout : *layouts) {
+        const auto cameras = camerasOnLayout(**project, layout.id);
+        if (!cameras)
+            return tl::unexpected(cameras.error());
+        const QStringList registered = names(*cameras);
+        const QString name = QString::fromStdString(layout.layout.name);
+        const int markers = int(layout.layout.markers.size());
+        json.append(QJsonObject{{QStringLiteral("name"), name},
+                                {QStringLiteral("markers"), markers},
+                                {QStringLiteral("cameras"), QJsonArray::fromStringList(registered)}});
+        lines << QStringLiteral("%1: %2 markers, %3")
+                     .arg(name)
+                     .arg(markers)
+                     .arg(registered.isEmpty() ? QStringLiteral("no camera registered") : registered.join(QStringLiteral(", ")));
+    }
+    if (lines.isEmpty())
+        lines << QStringLiteral("There is no layout yet.");
+    call.answer({{QStringLiteral("layouts"), json}}, lines.join(u'\n'));
+    return {};
+}
+
+Result<void> show(CommandCall &call)
+{
+    const auto project = call.openProject(1, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto layout = (*project)->layouts().find(call.text(2));
+    if (!layout)
+        return tl::unexpected(layout.error());
+    const auto cameras = camerasOnLayout(**project, layout->id);
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    call.answer({{QStringLiteral("layout"), call.positional(2)},
+                 {QStringLiteral("markers"), markersJson(layout->layout)},
+                 {QStringLiteral("cameras"), QJsonArray::fromStringList(names(*cameras))}},
+                markersText(layout->layout));
+    return {};
+}
+
+Result<void> exportCsv(CommandCall &call)
+{
+    const auto project = call.openProject(1, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto layout = (*project)->layouts().find(call.text(2));
+    if (!layout)
+        return tl::unexpected(layout.error());
+    if (auto written = writeLayoutCsv(call.text(3), layout->layout); !written)
+        return written;
+    call.answer({{QStringLiteral("layout"), call.positional(2)}, {QStringLiteral("file"), call.positional(3)}},
+                QStringLiteral("Layout %1 is written to %2.").arg(call.positional(2), call.positional(3)));
+    return {};
+}
+
+/// "A,B" split at the only comma.
+Result<std::pair<std::string, std::string>> commaPair(const CommandCall &call, const QString &option)
+{
+    const QStringList parts = QString::fromStdString(call.value(option)).split(u',');
+    if (parts.size() != 2 || parts[0].isEmpty() || parts[1].isEmpty())
+        return call.wrongCall(QStringLiteral("--%1 takes two, with a comma between").arg(option));
+    return std::pair(parts[0].toStdString(), parts[1].toStdString());
+}
+
+Result<AxesChange> changeOf(const CommandCall &call)
+{
+    AxesChange change;
+    change.originMarker = call.value(origin);
+    if (call.isSet(originAt)) {
+        const auto place = commaPair(call, originAt);
+        const auto x = place ? parseLengthM(place->first) : Result<double>(tl::unexpected(place.error()));
+        const auto y = place ? parseLengthM(place->second) : x;
+        if (!x || !y)
+            return tl::unexpected(!x ? x.error() : y.error());
+        change.originM = Eigen::Vector2d(*x, *y);
+    }
+    if (call.isSet(turn)) {
+        const auto degrees = call.number(turn);
+        if (!degrees)
+            return tl::unexpected(degrees.error());
+        change.turnDegrees = *degrees;
+    }
+    if (call.isSet(xAxis)) {
+        auto pair = commaPair(call, xAxis);
+        if (!pair)
+            return tl::unexpected(pair.error());
+        change.xAlong = std::move(*pair);
+    }
+    if (call.isSet(reverse)) {
+        const std::string axes = call.value(reverse);
+        if (axes != "x" && axes != "y" && axes != "xy")
+            return call.wrongCall(QStringLiteral("--reverse takes x, y or xy"));
+        change.reverseX = axes != "y";
+        change.reverseY = axes != "x";
+    }
+    if (call.isSet(unit)) {
+        const auto factor = lengthFactorFrom(call.value(unit));
+        if (!factor)
+            return tl::unexpected(factor.error());
+        change.lengthFactor = *factor;
+    }
+    return change;
+}
+
+Result<void> transform(CommandCall &call)
+{
+    const auto change = changeOf(call);
+    if (!change)
+        return tl::unexpected(change.error());
+    const auto project = call.openProject(1, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto outcome = changeLayoutAxes(**project, call.text(2), *change);
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    QStringList cameras;
+    for (const std::string &camera : outcome->cameras)
+        cameras << QString::fromStdString(camera);
+    const QString carried = cameras.isEmpty() ? QStringLiteral("No camera stands on it.")
+                                              : QStringLiteral("Carried along: %1.").arg(cameras.join(QStringLiteral(", ")));
+    call.answer({{QStringLiteral("layout"), call.positional(2)},
+                 {QStringLiteral("markers"), markersJson(outcome->layout.layout)},
+                 {QStringLiteral("cameras"), QJsonArray::fromStringList(cameras)}},
+                markersText(outcome->layout.layout) + u'\n' + carried);
+    return {};
+}
+
+} // namespace
+
+Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("layout"),
+         QStringLiteral("add P.odo NAME layout.csv | list P.odo | show P.odo NAME | export P.odo NAME layout.csv | "
+                        "transform P.odo NAME [--origin LABEL | --origin-at X,Y] [--turn DEGREES | --x-axis LABEL,LABEL] "
+                        "[--reverse x|y|xy] [--unit mm|cm|m|inch] [--json]"),
+         2, 4,
+         {{origin, QStringLiteral("The marker that becomes the origin."), QStringLiteral("LABEL")},
+          {originAt, QStringLiteral("The point that becomes the origin."), QStringLiteral("X,Y")},
+          {turn, QStringLiteral("The angle of the new X in the old axes, counter-clockwise."), QStringLiteral("DEGREES")},
+          {xAxis, QStringLiteral("X runs from the first marker to the second."), QStringLiteral("LABEL,LABEL")},
+          {reverse, QStringLiteral("Reverses both axes: xy."), QStringLiteral("AXES")},
+          {unit, QStringLiteral("What the layout's numbers were, where they were read as mm."), QStringLiteral("UNIT")}}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    struct Verb
+    {
+        const char *name;
+        int positionals;
+        Result<void> (*run)(CommandCall &);
+    };
+    static constexpr Verb verbs[] = {{"add", 4, add}, {"list", 2, list}, {"show", 3, show}, {"export", 4, exportCsv}, {"transform", 3, transform}};
+    for (const Verb &verb : verbs) {
+        if (call.positional(0) != QLatin1String(verb.name))
+            continue;
+        if (call.positionals().size() != verb.positionals)
+            return call.wrongCall(QStringLiteral("'%1' takes %2 arguments").arg(call.positional(0)).arg(verb.positionals - 1));
+        return verb.run(call);
+    }
+    return call.wrongCall(QStringLiteral("'%1' is not known").arg(call.positional(0)));
 }
 
 } // namespace odo

@@ -9,7 +9,7 @@ namespace odo {
 
 namespace {
 
-const QString camera = QStringLiteral("camera"), layout = QStringLiteral("layout"), pixels = QStringLiteral("pixels"),
+const QString hint = QStringLiteral("hint"), camera = QStringLiteral("camera"), layout = QStringLiteral("layout"), pixels = QStringLiteral("pixels"),
               through = QStringLiteral("through"), image = QStringLiteral("image"), video = QStringLiteral("video");
 
 QJsonObject answerJson(const std::string &cameraName, const std::string &layoutName, const FloorRegistration &registration)
@@ -29,10 +29,31 @@ QJsonObject answerJson(const std::string &cameraName, const std::string &layoutN
             {QStringLiteral("verdict"), QString::fromStdString(registration.verdict)}};
 }
 
+/// "LABEL=U,V" of each --hint.
+Result<std::vector<MarkerPixel>> hintsOf(const CommandCall &call)
+{
+    const auto pairs = call.pairs(hint);
+    if (!pairs)
+        return tl::unexpected(pairs.error());
+    std::vector<MarkerPixel> hints;
+    for (const auto &[label, place] : *pairs) {
+        const auto comma = place.find(',');
+        const auto u = parseNumber(place.substr(0, comma));
+        const auto v = comma == std::string::npos ? u : parseNumber(place.substr(comma + 1));
+        if (comma == std::string::npos || !u || !v)
+            return call.wrongCall(QStringLiteral("--hint takes LABEL=U,V"));
+        hints.push_back({label, {*u, *v}});
+    }
+    return hints;
+}
+
 Result<void> registerByMarkers(CommandCall &call)
 {
+    auto hints = hintsOf(call);
+    if (!hints)
+        return tl::unexpected(hints.error());
     const RegisterSettings settings{call.value(camera), call.value(layout), call.value(pixels),
-                                    call.isSet(image) ? call.value(image) : call.value(video), {}};
+                                    call.isSet(image) ? call.value(image) : call.value(video), {}, std::move(*hints)};
     const auto project = call.openProject(0, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
@@ -66,7 +87,7 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
 {
     CommandCall call(
         {QStringLiteral("register"),
-         QStringLiteral("P.odo --camera CAMERA (--layout NAME [--pixels pixels.csv | --image F.png | --video F.mp4] | "
+         QStringLiteral("P.odo --camera CAMERA (--layout NAME [--pixels pixels.csv | --image F.png | --video F.mp4 [--hint LABEL=U,V]...] | "
                         "--through CAMERA --pixels pairs.csv) [--json]"),
          1, 1,
          {{camera, QStringLiteral("The camera to register."), QStringLiteral("CAMERA")},
@@ -75,7 +96,9 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
           {pixels, QStringLiteral("Where the markers are: label,u,v; with --through: label,u,v,through_u,through_v."),
            QStringLiteral("FILE")},
           {image, QStringLiteral("A picture to find them in."), QStringLiteral("FILE")},
-          {video, QStringLiteral("A video to find them in."), QStringLiteral("FILE")}}},
+          {video, QStringLiteral("A video to find them in."), QStringLiteral("FILE")},
+          {hint, QStringLiteral("A marker told by hand, where rings look the same from several sides."),
+           QStringLiteral("LABEL=U,V")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});

@@ -35,11 +35,6 @@ tl::unexpected<Error> refuse(std::string why, std::string advice)
     return fail(ErrorCode::Undetermined, what, std::move(why), std::move(advice));
 }
 
-std::string millimetres(double metres)
-{
-    return formatNumber(toMillimetres(metres), 1) + " mm";
-}
-
 Result<void> checkInPicture(const SharedPoint &point, const Vector2d &pixel, const CameraModel &camera,
                             const std::string &whose)
 {
@@ -308,6 +303,7 @@ Result<ChainedRegistration> registerThrough(const FloorView &through, const std:
     if (sigmaM > worstSigma * spanM)
         return refuse("the floor among the points is known only to ±" + millimetres(sigmaM),
                       "spread the points over the floor, or register " + throughName + " better first");
+    registration.floorSigmaM = sigmaM;
     const FloorView commonOnly(*lens, registration.worldFromCamera, *common);
     registration.verdict =
         verdictOf(registration, throughName, sigmaM, largestSigma(commonOnly, points), spanM);

@@ -37,11 +37,6 @@ tl::unexpected<Error> refuse(std::string why, std::string advice)
     return fail(ErrorCode::Undetermined, what, std::move(why), std::move(advice));
 }
 
-std::string millimetres(double metres)
-{
-    return formatNumber(toMillimetres(metres), 1) + " mm";
-}
-
 template <class Points>
 Result<void> checkLabels(const Points &points, const char *where)
 {

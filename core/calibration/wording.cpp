@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/wording.h"
 
+#include "core/base/units.h"
+
 #include <algorithm>
 
 namespace odo {
@@ -14,6 +16,11 @@ std::string listed(const std::vector<std::string> &names)
         text += names[i];
     }
     return names.empty() ? "none" : text;
+}
+
+std::string millimetres(double metres)
+{
+    return formatNumber(toMillimetres(metres), 1) + " mm";
 }
 
 std::string registrationGrade(double worseM, double extentM)

@@ -12,7 +12,7 @@ namespace odo {
 /// markers, a label that is empty or there twice, a value that is no finite number. Any thread.
 Result<MarkerLayout> readLayoutCsv(const std::filesystem::path &file);
 
-/// Writes what readLayoutCsv reads, in full precision.
+/// Writes what readLayoutCsv reads, such that the same numbers are read back.
 Result<void> writeLayoutCsv(const std::filesystem::path &file, const MarkerLayout &layout);
 
 } // namespace odo

@@ -3,6 +3,7 @@
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 
+#include <algorithm>
 #include <set>
 
 namespace odo {
@@ -101,6 +102,26 @@ Result<LayoutRecord> LayoutRepository::get(RecordId id) const
     if (!*found)
         return noSuchId(m_connection, "layout", id);
     return readLayout(m_connection, select.integer(0), select.text(1));
+}
+
+Result<void> LayoutRepository::setPlaces(const LayoutRecord &layout)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto stored = get(layout.id);
+        if (!stored)
+            return tl::unexpected(stored.error());
+        if (!std::ranges::equal(stored->layout.markers, layout.layout.markers, {}, &Marker::label, &Marker::label))
+            return fail(ErrorCode::InvalidInput, "layout '" + stored->layout.name + "'",
+                        "the labels are not those that it has", "add another layout for other markers");
+        for (std::size_t i = 0; i < layout.layout.markers.size(); ++i) {
+            const Marker &marker = layout.layout.markers[i];
+            Statement update(m_connection, QStringLiteral("UPDATE marker SET x_m=?, y_m=? WHERE layout_id=? AND position=?"));
+            update.bind(marker.pointInWorld.x()).bind(marker.pointInWorld.y()).bind(layout.id);
+            if (auto done = update.bind(static_cast<std::int64_t>(i)).run(); !done)
+                return done;
+        }
+        return {};
+    });
 }
 
 } // namespace odo

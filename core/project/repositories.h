@@ -43,6 +43,8 @@ public:
     Result<std::vector<LayoutRecord>> all() const;
     Result<LayoutRecord> find(const std::string &name) const;
     Result<LayoutRecord> get(RecordId id) const;
+    /// Puts the markers to other places; the labels and their order must be the stored ones.
+    Result<void> setPlaces(const LayoutRecord &layout);
 
 private:
     ProjectConnection &m_connection;

@@ -149,6 +149,35 @@ private:
 
     void paintMarker(const Eigen::Vector2d &centre, int id)
     {
+        if (m_floor.markerFigure == MarkerFigure::Tag)
+            paintTag(centre, id);
+        else
+            paintRound(centre);
+    }
+
+    void paintRound(const Eigen::Vector2d &centre)
+    {
+        const double radius = m_floor.markerSideM / 2;
+        const Eigen::Vector2d paper = Eigen::Vector2d::Constant(1.3 * radius);
+        paintOne(floorRectangle(centre - paper, centre + paper), paperWhite);
+        paintOne(circle(centre, radius), inkBlack);
+        if (m_floor.markerFigure == MarkerFigure::Ring)
+            paintOne(circle(centre, radius / 2), paperWhite);
+    }
+
+    static std::vector<Eigen::Vector3d> circle(const Eigen::Vector2d &centre, double radius)
+    {
+        constexpr int corners = 120; // within 0.03 % of the radius
+        std::vector<Eigen::Vector3d> points;
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2 * EIGEN_PI * i / corners;
+            points.emplace_back(centre.x() + radius * std::cos(angle), centre.y() + radius * std::sin(angle), 0.0);
+        }
+        return points;
+    }
+
+    void paintTag(const Eigen::Vector2d &centre, int id)
+    {
         const TagPattern pattern = aprilTagPattern(id);
         const double cell = m_floor.markerSideM / (pattern.side - 2);
         const double half = cell * pattern.side / 2;

@@ -84,7 +84,11 @@ struct SimulatedCamera
     double jitterS = 0;
 };
 
-/// The floor: a texture of tiles and grain that is the same for a seed, with tags as markers where a layout
+/// What lies at a marker's place: a tag (numbered in the layout's order), a black ring with a hole of half its diameter,
+/// or a black disc.
+enum class MarkerFigure { Tag, Ring, Dot };
+
+/// The floor: a texture of tiles and grain that is the same for a seed, with markers where a layout
 /// says.
 struct SimulatedFloor
 {
@@ -95,9 +99,10 @@ struct SimulatedFloor
     double textureAmplitude = 0.06;                         ///< relative
     double tileM = 0.5;
     MarkerLayout markers;
-    double markerSideM = 0.16; ///< side of the tag's black square; 0: no markers drawn
+    double markerSideM = 0.16; ///< side of the tag's black square, outer diameter of a ring or disc; 0: none drawn
     std::vector<FloorPatch> patches;
     double shadowStrength = 0.35; ///< of the soft shadow where a robot meets the floor; 0: none
+    MarkerFigure markerFigure = MarkerFigure::Tag;
 };
 
 /// A whole simulated testbed with known truth. Rendering is deterministic for a seed, whatever the order of

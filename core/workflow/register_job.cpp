@@ -7,6 +7,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/cameras.h"
 #include "core/workflow/picture_source.h"
+#include "core/workflow/stored_registration.h"
 
 namespace odo {
 
@@ -89,6 +90,13 @@ Result<void> RegisterJob::findInPictures(const JobControl &control)
         return fail(ErrorCode::NotFound, what, "neither their pixels nor a picture to look in was given",
                     "give --pixels pixels.csv, --image picture.png or --video clip.mp4");
     const bool wanted = m_settings.pixels.empty();
+    MarkerSearch search{std::nullopt, m_intrinsicsKnown, m_settings.hints};
+    if (m_intrinsicsKnown) {
+        auto camera = cameraModel();
+        if (!camera)
+            return tl::unexpected(camera.error());
+        search.camera = std::move(*camera);
+    }
     tl::unexpected<Error> lastProblem = fail(ErrorCode::Undetermined, what, "the video has no picture", "give another file");
     int looked = 0;
     const auto visited = visitPictures(m_settings.pictureFile, videoStep, [&](const Frame &frame, const std::string &name) {
@@ -99,7 +107,7 @@ Result<void> RegisterJob::findInPictures(const JobControl &control)
         }
         if (!wanted)
             return false;
-        auto pixels = findMarkers(frame, m_layout);
+        auto pixels = findMarkers(frame, m_layout, search);
         if (!pixels)
             lastProblem = tl::unexpected(pixels.error());
         else if (pixels->size() > m_settings.pixels.size())
@@ -129,12 +137,7 @@ Result<CameraModel> RegisterJob::cameraModel() const
 Result<void> RegisterJob::commit(Project &project)
 {
     return project.inTransaction([&]() -> Result<void> {
-        const auto camera = findOrAddCamera(project, m_settings.camera);
-        if (!camera)
-            return tl::unexpected(camera.error());
-        m_record.camera = camera->id;
-        m_record.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
-        const auto stored = project.cameras().addRegistration(m_record);
+        const auto stored = storeRegistration(project, m_settings.camera, m_record);
         if (!stored)
             return tl::unexpected(stored.error());
         m_record = *stored;

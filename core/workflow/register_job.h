@@ -18,6 +18,7 @@ struct RegisterSettings
     std::filesystem::path pictureFile; ///< a picture or video in which the markers are looked for, or (with pixelsFile)
                                        ///< which tells the picture's size to a camera without intrinsics; or empty
     std::vector<MarkerPixel> pixels;  ///< picked in a window; instead of pixelsFile
+    std::vector<MarkerPixel> hints;   ///< markers told by hand, to find the others in the picture (MarkerSearch)
 };
 
 /// Registers one camera to the floor by the markers of a layout and stores the registration as its newest one.

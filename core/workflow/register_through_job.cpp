@@ -6,12 +6,15 @@
 #include "core/project/repositories.h"
 #include "core/workflow/cameras.h"
 #include "core/workflow/registered_view.h"
+#include "core/workflow/stored_registration.h"
 
 #include <algorithm>
 
 namespace odo {
 
 namespace {
+
+constexpr const char *throughWord = " through ";
 
 std::string subject(const RegisterThroughSettings &settings)
 {
@@ -108,25 +111,31 @@ Result<void> RegisterThroughJob::run(const JobControl &)
 Result<void> RegisterThroughJob::commit(Project &project)
 {
     return project.inTransaction([&]() -> Result<void> {
-        const auto camera = findOrAddCamera(project, m_settings.camera);
-        if (!camera)
-            return tl::unexpected(camera.error());
         const auto layouts = project.layouts().all();
         if (!layouts)
             return tl::unexpected(layouts.error());
-        m_layout.name = freeName(*layouts, m_settings.camera + " through " + m_settings.through);
+        m_layout.name = freeName(*layouts, m_settings.camera + throughWord + m_settings.through);
         const auto layout = project.layouts().add(m_layout);
         if (!layout)
             return tl::unexpected(layout.error());
-        m_record.camera = camera->id;
         m_record.layout = layout->id;
-        m_record.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
-        const auto stored = project.cameras().addRegistration(m_record);
+        const auto stored = storeRegistration(project, m_settings.camera, m_record);
         if (!stored)
             return tl::unexpected(stored.error());
         m_record = *stored;
         return {};
     });
+}
+
+bool isLayoutThrough(const std::string &layoutName, const std::string &through)
+{
+    // freeName() may have put a number behind it.
+    const std::string ending = throughWord + through;
+    const auto at = layoutName.rfind(ending);
+    if (at == std::string::npos || at == 0)
+        return false;
+    const std::string rest = layoutName.substr(at + ending.size());
+    return rest.empty() || (rest.starts_with(" (") && rest.ends_with(")"));
 }
 
 } // namespace odo

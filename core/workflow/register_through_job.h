@@ -46,4 +46,7 @@ private:
     RegistrationRecord m_record;
 };
 
+/// Whether a layout is one of those that registrations through this camera keep.
+bool isLayoutThrough(const std::string &layoutName, const std::string &through);
+
 } // namespace odo

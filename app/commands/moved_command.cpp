@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "app/json_answers.h"
+#include "core/workflow/moved_job.h"
+
+namespace odo {
+
+namespace {
+
+const QString camera = QStringLiteral("camera"), image = QStringLiteral("image");
+
+QString verdictName(MovedCheck::Verdict verdict)
+{
+    switch (verdict) {
+    case MovedCheck::Verdict::CameraMoved:
+        return QStringLiteral("camera");
+    case MovedCheck::Verdict::MarkersMoved:
+        return QStringLiteral("markers");
+    case MovedCheck::Verdict::Still:
+        break;
+    }
+    return QStringLiteral("nothing");
+}
+
+QJsonObject answerJson(const QString &cameraName, const MovedCheck &check)
+{
+    QJsonArray markers;
+    for (const MarkerShift &marker : check.markers)
+        markers.append(QJsonObject{{QStringLiteral("label"), QString::fromStdString(marker.label)},
+                                   {QStringLiteral("shift_px"), marker.shiftPx},
+                                   {QStringLiteral("shift_mm"), toMillimetres(marker.shiftM)},
+                                   {QStringLiteral("limit_px"), marker.limitPx},
+                                   {QStringLiteral("moved"), marker.isMoved()}});
+    return {{QStringLiteral("camera"), cameraName},
+            {QStringLiteral("moved"), verdictName(check.verdict)},
+            {QStringLiteral("shift_px"), check.shiftPx},
+            {QStringLiteral("shift_mm"), toMillimetres(check.shiftM)},
+            {QStringLiteral("markers"), markers},
+            {QStringLiteral("missing"), sentencesJson(check.missing)},
+            {QStringLiteral("verdict"), QString::fromStdString(check.words)}};
+}
+
+} // namespace
+
+Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("moved"), QStringLiteral("P.odo --camera CAMERA --image F.png [--json]"), 1, 1,
+                      {{camera, QStringLiteral("The registered camera."), QStringLiteral("CAMERA")},
+                       {image, QStringLiteral("A picture of it as it stands now."), QStringLiteral("FILE")}}},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (!call.isSet(camera) || !call.isSet(image))
+        return call.wrongCall(QStringLiteral("--camera and --image are needed"));
+    const auto project = call.openProject(0, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    MovedJob job({call.value(camera), call.value(image), {}});
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    const MovedCheck &check = job.check();
+    call.answer(answerJson(QString::fromStdString(call.value(camera)), check), QString::fromStdString(check.words));
+    if (check.verdict == MovedCheck::Verdict::Still)
+        return {};
+    return fail(ErrorCode::InvalidInput, "camera '" + call.value(camera) + "'",
+                check.verdict == MovedCheck::Verdict::CameraMoved ? "it has moved since it was registered"
+                                                                  : "a marker has moved since it was registered",
+                "see the answer for what to do");
+}
+
+} // namespace odo

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/calibration/marker_layout.h"
+#include "core/geometry/floor_view.h"
+
+#include <span>
+#include <vector>
+
+namespace odo {
+
+/// Places of the floor in rows along X, from lowerM on, the first row at the smallest Y.
+struct FloorGrid
+{
+    Eigen::Vector2d lowerM = Eigen::Vector2d::Zero();
+    double stepM = 0.1;
+    int columns = 0, rows = 0;
+
+    Eigen::Vector2d at(int column, int row) const { return lowerM + stepM * Eigen::Vector2d(column, row); }
+    std::size_t index(int column, int row) const
+    {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+    }
+};
+
+/// A grid over the layout's markers and a margin about them, of at most so many places along its longer side.
+FloorGrid gridOver(const MarkerLayout &layout, double marginM, int mostAcross = 60);
+
+/// σ to expect of a position at each place of a grid: along the direction in which it is the least sure. Metres, in the
+/// order of FloorGrid::index; NaN where no camera sees the place.
+struct AccuracyMap
+{
+    FloorGrid grid;
+    std::vector<std::vector<double>> cameraSigmaM; ///< one map a view, in the order of the views
+    std::vector<double> fusedSigmaM;               ///< of all views that see the place, joined by their information
+};
+
+/// sigmaPx: of one coordinate of what is followed in the picture (the tracker: about 0.1; a click: 0.5). heightM: of
+/// the plane. Each view's σ holds the pixel's part and that of its calibration; the calibrations of the views count as
+/// independent of one another. Some 2 µs a place and view. Pure; any thread.
+AccuracyMap accuracyMap(std::span<const FloorView> views, const FloorGrid &grid, double sigmaPx, double heightM = 0);
+
+/// A camera that is not there yet.
+struct PlannedCamera
+{
+    double heightM = 2;                                        ///< above the floor
+    double distanceM = 2;                                      ///< over the floor, from the point it aims at
+    double directionDegrees = -90;                             ///< from that point to the camera; 0: +X, -90: -Y
+    Eigen::Vector2d aimM = Eigen::Vector2d::Zero();            ///< point of the floor in the middle of the picture
+    double fieldOfViewDegrees = 60;                            ///< across the picture's width
+    int widthPx = 1280, heightPx = 720;
+};
+
+/// The view such a camera would have when it were registered by these markers with this σ of one coordinate of a
+/// marker's pixel: for accuracyMap, before anything is recorded. Its lens counts as known. Refuses a height, distance or
+/// field of view that no camera has, and a pose from which fewer than four markers are in the picture, naming them.
+Result<FloorView> plannedView(const PlannedCamera &camera, const MarkerLayout &layout, double sigmaPx = 0.3);
+
+} // namespace odo

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/stored_registration.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/cameras.h"
+
+namespace odo {
+
+Result<RegistrationRecord> storeRegistration(Project &project, const std::string &camera, RegistrationRecord record)
+{
+    const auto owner = findOrAddCamera(project, camera);
+    if (!owner)
+        return tl::unexpected(owner.error());
+    record.camera = owner->id;
+    record.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+    return project.cameras().addRegistration(record);
+}
+
+Result<std::vector<RegisteredCamera>> camerasOnLayout(Project &project, RecordId layout)
+{
+    const auto cameras = project.cameras().all();
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    std::vector<RegisteredCamera> registered;
+    for (const CameraRecord &camera : *cameras) {
+        auto registration = project.cameras().currentRegistration(camera.id);
+        if (!registration)
+            return tl::unexpected(registration.error());
+        if (*registration && (*registration)->layout == layout)
+            registered.push_back({camera, std::move(**registration)});
+    }
+    return registered;
+}
+
+Result<RegisteredCamera> registeredCamera(Project &project, const std::string &camera)
+{
+    const auto found = project.cameras().find(camera);
+    if (!found)
+        return tl::unexpected(found.error());
+    auto registration = project.cameras().currentRegistration(found->id);
+    if (!registration)
+        return tl::unexpected(registration.error());
+    if (!*registration)
+        return fail(ErrorCode::NotFound, "camera '" + camera + "'", "it is not registered to the floor",
+                    "register it first, by markers or through another camera");
+    return RegisteredCamera{*found, std::move(**registration)};
+}
+
+} // namespace odo

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+
+#include <string>
+
+namespace odo {
+
+class Project;
+
+/// Stores a registration as the newest one of a camera, which is made when the project has none of that name, and
+/// stamps it with the time of now. For a job's commit, inside its transaction; gives back what is stored.
+Result<RegistrationRecord> storeRegistration(Project &project, const std::string &camera, RegistrationRecord record);
+
+/// A camera with its registration in force.
+struct RegisteredCamera
+{
+    CameraRecord camera;
+    RegistrationRecord registration;
+};
+
+/// The cameras whose registration in force was made with this layout. Project's thread.
+Result<std::vector<RegisteredCamera>> camerasOnLayout(Project &project, RecordId layout);
+
+/// The registration in force of a camera by name. NotFound where it has none, with what to do.
+Result<RegisteredCamera> registeredCamera(Project &project, const std::string &camera);
+
+} // namespace odo
