@@ -3,13 +3,14 @@
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
 #include "core/workflow/register_job.h"
+#include "core/workflow/register_joint_job.h"
 #include "core/workflow/register_through_job.h"
 
 namespace odo {
 
 namespace {
 
-const QString hint = QStringLiteral("hint"), camera = QStringLiteral("camera"), layout = QStringLiteral("layout"), pixels = QStringLiteral("pixels"),
+const QString joint = QStringLiteral("joint"), tape = QStringLiteral("tape"), hint = QStringLiteral("hint"), camera = QStringLiteral("camera"), layout = QStringLiteral("layout"), pixels = QStringLiteral("pixels"),
               through = QStringLiteral("through"), image = QStringLiteral("image"), video = QStringLiteral("video");
 
 QJsonObject answerJson(const std::string &cameraName, const std::string &layoutName, const FloorRegistration &registration)
@@ -81,6 +82,49 @@ Result<void> registerThroughCamera(CommandCall &call)
     return {};
 }
 
+Result<void> registerTogether(CommandCall &call)
+{
+    RegisterJointSettings settings{call.value(layout)};
+    if (call.isSet(tape)) {
+        const auto sigma = call.lengthM(tape);
+        if (!sigma)
+            return tl::unexpected(sigma.error());
+        settings.tapeSigmaM = *sigma;
+    }
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    RegisterJointJob job(settings);
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    const JointRegistration &outcome = job.joint();
+    QJsonArray cameras, markers;
+    QStringList lines;
+    for (std::size_t i = 0; i < outcome.registrations.size(); ++i) {
+        const FloorRegistration &registration = outcome.registrations[i];
+        cameras.append(answerJson(job.cameras()[i], settings.layout, registration));
+        lines << QString::fromStdString(job.cameras()[i] + ": ±" + formatNumber(toMillimetres(registration.floorSigmaM), 1) +
+                                        " mm among the markers, which fit to " +
+                                        formatNumber(toMillimetres(registration.rmsM), 1) + " mm RMS.");
+    }
+    for (const JointMarker &marker : outcome.markers)
+        markers.append(QJsonObject{{QStringLiteral("label"), QString::fromStdString(marker.label)},
+                                   {QStringLiteral("cameras"), marker.cameras},
+                                   {QStringLiteral("off_x_mm"), toMillimetres(marker.offM.x())},
+                                   {QStringLiteral("off_y_mm"), toMillimetres(marker.offM.y())},
+                                   {QStringLiteral("sigma_x_mm"), toMillimetres(std::sqrt(marker.covariance(0, 0)))},
+                                   {QStringLiteral("sigma_y_mm"), toMillimetres(std::sqrt(marker.covariance(1, 1)))},
+                                   {QStringLiteral("suspicious"), marker.isSuspicious}});
+    lines << QString::fromStdString(outcome.verdict);
+    call.answer({{layout, QString::fromStdString(settings.layout)},
+                 {QStringLiteral("cameras"), cameras},
+                 {QStringLiteral("markers"), markers},
+                 {QStringLiteral("rms_px"), outcome.rmsPx},
+                 {QStringLiteral("verdict"), QString::fromStdString(outcome.verdict)}},
+                lines.join(u'\n'));
+    return {};
+}
+
 } // namespace
 
 Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel)
@@ -88,7 +132,7 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
     CommandCall call(
         {QStringLiteral("register"),
          QStringLiteral("P.odo --camera CAMERA (--layout NAME [--pixels pixels.csv | --image F.png | --video F.mp4 [--hint LABEL=U,V]...] | "
-                        "--through CAMERA --pixels pairs.csv) [--json]"),
+                        "--through CAMERA --pixels pairs.csv) [--json], or P.odo --joint --layout NAME [--tape 2mm] [--json]"),
          1, 1,
          {{camera, QStringLiteral("The camera to register."), QStringLiteral("CAMERA")},
           {layout, QStringLiteral("The marker layout it sees."), QStringLiteral("NAME")},
@@ -97,11 +141,22 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
            QStringLiteral("FILE")},
           {image, QStringLiteral("A picture to find them in."), QStringLiteral("FILE")},
           {video, QStringLiteral("A video to find them in."), QStringLiteral("FILE")},
+          {joint, QStringLiteral("Registers all cameras of the layout together, by the pixels they were registered with.")},
+          {tape, QStringLiteral("With --joint: how well the markers' places were measured (2mm)."), QStringLiteral("LENGTH")},
           {hint, QStringLiteral("A marker told by hand, where rings look the same from several sides."),
            QStringLiteral("LABEL=U,V")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
+    if (call.isSet(joint)) {
+        for (const QString &other : {camera, through, pixels, image, video, hint}) {
+            if (call.isSet(other))
+                return call.wrongCall(QStringLiteral("--joint and --%1 exclude each other").arg(other));
+        }
+        if (!call.isSet(layout))
+            return call.wrongCall(QStringLiteral("--joint needs --layout"));
+        return registerTogether(call);
+    }
     if (!call.isSet(camera))
         return call.wrongCall(QStringLiteral("--camera is missing"));
     if (call.isSet(through)) {

@@ -27,6 +27,8 @@ constexpr double refutedBeyond = 3; // times the prior: then the residuals alone
 constexpr double leastHeightM = 0.05, mostHeightM = 100;
 constexpr double nearestPixels = 1.0;     // markers closer than that are one and the same
 constexpr double nearestPlaces = 1e-3;    // of the layout's extent
+constexpr double tooClose = 0.01;        // of the layout's extent: of four markers each must count
+constexpr double smallHeightM = 0.3, smallExtentM = 0.7; // below both, the numbers may well be centimetres
 constexpr double leastDoubtPx = 1;        // a misfit below it needs no other explanation than noise
 constexpr double suspiciousMisfit = 0.01; // of the markers' extent in the picture: refused if others fit
 constexpr double worstMisfit = 0.05;      // of the same: no plane
@@ -75,6 +77,10 @@ Result<void> checkDistances(const std::vector<PointPair> &pairs, double extentM)
                 return refuse(both + " lie at one place of the floor", "correct the layout");
             if ((pairs[i].target - pairs[j].target).norm() < nearestPixels)
                 return refuse(both + " lie on one pixel", "mark each of them where it is seen");
+            const double apartM = (pairs[i].source - pairs[j].source).norm();
+            if (pairs.size() == 4 && apartM < tooClose * extentM)
+                return refuse(both + " lie only " + millimetres(apartM) + " apart, too close for two of four",
+                              "spread the markers over the floor");
         }
     }
     return {};
@@ -98,9 +104,15 @@ Result<std::vector<PointPair>> commonMarkers(const MarkerLayout &layout,
         pairs.push_back({marker.pointInWorld, seen->pixel, marker.label});
         names.push_back(marker.label);
     }
+    std::vector<std::string> unknown;
+    for (const MarkerPixel &pixel : pixels) {
+        if (std::ranges::find(layout.markers, pixel.label, &Marker::label) == layout.markers.end())
+            unknown.push_back(pixel.label);
+    }
     if (pairs.size() < 4)
         return refuse("four markers are needed that the layout and the picture have in common; there are " +
-                          std::to_string(pairs.size()) + " (" + listed(names) + ")",
+                          std::to_string(pairs.size()) + " (" + listed(names) + ")" +
+                          (unknown.empty() ? "" : ", and the layout does not know " + listed(unknown)),
                       "mark more of the layout's markers, under the layout's names");
     return pairs;
 }
@@ -158,15 +170,43 @@ Result<PlanePose> soundPose(const std::vector<PointPair> &pairs, const CameraMod
     return pose;
 }
 
+/// "metres, then it would stand 1.70 m above the floor", of the unit that makes the camera's height the most ordinary;
+/// empty where none does.
+std::string likelyUnit(double heightM)
+{
+    struct Unit
+    {
+        const char *name;
+        double factor;
+    };
+    constexpr double ordinaryM = 1.8;
+    const Unit *best = nullptr;
+    static constexpr Unit units[] = {{"metres", 1000}, {"inches", 25.4}, {"centimetres", 10}, {"thousandths of a mm", 1e-3}, {"tenths of a mm", 0.1}};
+    const auto strangeness = [&](const Unit &unit) { return std::abs(std::log(heightM * unit.factor / ordinaryM)); };
+    for (const Unit &unit : units) {
+        if (best == nullptr || strangeness(unit) < strangeness(*best))
+            best = &unit;
+    }
+    if (strangeness(*best) > std::log(4.0))
+        return "";
+    return std::string(best->name) + ", then it would stand " + formatNumber(heightM * best->factor, 2) + " m above the floor";
+}
+
+std::string unitAdvice(double heightM)
+{
+    const std::string likely = likelyUnit(heightM);
+    return "check the unit of the layout: " + (likely.empty() ? "it is given in mm" : "its numbers look like " + likely);
+}
+
 Result<void> checkPlace(const PlanePose &pose)
 {
     const double heightM = pose.worldFromCamera.translation.z();
     if (heightM < leastHeightM)
         return refuse("the camera would stand only " + millimetres(heightM) + " above the floor",
-                      "check the unit of the layout: it is given in mm");
+                      unitAdvice(heightM));
     if (heightM > mostHeightM)
         return refuse("the camera would stand " + formatNumber(heightM, 0) + " m above the floor",
-                      "check the unit of the layout: it is given in mm");
+                      unitAdvice(heightM));
     return {};
 }
 
@@ -240,6 +280,29 @@ std::string lensWords(const PlanePose &pose, bool intrinsicsKnown)
     return words + " Calibrate it for positions to rely on.";
 }
 
+/// " (O, U and V the most)", of the four that lie the least on one line.
+std::string flattestOf(const std::vector<PointPair> &pairs)
+{
+    std::vector<Vector2d> points;
+    for (const PointPair &pair : pairs)
+        points.push_back(pair.source);
+    const auto three = widestQuadrilateral(points).flattest;
+    std::vector<std::string> names;
+    for (const int i : three)
+        names.push_back(pairs[static_cast<std::size_t>(i)].label);
+    return " (" + listed(names) + " the most)";
+}
+
+/// A table top is possible, a floor whose centimetres were read as mm is likelier.
+std::string unitWords(const FloorRegistration &registration, double layoutM)
+{
+    const double heightM = registration.worldFromCamera.translation.z();
+    if (heightM >= smallHeightM || layoutM >= smallExtentM)
+        return "";
+    return " The camera would stand only " + millimetres(heightM) +
+           " above the floor: if that is wrong, the layout's numbers are no mm; convert its unit.";
+}
+
 std::string verdictOf(const FloorRegistration &registration, const PlanePose &pose, double layoutM,
                       bool intrinsicsKnown)
 {
@@ -290,10 +353,11 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
                       "check the layout, the labels and the intrinsics");
     }
     if (registration.floorSigmaM > worstSigma * layoutM)
-        return refuse("the markers lie so nearly on one line that the floor is known only to ±" +
+        return refuse("the markers lie so nearly on one line" + flattestOf(*pairs) + " that the floor is known only to ±" +
                           millimetres(registration.floorSigmaM),
                       "spread the markers over the floor");
     registration.verdict = verdictOf(registration, *pose, layoutM, intrinsicsKnown);
+    registration.verdict += unitWords(registration, layoutM);
     const std::string better = doubtOfOrder(*pairs, *pose, camera, focal);
     if (!better.empty())
         registration.verdict += " But " + better + ": check these labels.";

@@ -25,7 +25,7 @@ constexpr std::size_t mostShapes = 20;      // the largest ones; four of 20 in o
 constexpr std::size_t mostQuadruples = 12;  // of labels, in case some are hidden
 constexpr std::size_t mostRefined = 60;
 constexpr double hintReachPx = 20;
-constexpr double leastFitPx = 2, worstFit = 0.012; // of the markers' extent in the picture
+constexpr double leastFitPx = 1.5, worstFit = 0.004; // of the markers' extent in the picture
 constexpr double roughly = 0.05;            // of the same: the closed form, before it is refined
 constexpr double clearlyBetter = 3, leastDifferencePx = 0.7;
 constexpr double mostSizes = 1.35;          // of the largest marker on the floor, of the smallest
@@ -261,7 +261,7 @@ private:
         Assignment assignment(m_layout.markers.size(), nothing);
         for (std::size_t i = 0; i < 4; ++i)
             assignment[static_cast<std::size_t>(labels[i])] = chosen[i];
-        const double reach = std::max(3.0, 2 * worstFit * m_extentPx) / m_camera.intrinsics().fxPx;
+        const double reach = std::max(3.0, 5 * worstFit * m_extentPx) / m_camera.intrinsics().fxPx;
         for (int label = 0; label < static_cast<int>(assignment.size()); ++label) {
             int &to = assignment[static_cast<std::size_t>(label)];
             const Vector3d mapped = map * place(label).homogeneous();

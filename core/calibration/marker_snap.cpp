@@ -24,8 +24,10 @@ constexpr int largestMarkerPx = 130;   // from its middle to its rim
 constexpr int tapeReachPx = 26;        // beyond the reach: how much of the strips is looked at
 constexpr double leastTapePx = 3, mostTapePx = 40;
 constexpr double antiparallel = -0.95; // 18°: perspective
-constexpr double armPx = 6;            // of a strip beyond the crossing, to count as one
-constexpr double cornerGapPx = 5;      // between a corner and the nearest points of its edges
+constexpr double armPx = 5;            // of a strip beyond the crossing, to count as one
+constexpr double roundedPx = 3;        // about a corner, where no points of edges are taken
+constexpr float fieldPx = 5;           // from a saddle into its fields
+constexpr double leastContrast = 24;   // between them: a floor's own grain has saddles as well
 constexpr double leastSigmaPx = 0.02, clickSigmaPx = 1, saddleSigmaPx = 0.1;
 
 PixelRect around(const Vector2d &near, double reach)
@@ -106,8 +108,7 @@ bool goesOn(const StraightEdge &edge, const Vector2d &beyond, const Vector2d &fr
 {
     const double at = edge.direction().dot(beyond - edge.middle);
     const bool forwards = edge.direction().dot(beyond - from) > 0;
-    // The corner itself is rounded by the blur.
-    return forwards ? edge.runs(at + 2, at + 2 + armPx) : edge.runs(at - 2 - armPx, at - 2);
+    return forwards ? edge.runs(at + roundedPx, at + roundedPx + armPx) : edge.runs(at - roundedPx - armPx, at - roundedPx);
 }
 
 int armsOf(const Strip &one, const Strip &other, const std::array<Vector2d, 4> &corners)
@@ -149,7 +150,7 @@ std::optional<SnappedMarker> nearestCrossing(const std::vector<StraightEdge> &ed
 bool reaches(const StraightEdge &edge, const Vector2d &place)
 {
     const double at = edge.direction().dot(place - edge.middle);
-    return edge.runs(at + 1, at + 1 + cornerGapPx) || edge.runs(at - 1 - cornerGapPx, at - 1);
+    return edge.runs(at + roundedPx, at + roundedPx + armPx) || edge.runs(at - roundedPx - armPx, at - roundedPx);
 }
 
 std::optional<SnappedMarker> nearestCorner(const std::vector<StraightEdge> &edges, const Vector2d &near, double reachPx)
@@ -167,6 +168,16 @@ std::optional<SnappedMarker> nearestCorner(const std::vector<StraightEdge> &edge
     return best;
 }
 
+/// How much brighter one pair of opposite fields is than the other, in grey values.
+double contrastOf(const cv::Mat &picture, const SaddlePoint &saddle)
+{
+    const auto fields = [&](const cv::Point2f &diagonal) {
+        const cv::Point2f step = fieldPx / static_cast<float>(std::max(1e-3, cv::norm(diagonal))) * diagonal;
+        return greyAt(picture, saddle.position + step) + greyAt(picture, saddle.position - step);
+    };
+    return 0.5 * std::abs(fields(saddle.edges[0] + saddle.edges[1]) - fields(saddle.edges[0] - saddle.edges[1]));
+}
+
 std::optional<SnappedMarker> nearestSaddle(const cv::Mat &picture, const Vector2d &near, double reachPx)
 {
     cv::Mat smooth;
@@ -174,7 +185,7 @@ std::optional<SnappedMarker> nearestSaddle(const cv::Mat &picture, const Vector2
     std::vector<cv::Point2f> best;
     for (const SaddlePoint &saddle : findSaddlePoints(smooth)) {
         const Vector2d place(saddle.position.x, saddle.position.y);
-        if ((place - near).norm() <= reachPx && (best.empty() || (place - near).norm() < (Vector2d(best[0].x, best[0].y) - near).norm()))
+        if ((place - near).norm() <= reachPx && contrastOf(smooth, saddle) >= leastContrast && (best.empty() || (place - near).norm() < (Vector2d(best[0].x, best[0].y) - near).norm()))
             best = {saddle.position};
     }
     if (best.empty())

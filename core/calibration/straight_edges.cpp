@@ -18,6 +18,8 @@ using Eigen::Vector2d;
 constexpr std::size_t mostEdges = 12, leastPoints = 8;
 constexpr double leastSlope = 16, shareOfSteepest = 0.25; // Sobel's, per pixel
 constexpr double reachPx = 1.2, sameDirection = 0.985;    // 10°
+constexpr double gapPx = 2.5, roundedPx = 3;
+constexpr double worstSigma = 0.4;                        // of one point: no straight edge of anything
 constexpr double leastSine = 0.42;                        // 25°
 
 struct Point
@@ -80,6 +82,24 @@ void fitLine(const std::vector<Vector2d> &points, Vector2d &middle, Vector2d &no
     normal = across.dot(normal) < 0 ? Vector2d(-across) : across;
 }
 
+/// Without the points beside a gap or an end: where an edge turns away, the blur draws it round the corner.
+std::vector<Vector2d> awayFromEnds(std::vector<Vector2d> points, const Vector2d &direction)
+{
+    const auto along = [&](const Vector2d &point) { return direction.dot(point); };
+    std::ranges::sort(points, {}, along);
+    std::vector<double> ends;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i == 0 || along(points[i]) - along(points[i - 1]) > gapPx)
+            ends.push_back(along(points[i]));
+        if (i + 1 == points.size() || along(points[i + 1]) - along(points[i]) > gapPx)
+            ends.push_back(along(points[i]));
+    }
+    std::erase_if(points, [&](const Vector2d &point) {
+        return std::ranges::any_of(ends, [&](double end) { return std::abs(along(point) - end) < roundedPx; });
+    });
+    return points;
+}
+
 /// Points of a line that follow one another without a long gap may be of two things in a row; they are kept together,
 /// since an edge that passes behind a crossing strip goes on beyond it.
 std::optional<StraightEdge> measured(const cv::Mat &picture, const std::vector<Vector2d> &rough, Vector2d middle, Vector2d normal)
@@ -90,6 +110,7 @@ std::optional<StraightEdge> measured(const cv::Mat &picture, const std::vector<V
         if (const auto edge = edgeAhead(picture, onLine, normal, 2.5, true); edge && std::abs(*edge) < 1.5)
             points.push_back(onLine + *edge * normal);
     }
+    points = awayFromEnds(std::move(points), {-normal.y(), normal.x()});
     for (int pass = 0; pass < 2 && points.size() >= leastPoints; ++pass) {
         fitLine(points, middle, normal);
         std::erase_if(points, [&](const Vector2d &point) { return std::abs(normal.dot(point - middle)) > 0.6; });
@@ -105,7 +126,7 @@ std::optional<StraightEdge> measured(const cv::Mat &picture, const std::vector<V
     }
     edge.sigmaPx = std::sqrt(squares / static_cast<double>(points.size() - 2));
     std::ranges::sort(edge.along);
-    if (edge.along.back() - edge.along.front() < static_cast<double>(leastPoints))
+    if (edge.sigmaPx > worstSigma || edge.along.back() - edge.along.front() < static_cast<double>(leastPoints))
         return std::nullopt;
     return edge;
 }

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/joint_registration.h"
+
+#include "core/base/units.h"
+#include "core/calibration/joint_fit.h"
+#include "core/calibration/lens_influence.h"
+#include "core/calibration/wording.h"
+#include "core/geometry/point_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace odo {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr const char *what = "the cameras cannot be registered together";
+constexpr double leastFall = 16;      // of the sum of squares: χ² of two degrees of freedom, 1 in 3000
+constexpr double pixelHandicap = 8;   // a wrong place of a marker is cured in part by leaving out one pixel of it
+constexpr std::size_t leastPixels = 3;
+constexpr std::size_t leastMeasured = 3; // markers whose measured place counts: they hold the axes and the scale
+
+tl::unexpected<Error> refuse(std::string why, std::string advice)
+{
+    return fail(ErrorCode::Undetermined, what, std::move(why), std::move(advice));
+}
+
+class Joining
+{
+public:
+    Joining(const MarkerLayout &layout, const std::vector<JointCamera> &cameras, double tapeSigmaM)
+        : m_layout(layout), m_cameras(cameras)
+    {
+        m_problem.tapeSigmaM = tapeSigmaM;
+    }
+
+    Result<JointRegistration> join()
+    {
+        if (auto sound = checkCameras(); !sound)
+            return tl::unexpected(sound.error());
+        if (auto gathered = gather(); !gathered)
+            return tl::unexpected(gathered.error());
+        auto fit = fitJointly(m_problem);
+        if (!fit)
+            return undetermined();
+        leaveOutWhatDoesNotFit(*fit);
+        m_problem.sigmaPx = sigmaFrom(*fit);
+        fit = fitJointly(m_problem);
+        if (!fit)
+            return undetermined();
+        return outcomeOf(*fit);
+    }
+
+private:
+    static tl::unexpected<Error> undetermined()
+    {
+        return refuse("the markers do not determine where the cameras stand", "spread the markers over the floor");
+    }
+
+    Result<void> checkCameras() const
+    {
+        if (m_cameras.size() < 2)
+            return refuse("there is " + std::to_string(m_cameras.size()) + " camera on layout '" + m_layout.name + "', two are needed",
+                          "register the cameras one by one by this layout first");
+        std::set<std::string> names;
+        for (const JointCamera &camera : m_cameras) {
+            if (!names.insert(camera.name).second)
+                return refuse("camera '" + camera.name + "' is there twice", "name each camera once");
+        }
+        return {};
+    }
+
+    /// Which points there are, and who sees them.
+    Result<void> gather()
+    {
+        std::map<std::string, int> seenBy;
+        for (const JointCamera &camera : m_cameras) {
+            for (const MarkerPixel &pixel : camera.pixels)
+                ++seenBy[pixel.label];
+        }
+        std::map<std::string, std::size_t> pointOf;
+        for (const Marker &marker : m_layout.markers) {
+            if (seenBy.contains(marker.label)) {
+                pointOf[marker.label] = m_problem.points.size();
+                m_problem.points.push_back({marker.label, marker.pointInWorld, true});
+            }
+        }
+        m_markers = m_problem.points.size();
+        for (std::size_t i = 0; i < m_cameras.size(); ++i) {
+            const JointCamera &camera = m_cameras[i];
+            m_problem.cameras.push_back({camera.camera, camera.worldFromCamera});
+            const FloorView view(camera.camera, camera.worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());
+            std::size_t counted = 0;
+            for (const MarkerPixel &pixel : camera.pixels) {
+                if (!pointOf.contains(pixel.label)) {
+                    const auto place = view.floorFromPixel(pixel.pixel, 0);
+                    if (seenBy[pixel.label] < 2 || !place)
+                        continue; // it tells nothing
+                    pointOf[pixel.label] = m_problem.points.size();
+                    m_problem.points.push_back({pixel.label, *place, false});
+                }
+                m_problem.observations.push_back({i, pointOf[pixel.label], pixel.pixel});
+                ++counted;
+            }
+            if (counted < leastPixels)
+                return refuse("camera '" + camera.name + "' sees only " + std::to_string(counted) + " of the markers",
+                              "register it by more of them first");
+        }
+        const auto isShared = [](const auto &each) { return each.second >= 2; };
+        if (std::ranges::none_of(seenBy, isShared))
+            return refuse("no two of the cameras see the same marker", "let them see some of the same floor");
+        return {};
+    }
+
+    void leaveOutWhatDoesNotFit(JointFit &fit)
+    {
+        for (;;) {
+            std::optional<JointFit> best;
+            JointProblem bestProblem;
+            double bestCost = fit.cost - leastFall;
+            const auto consider = [&](JointProblem &&other, double handicap) {
+                auto again = fitJointly(other);
+                if (again && again->cost + handicap < bestCost) {
+                    bestCost = again->cost + handicap;
+                    best = std::move(*again);
+                    bestProblem = std::move(other);
+                }
+            };
+            const auto measured = static_cast<std::size_t>(std::ranges::count_if(m_problem.points, &JointPoint::isMeasured));
+            for (std::size_t i = 0; i < m_problem.points.size() && measured > leastMeasured; ++i) {
+                if (!m_problem.points[i].isMeasured)
+                    continue;
+                JointProblem other = m_problem;
+                other.points[i].isMeasured = false;
+                consider(std::move(other), 0);
+            }
+            for (std::size_t i = 0; i < m_problem.observations.size(); ++i) {
+                if (pixelsOf(m_problem.observations[i].camera) <= leastPixels + 1)
+                    continue;
+                JointProblem other = m_problem;
+                other.observations.erase(other.observations.begin() + static_cast<std::ptrdiff_t>(i));
+                consider(std::move(other), pixelHandicap);
+            }
+            if (!best)
+                return;
+            m_problem = std::move(bestProblem);
+            fit = std::move(*best);
+        }
+    }
+
+    std::size_t pixelsOf(std::size_t camera) const
+    {
+        return static_cast<std::size_t>(
+            std::ranges::count(m_problem.observations, camera, &JointObservation::camera));
+    }
+
+    /// As registerFloor weighs 0.3 px against the residuals; of a joint fit the pixels' share of the freedom counts.
+    static double sigmaFrom(const JointFit &fit)
+    {
+        constexpr double priorSigmaPx = 0.3, priorFreedom = 4, refutedBeyond = 3;
+        const double freedom = std::max(0.0, fit.pixelFreedom);
+        const double squares = fit.pixelSquares;
+        if (freedom > 1 && std::sqrt(squares / freedom) > refutedBeyond * priorSigmaPx)
+            return std::sqrt(squares / freedom);
+        return std::sqrt((priorFreedom * priorSigmaPx * priorSigmaPx + squares) / (priorFreedom + freedom));
+    }
+
+    JointRegistration outcomeOf(const JointFit &fit) const
+    {
+        JointRegistration joint;
+        joint.rmsPx = std::sqrt(fit.pixelSquares / static_cast<double>(m_problem.observations.size()));
+        for (std::size_t i = 0; i < m_problem.points.size(); ++i) {
+            const JointPoint &point = m_problem.points[i];
+            if (i >= m_markers) {
+                joint.otherPoints.markers.push_back({point.label, fit.places[i]});
+                continue;
+            }
+            JointMarker marker{point.label, 0, fit.places[i] - point.place, fit.placeCovariances[i], !point.isMeasured};
+            for (const JointCamera &camera : m_cameras)
+                marker.cameras += std::ranges::count(camera.pixels, point.label, &MarkerPixel::label) > 0;
+            if (marker.isSuspicious)
+                joint.doubts.push_back(point.label + " is " + formatNumber(toMillimetres(marker.offM.norm()), 0) +
+                                       (marker.cameras > 1 ? " mm off by all cameras: measure it again."
+                                                           : " mm off by the one camera that sees it: measure it, or mark "
+                                                             "it in the picture, again."));
+            joint.markers.push_back(std::move(marker));
+        }
+        for (std::size_t i = 0; i < m_cameras.size(); ++i)
+            joint.registrations.push_back(registrationOf(i, fit, joint));
+        joint.verdict = verdictOf(joint);
+        for (FloorRegistration &registration : joint.registrations)
+            registration.verdict += " " + joint.verdict;
+        return joint;
+    }
+
+    FloorRegistration registrationOf(std::size_t index, const JointFit &fit, JointRegistration &joint) const
+    {
+        const JointCamera &camera = m_cameras[index];
+        FloorRegistration registration;
+        registration.worldFromCamera = fit.poses[index];
+        registration.poseCovariance = fit.poseCovariances[index];
+        registration.intrinsics = camera.camera.intrinsics();
+        const FloorView view(camera.camera, registration.worldFromCamera, registration.poseCovariance);
+        double squaresPx = 0, squaresM = 0, counted = 0;
+        for (const MarkerPixel &pixel : camera.pixels) {
+            const auto point = std::ranges::find(m_problem.points, pixel.label, &JointPoint::label);
+            if (point == m_problem.points.end())
+                continue;
+            const auto at = static_cast<std::size_t>(point - m_problem.points.begin());
+            const Vector2d &place = fit.places[at];
+            const auto back = view.pixelFromWorld({place.x(), place.y(), 0});
+            const auto seen = view.floorFromPixel(pixel.pixel, 0);
+            if (!back || !seen)
+                continue;
+            const double errorPx = (*back - pixel.pixel).norm();
+            const bool isUsed = std::ranges::any_of(m_problem.observations, [&](const JointObservation &each) {
+                return each.camera == index && each.point == at;
+            });
+            if (!isUsed)
+                joint.doubts.push_back(camera.name + " sees " + pixel.label + " " + formatNumber(errorPx, 1) +
+                                       " px from where the others do: mark it there again.");
+            if (at >= m_markers)
+                continue;
+            // Against the measured place: that is what a person can check.
+            const double errorM = (*seen - measuredPlace(pixel.label)).norm();
+            registration.markers.push_back({pixel.label, errorM, errorPx});
+            if (!isUsed || !point->isMeasured)
+                continue;
+            squaresPx += errorPx * errorPx;
+            squaresM += errorM * errorM;
+            ++counted;
+        }
+        registration.rmsPx = std::sqrt(squaresPx / std::max(1.0, counted));
+        registration.rmsM = std::sqrt(squaresM / std::max(1.0, counted));
+        registration.floorSigmaM = floorSigmaM(registration, camera.camera, camera.pixels);
+        registration.verdict = registrationGrade(std::max(registration.rmsM, registration.floorSigmaM), extentM()) +
+                               "with " + others(index) + " together " + std::to_string(registration.markers.size()) +
+                               " markers fit to " + millimetres(registration.rmsM) + " RMS, and the floor among them is known to ±" +
+                               millimetres(registration.floorSigmaM) + ".";
+        return registration;
+    }
+
+    const Vector2d &measuredPlace(const std::string &label) const
+    {
+        return std::ranges::find(m_layout.markers, label, &Marker::label)->pointInWorld;
+    }
+
+    double extentM() const
+    {
+        std::vector<Vector2d> places;
+        for (const Marker &marker : m_layout.markers)
+            places.push_back(marker.pointInWorld);
+        return extentOf(places);
+    }
+
+    std::string others(std::size_t index) const
+    {
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < m_cameras.size(); ++i) {
+            if (i != index)
+                names.push_back(m_cameras[i].name);
+        }
+        return listed(names);
+    }
+
+    static std::string verdictOf(const JointRegistration &joint)
+    {
+        if (joint.doubts.empty())
+            return "The markers and the cameras agree with one another.";
+        std::string words;
+        for (const std::string &doubt : joint.doubts)
+            words += (words.empty() ? "" : " ") + doubt;
+        return words;
+    }
+
+    const MarkerLayout &m_layout;
+    const std::vector<JointCamera> &m_cameras;
+    JointProblem m_problem;
+    std::size_t m_markers = 0; ///< the first points are those of the layout
+};
+
+} // namespace
+
+Result<JointRegistration> registerJointly(const MarkerLayout &layout, const std::vector<JointCamera> &cameras, double tapeSigmaM)
+{
+    if (!(tapeSigmaM > 0) || !std::isfinite(tapeSigmaM))
+        return fail(ErrorCode::InvalidInput, what, "the σ of the tape measure is not above 0", "give some 2 mm");
+    return Joining(layout, cameras, tapeSigmaM).join();
+}
+
+} // namespace odo

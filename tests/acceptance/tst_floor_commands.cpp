@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/intrinsics_yaml.h"
+#include "core/simulation/demo_testbed.h"
+#include "core/simulation/renderer.h"
+#include "core/video/picture_writer.h"
+#include "tests/support/program.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+/// Layouts, registration by rings, all cameras together, and the alarm, by the command line alone.
+class TestFloorCommands : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+    QByteArray read(const char *name) const
+    {
+        QFile file(path(name));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    void write(const char *name, const QByteArray &content) const
+    {
+        QFile file(path(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(content);
+    }
+    /// "%/" stands for the folder.
+    ProgramRun run(const char *line) const
+    {
+        QStringList arguments = QString::fromLatin1(line).split(u' ', Qt::SkipEmptyParts);
+        for (QString &argument : arguments)
+            argument.replace(QStringLiteral("%/"), m_folder.path() + u'/');
+        return runProgram(arguments);
+    }
+    void draw(const SimulatedScene &scene, int camera, const char *name) const
+    {
+        const auto written = writePicture(SceneRenderer(scene, camera).render(0), path(name).toStdString());
+        QVERIFY2(written.has_value(), written ? "" : written.error().message().c_str());
+    }
+
+    static constexpr const char *layoutCsv = "label,x_mm,y_mm\nO,0,0\nU,3000.3,0\nV,-0.1,2200\nD,3000,2200.7\nE,1100,700\n";
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        SimulatedScene scene = demoTestbed(3);
+        scene.durationS = 0.1;
+        scene.floor.markers = {"floor", {{"O", {0, 0}}, {"U", {3.0003, 0}}, {"V", {-0.0001, 2.2}}, {"D", {3, 2.2007}}, {"E", {1.1, 0.7}}}};
+        scene.floor.markerFigure = MarkerFigure::Ring;
+        draw(scene, 0, "a.png");
+        draw(scene, 1, "b.png");
+        for (int camera : {0, 1}) {
+            const auto written = writeIntrinsics(path(camera == 0 ? "a.yaml" : "b.yaml").toStdString(), camera == 0 ? "A" : "B",
+                                                 scene.cameras[std::size_t(camera)].view.camera().intrinsics());
+            QVERIFY(written.has_value());
+        }
+        SimulatedScene bumped = scene;
+        const FloorView &view = bumped.cameras[1].view;
+        RigidTransform turned = view.worldFromCamera();
+        turned.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(0.006, Eigen::Vector3d::UnitZ())) * turned.rotation;
+        bumped.cameras[1].view = FloorView(view.camera(), turned, view.poseCovariance());
+        draw(bumped, 1, "bumped.png");
+        SimulatedScene kicked = scene;
+        kicked.floor.markers.markers[4].pointInWorld.x() += 0.03;
+        draw(kicked, 1, "kicked.png");
+        write("layout.csv", layoutCsv);
+        QCOMPARE(run("new %/p.odo").exitStatus, 0);
+        QCOMPARE(run("layout add %/p.odo floor %/layout.csv").exitStatus, 0);
+        QCOMPARE(run("intrinsics import %/p.odo A %/a.yaml").exitStatus, 0);
+        QCOMPARE(run("intrinsics import %/p.odo B %/b.yaml").exitStatus, 0);
+    }
+    void aLayoutComesOutAsItWentIn()
+    {
+        QCOMPARE(run("layout export %/p.odo floor %/out.csv").exitStatus, 0);
+        QCOMPARE(read("out.csv"), QByteArray(layoutCsv));
+    }
+    void registersByRingsAndListsThem()
+    {
+        for (const char *line : {"register %/p.odo --camera A --layout floor --image %/a.png --json",
+                                 "register %/p.odo --camera B --layout floor --image %/b.png --json"}) {
+            const ProgramRun registered = run(line);
+            QVERIFY2(registered.exitStatus == 0, registered.err);
+            QVERIFY(registered.json().value(QStringLiteral("rms_px")).toDouble() < 0.2);
+            QCOMPARE(registered.json().value(QStringLiteral("markers")).toArray().size(), 5);
+        }
+        const QJsonArray layouts = run("layout list %/p.odo --json").json().value(QStringLiteral("layouts")).toArray();
+        QCOMPARE(layouts.size(), 1);
+        QCOMPARE(layouts[0].toObject().value(QStringLiteral("cameras")).toArray().size(), 2);
+        QCOMPARE(run("layout show %/p.odo floor --json").json().value(QStringLiteral("markers")).toArray().size(), 5);
+    }
+    void allCamerasTogether()
+    {
+        const ProgramRun joint = run("register %/p.odo --joint --layout floor --tape 1mm --json");
+        QVERIFY2(joint.exitStatus == 0, joint.err);
+        QCOMPARE(joint.json().value(QStringLiteral("cameras")).toArray().size(), 2);
+        QCOMPARE(joint.json().value(QStringLiteral("markers")).toArray().size(), 5);
+        QVERIFY(joint.json().value(QStringLiteral("verdict")).toString().contains(QStringLiteral("agree")));
+    }
+    void theAlarmTellsACameraFromAMarker()
+    {
+        const ProgramRun still = run("moved %/p.odo --camera B --image %/b.png --json");
+        QVERIFY2(still.exitStatus == 0, still.err);
+        QCOMPARE(still.json().value(QStringLiteral("moved")).toString(), QStringLiteral("nothing"));
+        const ProgramRun bumped = run("moved %/p.odo --camera B --image %/bumped.png --json");
+        QCOMPARE(bumped.exitStatus, 1);
+        QCOMPARE(bumped.json().value(QStringLiteral("moved")).toString(), QStringLiteral("camera"));
+        const ProgramRun kicked = run("moved %/p.odo --camera B --image %/kicked.png --json");
+        QCOMPARE(kicked.exitStatus, 1);
+        QCOMPARE(kicked.json().value(QStringLiteral("moved")).toString(), QStringLiteral("markers"));
+        QVERIFY(kicked.json().value(QStringLiteral("verdict")).toString().contains(QStringLiteral("Marker E has moved")));
+    }
+    void theAxesMoveWithTheCameras()
+    {
+        const ProgramRun moved = run("layout transform %/p.odo floor --origin U --turn 90 --json");
+        QVERIFY2(moved.exitStatus == 0, moved.err);
+        QCOMPARE(moved.json().value(QStringLiteral("cameras")).toArray().size(), 2);
+        const QJsonObject second = moved.json().value(QStringLiteral("markers")).toArray()[1].toObject();
+        QVERIFY(std::abs(second.value(QStringLiteral("x_mm")).toDouble()) < 1e-6);
+        // What was carried along is still true: the markers lie where the camera has them.
+        QCOMPARE(run("moved %/p.odo --camera B --image %/b.png --json").exitStatus, 0);
+        const ProgramRun joint = run("register %/p.odo --joint --layout floor --json");
+        QVERIFY2(joint.exitStatus == 0, joint.err);
+        QVERIFY(joint.json().value(QStringLiteral("rms_px")).toDouble() < 0.2);
+    }
+    void badCallsFailInOneLine_data()
+    {
+        QTest::addColumn<int>("status");
+        QTest::addColumn<QByteArray>("words");
+        const auto row = [](const char *line, int status, const char *words) { QTest::newRow(line) << status << QByteArray(words); };
+        row("layout drop %/p.odo", 2, "'drop' is not known");
+        row("layout show %/p.odo", 2, "'show' takes 2 arguments");
+        row("layout show %/p.odo nowhere", 1, "nowhere");
+        row("layout transform %/p.odo floor --reverse x", 1, "reversing X alone would mirror the floor");
+        row("layout transform %/p.odo floor --reverse z", 2, "--reverse takes x, y or xy");
+        row("layout transform %/p.odo floor --origin Q", 1, "it has no marker Q; name one of O, U, V, D and E");
+        row("layout transform %/p.odo floor --unit ell", 1, "use mm, cm, m or inch");
+        row("layout transform %/p.odo floor --x-axis O", 2, "takes two");
+        row("register %/p.odo --joint", 2, "--joint needs --layout");
+        row("register %/p.odo --joint --layout floor --camera A", 2, "exclude each other");
+        row("register %/p.odo --joint --layout floor --tape 0mm", 2, "--tape");
+        row("register %/p.odo --camera A --layout floor --image %/a.png --hint O=5", 2, "--hint takes LABEL=U,V");
+        row("moved %/p.odo --camera B", 2, "--camera and --image are needed");
+        row("moved %/p.odo --camera C --image %/b.png", 1, "C");
+        row("moved %/p.odo --camera B --image %/nofile.png", 1, "nofile.png");
+    }
+    void badCallsFailInOneLine()
+    {
+        QFETCH(int, status);
+        QFETCH(QByteArray, words);
+        const ProgramRun failed = run(QTest::currentDataTag());
+        QCOMPARE(failed.exitStatus, status);
+        QCOMPARE(failed.err.count('\n'), 1);
+        QVERIFY2(failed.err.contains(words), failed.err);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFloorCommands)
+#include "tst_floor_commands.moc"
