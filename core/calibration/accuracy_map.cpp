@@ -2,10 +2,11 @@
 #include "core/calibration/accuracy_map.h"
 
 #include "core/base/units.h"
-#include "core/calibration/lens_influence.h"
+#include "core/calibration/plane_pose.h"
 #include "core/calibration/wording.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
@@ -47,24 +48,23 @@ tl::unexpected<Error> noCamera(std::string why, std::string advice)
 /// What a registration by these markers would leave of the pose: σ²(JᵀJ)⁻¹.
 Result<Eigen::Matrix<double, 6, 6>> poseCovariance(const FloorView &view, const MarkerLayout &layout, double sigmaPx)
 {
-    Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
+    std::vector<PointPair> pairs;
     std::vector<std::string> seen;
     for (const Marker &marker : layout.markers) {
         const auto pixel = view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
         if (!pixel || !isInPicture(*pixel, view.camera().intrinsics()))
             continue;
-        const auto at = view.derivatives(*pixel, 0);
-        if (!at)
-            continue;
-        const Eigen::Matrix<double, 2, 6> pixelByPose = at->byPixel.inverse() * at->byCalibration.leftCols<6>();
-        normal += pixelByPose.transpose() * pixelByPose;
+        pairs.push_back({marker.pointInWorld, *pixel, marker.label});
         seen.push_back(marker.label);
     }
     if (seen.size() < 4)
         return noCamera("from there it would see " + std::to_string(seen.size()) + " of the layout's markers (" +
                             listed(seen) + "), four are needed",
                         "move it back or up, or choose a wider lens");
-    return Eigen::Matrix<double, 6, 6>(sigmaPx * sigmaPx * normal.inverse());
+    const auto pose = fitPlanePose(pairs, view.camera(), FocalLength::Known);
+    if (!pose)
+        return noCamera("the markers that it would see do not hold it: " + pose.error().why, pose.error().advice);
+    return Eigen::Matrix<double, 6, 6>(sigmaPx * sigmaPx * pose->inverseNormal);
 }
 
 } // namespace

@@ -26,8 +26,9 @@ Result<Measured> measure(const SeenLength &seen, double heightM, double sigmaPx)
     if ((seen.fromPixel - seen.toPixel).norm() < leastPixels)
         return fail(ErrorCode::InvalidInput, what, "both ends lie on one pixel of camera '" + seen.camera + "'",
                     "mark the two ends where they are seen");
-    const auto from = seen.view->derivatives(seen.fromPixel, heightM);
-    const auto to = seen.view->derivatives(seen.toPixel, heightM);
+    const Eigen::Matrix2d noise = sigmaPx * sigmaPx * Eigen::Matrix2d::Identity();
+    const auto from = seen.view->locate(seen.fromPixel, noise, heightM);
+    const auto to = seen.view->locate(seen.toPixel, noise, heightM);
     if (!from || !to)
         return fail(ErrorCode::InvalidInput, what,
                     std::string("the ") + (from ? "second" : "first") +
@@ -35,12 +36,12 @@ Result<Measured> measure(const SeenLength &seen, double heightM, double sigmaPx)
                     "lay the stick on the floor, nearer to the camera");
     const Vector2d along = to->pointInWorld - from->pointInWorld;
     const double length = along.norm();
-    const Eigen::RowVector2d unit = along.transpose() / length;
-    const Eigen::RowVectorXd byCalibration = unit * (to->byCalibration - from->byCalibration);
-    const double ofCalibration = byCalibration * seen.view->calibrationCovariance() * byCalibration.transpose();
-    const double ofPixels =
-        sigmaPx * sigmaPx * ((unit * from->byPixel).squaredNorm() + (unit * to->byPixel).squaredNorm());
-    return Measured{length, ofCalibration + ofPixels};
+    const Vector2d unit = along / length;
+    const Eigen::Matrix2d shared =
+        seen.view->sharedCovariance(from->pointInWorld, to->pointInWorld, heightM).value_or(Eigen::Matrix2d::Zero());
+    const Eigen::Matrix2d covariance = from->pixelCovariance + to->pixelCovariance + from->calibrationCovariance +
+                                       to->calibrationCovariance - shared - shared.transpose();
+    return Measured{length, unit.dot(covariance * unit)};
 }
 
 std::string judgement(const LengthCheck &check, double toldM)

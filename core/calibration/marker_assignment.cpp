@@ -317,10 +317,12 @@ private:
         for (int to : assignment) {
             if (to == nothing || m_candidates[static_cast<std::size_t>(to)].areaPx == 0)
                 continue;
-            const auto at = view.derivatives(pixel(to), 0);
+            // Of one pixel's square; its root's root is the side that a pixel has on the floor.
+            const auto at = view.locate(pixel(to), Eigen::Matrix2d::Identity(), 0);
             if (!at)
                 return false;
-            const double size = std::sqrt(m_candidates[static_cast<std::size_t>(to)].areaPx * std::abs(at->byPixel.determinant()));
+            const double floorPerPixel = std::sqrt(std::max(0.0, at->pixelCovariance.determinant()));
+            const double size = std::sqrt(m_candidates[static_cast<std::size_t>(to)].areaPx * floorPerPixel);
             least = std::min(least, size);
             most = std::max(most, size);
         }

@@ -78,16 +78,6 @@ std::optional<FloorView::Slopes> FloorView::slopesAt(const Vector3d &point) cons
     return slopes;
 }
 
-std::optional<FloorView::Derivatives> FloorView::derivatives(const Vector2d &pixel, double heightM) const
-{
-    const auto floor = floorFromPixel(pixel, heightM);
-    const auto slopes = floor ? slopesAt({floor->x(), floor->y(), heightM}) : std::nullopt;
-    if (!slopes)
-        return std::nullopt;
-    return Derivatives{*floor, slopes->pointByPixel, -slopes->pointByPixel.lazyProduct(slopes->pixelByJoint),
-                       -slopes->pointByPixel * slopes->pixelByWorld.col(2)};
-}
-
 std::optional<FloorPosition> FloorView::locate(const Vector2d &pixel, const Eigen::Matrix2d &pixelCovariance,
                                                double heightM) const
 {

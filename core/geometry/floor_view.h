@@ -58,21 +58,6 @@ public:
     /// How the errors of the lens reach the floor is known.
     bool hasLensPart() const { return m_jointCovariance.rows() > 6; }
 
-    /// Covariance of what is common to all pixels of this view: the pose, and behind it the lens where hasLensPart().
-    const Eigen::MatrixXd &calibrationCovariance() const { return m_jointCovariance; }
-
-    /// How a floor point and its place follow the pixel and the calibration.
-    struct Derivatives
-    {
-        Eigen::Vector2d pointInWorld;
-        Eigen::Matrix2d byPixel;
-        Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, 18> byCalibration; ///< a column for each row of calibrationCovariance()
-        Eigen::Vector2d byHeight;
-    };
-    /// For whoever needs several points of one view together, whose errors have the calibration in common. nullopt as
-    /// floorFromPixel.
-    std::optional<Derivatives> derivatives(const Eigen::Vector2d &pixel, double heightM) const;
-
     /// As floorFromPixel, with covariances propagated to first order.
     std::optional<FloorPosition> locate(const Eigen::Vector2d &pixel, const Eigen::Matrix2d &pixelCovariance,
                                         double heightM) const;
