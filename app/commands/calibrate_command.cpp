@@ -40,12 +40,14 @@ Result<CalibrateSettings> settingsFrom(const CommandCall &call)
         settings.board.pattern = BoardPattern::Checkerboard;
     else if (call.isSet(pattern))
         return call.wrongCall(QStringLiteral("--pattern is checkerboard or charuco"));
-    const std::string modelName = call.isSet(model) ? call.value(model) : "standard";
-    if (modelName == "rational")
+    const std::string modelName = call.value(model);
+    if (modelName == "standard")
+        settings.model = LensModel::Standard;
+    else if (modelName == "rational")
         settings.model = LensModel::Rational;
     else if (modelName == "fisheye")
         settings.model = LensModel::Fisheye;
-    else if (modelName != "standard")
+    else if (call.isSet(model))
         return call.wrongCall(QStringLiteral("--model is standard, rational or fisheye"));
     return settings;
 }
@@ -58,11 +60,11 @@ QJsonObject answerJson(const CalibrateJob &job)
         rejected.append(QJsonObject{{QStringLiteral("file"), QString::fromStdString(picture.file)},
                                     {QStringLiteral("reason"), QString::fromStdString(picture.reason)}});
     QJsonObject perImage;
-    for (const auto &[file, rms] : calibration.pictureRmsPx)
-        perImage.insert(QString::fromStdString(file), rms);
+    for (const CalibrationPicture &picture : calibration.pictures)
+        perImage.insert(QString::fromStdString(picture.view.source), picture.rmsPx);
     return {{QStringLiteral("camera"), QString::fromStdString(job.settings().camera)},
             {QStringLiteral("rms_px"), calibration.rmsPx},
-            {QStringLiteral("images_used"), qint64(calibration.pictureRmsPx.size())},
+            {QStringLiteral("images_used"), qint64(calibration.picturesUsed())},
             {QStringLiteral("images_rejected"), rejected},
             {QStringLiteral("intrinsics"), intrinsicsJson(calibration.intrinsics)},
             {QStringLiteral("per_image_rms_px"), perImage},
@@ -81,7 +83,7 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
                       {{board, QStringLiteral("Inner corners; found out when not given."), QStringLiteral("CxR")},
                        {square, QStringLiteral("Side of a square."), QStringLiteral("LENGTH")},
                        {pattern, QStringLiteral("What is printed on the board; found out when not given."), QStringLiteral("PATTERN")},
-                       {model, QStringLiteral("How the lens is modelled."), QStringLiteral("MODEL")}}},
+                       {model, QStringLiteral("How the lens is modelled; the one that foretells best when not given."), QStringLiteral("MODEL")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
@@ -97,7 +99,7 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
     call.answer(answerJson(job), QStringLiteral("%1\nRMS %2 px over %3 pictures; %4 not used.")
                                      .arg(QString::fromStdString(job.calibration().verdict))
                                      .arg(job.calibration().rmsPx, 0, 'f', 3)
-                                     .arg(job.calibration().pictureRmsPx.size())
+                                     .arg(job.calibration().picturesUsed())
                                      .arg(job.calibration().rejected.size()));
     return {};
 }

@@ -1,41 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/intrinsic_calibration.h"
 
-#include "core/base/units.h"
-#include "core/calibration/lens_fit.h"
+#include "core/calibration/calibration_checks.h"
+#include "core/calibration/calibration_verdict.h"
+#include "core/calibration/held_out.h"
+#include "core/calibration/lens_choice.h"
 #include "core/calibration/plane_pose.h"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace odo {
 
 namespace {
 
-constexpr const char *what = "the camera cannot be calibrated";
-constexpr std::size_t leastViews = 3, leastViewsForHalves = 6, fewViews = 10;
-constexpr double leastTurn = 8;          // degrees between the most different poses of the board
-constexpr double worstFocalSigma = 0.03; // of the focal length
-constexpr double probe = 1.3; // by how much the focal length is changed to see whether the pictures mind
-constexpr double leastCoverage = 0.5; // of the picture
-constexpr double standingOut = 3;     // times the median of the pictures' RMS
-
-struct Halves
-{
-    double rmsPx = 0;
-    double focalDifference = 0; ///< relative
-};
-
-tl::unexpected<Error> refuse(std::string why, std::string advice)
-{
-    return fail(ErrorCode::Undetermined, what, std::move(why), std::move(advice));
-}
-
-std::string percent(double part)
-{
-    return formatNumber(100 * part, part < 0.01 ? 2 : 1) + " %";
-}
+constexpr std::size_t leastViews = 3;
+constexpr double mostDisagreeing = 0.25; // of the corners: with more it is not known which of them are right
 
 bool isUsable(const BoardView &view)
 {
@@ -43,165 +23,6 @@ bool isUsable(const BoardView &view)
         return false;
     return std::ranges::all_of(view.pixels, [](const auto &p) { return p.allFinite(); }) &&
            std::ranges::all_of(view.pointsOnBoard, [](const auto &p) { return p.allFinite(); });
-}
-
-double rmsOf(const LensFit &fit, const std::vector<BoardView> &views)
-{
-    std::size_t count = 0;
-    for (const BoardView &view : views)
-        count += view.pixels.size();
-    return std::sqrt(fit.squares / static_cast<double>(count));
-}
-
-/// The largest angle between the board's normals of any two pictures, degrees.
-double largestTurn(const LensFit &fit)
-{
-    double least = 1;
-    for (const RigidTransform &a : fit.cameraFromBoard) {
-        for (const RigidTransform &b : fit.cameraFromBoard)
-            least = std::min(
-                least, (a.rotation * Eigen::Vector3d::UnitZ()).dot(b.rotation * Eigen::Vector3d::UnitZ()));
-    }
-    return std::acos(std::clamp(least, -1.0, 1.0)) * 180 / EIGEN_PI;
-}
-
-/// σ of the focal length over itself: the larger of the one from the curvature at the optimum and those from
-/// the misfit at other focal lengths. The curvature alone is fooled by frontal views: with 12 of them OpenCV
-/// states 0.1 % for a focal length that is wrong by a factor of 13.
-double focalSigma(const std::vector<BoardView> &views, const LensFit &fit, const JobControl &control)
-{
-    const double curvature = std::sqrt(fit.intrinsics.covariance(0, 0)) / fit.intrinsics.fxPx;
-    double sigma = curvature;
-    for (double factor : {1 / probe, probe}) {
-        LensStart start{fit.intrinsics, fit.cameraFromBoard};
-        start.intrinsics.fxPx *= factor;
-        start.intrinsics.fyPx *= factor;
-        for (RigidTransform &pose : start.cameraFromBoard)
-            pose.translation.z() *= factor; // the same size in the picture
-        const auto other = fitLens(views, start, true, control);
-        if (!other)
-            continue;
-        const double worse =
-            std::max(0.0, other->squares - fit.squares) / (fit.sigmaPx * fit.sigmaPx + 1e-12);
-        sigma = std::max(sigma, std::abs(factor - 1) / std::sqrt(worse + 1e-12));
-    }
-    return sigma;
-}
-
-std::optional<LensFit> fitHalf(const std::vector<BoardView> &half, const LensFit &all,
-                               const JobControl &control)
-{
-    std::vector<std::size_t> withoutPose;
-    const auto start =
-        startLens(half, all.intrinsics.widthPx, all.intrinsics.heightPx, all.intrinsics.model, withoutPose);
-    if (!start || !withoutPose.empty())
-        return std::nullopt;
-    return fitLens(half, *start, false, control);
-}
-
-/// Each half of the pictures under the lens that the other half gives: only the poses may adapt.
-Halves crossValidate(const std::vector<BoardView> &views, const LensFit &all, const JobControl &control)
-{
-    if (views.size() < leastViewsForHalves)
-        return {};
-    std::vector<BoardView> halves[2];
-    for (std::size_t i = 0; i < views.size(); ++i)
-        halves[i % 2].push_back(views[i]);
-    const std::optional<LensFit> fits[] = {fitHalf(halves[0], all, control),
-                                           fitHalf(halves[1], all, control)};
-    if (!fits[0] || !fits[1])
-        return {};
-    double squares = 0, count = 0;
-    for (std::size_t half = 0; half < 2; ++half) {
-        const auto camera = CameraModel::create(fits[1 - half]->intrinsics);
-        for (const BoardView &view : halves[half]) {
-            std::vector<PointPair> pairs;
-            for (std::size_t i = 0; i < view.pixels.size(); ++i)
-                pairs.push_back({view.pointsOnBoard[i], view.pixels[i], {}});
-            const auto pose = fitPlanePose(pairs, *camera, FocalLength::Known);
-            if (!pose)
-                continue;
-            squares += pose->rmsPx * pose->rmsPx * static_cast<double>(pairs.size());
-            count += static_cast<double>(pairs.size());
-        }
-    }
-    const double one = fits[0]->intrinsics.fxPx, other = fits[1]->intrinsics.fxPx;
-    return {count > 0 ? std::sqrt(squares / count) : 0, std::abs(one - other) / (0.5 * (one + other))};
-}
-
-/// The part of the picture, in 8 × 6 fields, in which a corner was seen.
-double coverage(const std::vector<BoardView> &views, int widthPx, int heightPx)
-{
-    constexpr int across = 8, down = 6;
-    std::set<int> fields;
-    for (const BoardView &view : views) {
-        for (const Eigen::Vector2d &pixel : view.pixels) {
-            const int x = std::clamp(static_cast<int>(pixel.x() * across / widthPx), 0, across - 1);
-            const int y = std::clamp(static_cast<int>(pixel.y() * down / heightPx), 0, down - 1);
-            fields.insert(y * across + x);
-        }
-    }
-    return static_cast<double>(fields.size()) / (across * down);
-}
-
-/// The picture whose misfit stands out from the others, if one does.
-std::string oddPicture(const IntrinsicCalibration &calibration)
-{
-    std::vector<double> rms;
-    for (const auto &picture : calibration.pictureRmsPx)
-        rms.push_back(picture.second);
-    std::ranges::sort(rms);
-    const auto worst =
-        std::ranges::max_element(calibration.pictureRmsPx, {}, &std::pair<std::string, double>::second);
-    if (worst->second <= standingOut * rms[rms.size() / 2])
-        return "";
-    return " Look at " + worst->first + ": its " + formatNumber(worst->second, 2) + " px stand out.";
-}
-
-std::string verdictOf(const IntrinsicCalibration &calibration, const std::vector<BoardView> &views,
-                      double sigma)
-{
-    const Intrinsics &in = calibration.intrinsics;
-    const double covered = coverage(views, in.widthPx, in.heightPx);
-    const bool good =
-        sigma < 0.005 && calibration.rmsPx < 1 && views.size() >= fewViews && covered >= leastCoverage;
-    const bool usable = sigma < 0.015 && calibration.rmsPx < 2;
-    std::string verdict = good ? "Good: " : usable ? "Usable: " : "Poor: ";
-    verdict += std::to_string(views.size()) + " pictures fit to " + formatNumber(calibration.rmsPx, 2) +
-               " px, focal length " + formatNumber(in.fxPx, 1) + " px ± " + percent(sigma);
-    if (calibration.crossValidationPx > 0)
-        verdict += "; each half of them foretells the other to " +
-                   formatNumber(calibration.crossValidationPx, 2) + " px";
-    verdict += ".";
-    if (views.size() < fewViews)
-        verdict += " More pictures (" + std::to_string(fewViews) + " or more) would make it surer.";
-    if (covered < leastCoverage)
-        verdict += " Only " + formatNumber(100 * covered, 0) +
-                   " % of the picture was covered: show the board near its edges too.";
-    return verdict + oddPicture(calibration);
-}
-
-Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFit &fit, const Halves &halves,
-                               const JobControl &control)
-{
-    const std::string all = "all " + std::to_string(views.size()) + " pictures";
-    const std::string advice = "take pictures with the board tilted by 30 to 45 degrees, to each side";
-    if (largestTurn(fit) < leastTurn)
-        return refuse(
-            all + " show the board in nearly the same attitude, which does not determine the focal length",
-            advice);
-    const double sigma = focalSigma(views, fit, control);
-    if (control.isCancelled())
-        return cancelled(what);
-    if (!(sigma < worstFocalSigma))
-        return refuse("the pictures determine the focal length only to " + percent(sigma) +
-                          ": the board is seen too nearly frontal",
-                      advice);
-    if (halves.focalDifference > 3 * worstFocalSigma)
-        return refuse("two halves of the pictures give focal lengths that differ by " +
-                          percent(halves.focalDifference),
-                      advice);
-    return sigma;
 }
 
 /// The views that can be used; the others are told with a reason.
@@ -218,49 +39,223 @@ std::vector<BoardView> usableViews(const std::vector<BoardView> &views,
     return usable;
 }
 
-} // namespace
-
-Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &views, int widthPx,
-                                                 int heightPx, LensModel model, const JobControl &control)
+tl::unexpected<Error> tooFew(std::size_t usable)
 {
-    if (widthPx <= 0 || heightPx <= 0)
-        return fail(ErrorCode::InvalidInput, what, "the picture has no size", "use pictures of the camera");
-    IntrinsicCalibration calibration;
-    std::vector<BoardView> used = usableViews(views, calibration.rejected);
-    std::vector<std::size_t> withoutPose;
-    const auto start = startLens(used, widthPx, heightPx, model, withoutPose);
-    for (auto index = withoutPose.rbegin(); index != withoutPose.rend(); ++index) {
-        calibration.rejected.push_back({used[*index].source, "the corners do not lie as on a flat board"});
-        used.erase(used.begin() + static_cast<std::ptrdiff_t>(*index));
+    return refuseCalibration("three pictures of the board are needed, " + std::to_string(usable) + " can be used",
+                             "take ten or more, the board tilted differently in each");
+}
+
+/// Starts of the models for the same views; views are dropped that have no pose under any model, and models under which
+/// more views have none than under another.
+std::vector<LensStart> startsFor(std::vector<BoardView> &views, int widthPx, int heightPx,
+                                 std::optional<LensModel> model, std::vector<RejectedPicture> &rejected)
+{
+    std::vector<LensModel> models{LensModel::Standard, LensModel::Fisheye, LensModel::Rational};
+    if (model)
+        models = {*model};
+    else if (views.size() < leastViewsForHalves)
+        models = {LensModel::Standard};
+    std::vector<std::vector<std::size_t>> withoutPose(models.size());
+    std::vector<std::optional<LensStart>> starts;
+    std::size_t fewest = views.size();
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        // A rational lens begins as a standard one.
+        if (models[i] == LensModel::Rational && !model) {
+            starts.push_back(starts.front());
+            withoutPose[i] = withoutPose.front();
+            if (starts.back())
+                starts.back()->intrinsics.model = LensModel::Rational;
+        } else {
+            starts.push_back(startLens(views, widthPx, heightPx, models[i], withoutPose[i]));
+        }
+        if (starts.back())
+            fewest = std::min(fewest, withoutPose[i].size());
     }
-    if (used.size() < leastViews || !start)
-        return refuse("three pictures of the board are needed, " + std::to_string(used.size()) +
-                          " can be used",
-                      "take ten or more, the board tilted differently in each");
-    control.report(0.1, "fitting the lens to " + std::to_string(used.size()) + " pictures");
-    const auto fit = fitLens(used, *start, false, control);
+    std::vector<LensStart> kept;
+    std::vector<std::size_t> dropped;
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        if (!starts[i] || withoutPose[i].size() > fewest || (!kept.empty() && withoutPose[i] != dropped))
+            continue;
+        dropped = withoutPose[i];
+        kept.push_back(std::move(*starts[i]));
+    }
+    for (auto index = dropped.rbegin(); index != dropped.rend(); ++index) {
+        rejected.push_back({views[*index].source, "the corners do not lie as on a flat board"});
+        views.erase(views.begin() + static_cast<std::ptrdiff_t>(*index));
+    }
+    return kept;
+}
+
+/// Fills in the residuals of a picture under a lens and a pose, and its RMS over the corners that count.
+void judge(CalibrationPicture &picture, const CameraModel &camera, const RigidTransform &cameraFromBoard)
+{
+    picture.residualsPx.clear();
+    double squares = 0, count = 0;
+    for (std::size_t i = 0; i < picture.view.pixels.size(); ++i) {
+        const Eigen::Vector2d &point = picture.view.pointsOnBoard[i];
+        const auto pixel = camera.project(cameraFromBoard * Eigen::Vector3d(point.x(), point.y(), 0));
+        picture.residualsPx.push_back(pixel ? Eigen::Vector2d(picture.view.pixels[i] - *pixel)
+                                            : Eigen::Vector2d::Constant(std::nan("")));
+        if (!pixel || std::ranges::binary_search(picture.leftOut, i))
+            continue;
+        squares += picture.residualsPx.back().squaredNorm();
+        ++count;
+    }
+    picture.rmsPx = count > 0 ? std::sqrt(squares / count) : 0;
+}
+
+std::optional<RigidTransform> poseOf(const BoardView &view, const CameraModel &camera)
+{
+    std::vector<PointPair> pairs;
+    for (std::size_t i = 0; i < view.pixels.size(); ++i)
+        pairs.push_back({view.pointsOnBoard[i], view.pixels[i], {}});
+    const auto pose = fitPlanePose(pairs, camera, FocalLength::Known);
+    return pose ? std::optional(pose->worldFromCamera.inverse()) : std::nullopt;
+}
+
+/// From a lens fitted to all corners to the outcome: outliers, halves, checks, figures, words. views: those of the
+/// pictures in `calibration` that are used, in their order.
+Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardView> &views, LensFit fit,
+                    const CornerMarks &outliers, const JobControl &control)
+{
+    std::size_t corners = 0;
+    for (const BoardView &view : views)
+        corners += view.pixels.size();
+    calibration.disagreeingPart = static_cast<double>(countOf(outliers)) / static_cast<double>(corners);
+    if (calibration.disagreeingPart >= mostDisagreeing)
+        return refuseCalibration(percentWords(calibration.disagreeingPart) + " of the corners do not agree with the others",
+                                 "check that all pictures are sharp, of one flat board and of one camera at one zoom and focus");
+    const CornerMarks leftOut = calibration.disagreeingPart <= mostOutliers ? singleCorners(views, fit, outliers)
+                                                                           : CornerMarks(views.size());
+    const std::vector<BoardView> counted = withoutCorners(views, leftOut);
+    if (countOf(leftOut) > 0) {
+        auto again = fitLens(counted, {fit.intrinsics, fit.cameraFromBoard}, {}, control);
+        if (again)
+            fit = std::move(*again);
+    }
+    control.report(0.6, "checking halves against one another");
+    const auto halves = holdOut(counted, fit, control);
     if (control.isCancelled())
-        return cancelled(what);
-    if (!fit)
-        return refuse("no lens fits these pictures",
-                      "check that all are of one camera, at one zoom and focus");
-    control.report(0.5, "checking halves against one another");
-    const Halves halves = crossValidate(used, *fit, control);
-    if (control.isCancelled())
-        return cancelled(what);
-    const auto sigma = checkDetermined(used, *fit, halves, control);
+        return cancelled(calibrationWhat);
+    const auto sigma = checkDetermined(counted, fit, halves, control);
     if (!sigma)
         return tl::unexpected(sigma.error());
 
-    calibration.intrinsics = fit->intrinsics;
-    calibration.rmsPx = rmsOf(*fit, used);
-    calibration.crossValidationPx = halves.rmsPx;
-    for (std::size_t i = 0; i < used.size(); ++i)
-        calibration.pictureRmsPx.emplace_back(
-            used[i].source, std::sqrt(fit->pictureSquares[i] / static_cast<double>(used[i].pixels.size())));
-    calibration.verdict = verdictOf(calibration, used, *sigma);
+    if (auto spread = checkPlaces(views, fit.intrinsics.widthPx, fit.intrinsics.heightPx); !spread)
+        return spread;
+
+    calibration.intrinsics = fit.intrinsics;
+    calibration.rmsPx = fit.rmsPx();
+    calibration.onFloor = expectedOnFloor(fit.intrinsics);
+    if (halves) {
+        calibration.crossValidationPx = halves->rmsPx;
+        calibration.halvesApart = apartOnFloor(halves->lenses[0], halves->lenses[1]);
+    }
+    const auto camera = CameraModel::create(fit.intrinsics);
+    std::size_t next = 0;
+    for (CalibrationPicture &picture : calibration.pictures) {
+        picture.outliers.clear();
+        picture.leftOut.clear();
+        if (picture.used) {
+            picture.outliers = outliers[next];
+            picture.leftOut = leftOut[next];
+            judge(picture, *camera, fit.cameraFromBoard[next++]);
+        } else if (const auto pose = poseOf(picture.view, *camera)) {
+            judge(picture, *camera, *pose);
+        }
+    }
+    calibration.verdict = calibrationVerdict(calibration, *sigma);
     control.report(1, "done");
+    return {};
+}
+
+} // namespace
+
+std::size_t IntrinsicCalibration::picturesUsed() const
+{
+    return static_cast<std::size_t>(std::ranges::count_if(pictures, &CalibrationPicture::used));
+}
+
+std::size_t IntrinsicCalibration::cornersLeftOut() const
+{
+    std::size_t count = 0;
+    for (const CalibrationPicture &picture : pictures)
+        count += picture.leftOut.size();
+    return count;
+}
+
+Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &views, int widthPx,
+                                                 int heightPx, std::optional<LensModel> model,
+                                                 const JobControl &control)
+{
+    if (widthPx <= 0 || heightPx <= 0)
+        return fail(ErrorCode::InvalidInput, calibrationWhat, "the picture has no size", "use pictures of the camera");
+    IntrinsicCalibration calibration;
+    std::vector<BoardView> used = usableViews(views, calibration.rejected);
+    if (used.size() < leastViews)
+        return tooFew(used.size());
+    const auto starts = startsFor(used, widthPx, heightPx, model, calibration.rejected);
+    if (used.size() < leastViews || starts.empty())
+        return tooFew(used.size());
+    control.report(0.1, "fitting the lens to " + std::to_string(used.size()) + " pictures");
+    auto choice = chooseLens(used, starts, control);
+    if (control.isCancelled())
+        return cancelled(calibrationWhat);
+    if (!choice)
+        return refuseCalibration("no lens fits these pictures",
+                                 "check that all are of one camera, at one zoom and focus");
+    for (const BoardView &view : used)
+        calibration.pictures.push_back({view, true, 0, {}, {}, {}});
+    calibration.lensTrials = std::move(choice->trials);
+    calibration.lensReason = model || used.size() >= leastViewsForHalves
+                                 ? std::move(choice->reason)
+                                 : "too few pictures to compare it with others";
+    if (auto finished = finish(calibration, used, std::move(choice->fit), choice->outliers, control); !finished)
+        return tl::unexpected(finished.error());
     return calibration;
+}
+
+Result<IntrinsicCalibration> recalibrate(const IntrinsicCalibration &reference,
+                                         const std::vector<std::size_t> &pictures, const JobControl &control)
+{
+    IntrinsicCalibration calibration = reference;
+    calibration.crossValidationPx = 0;
+    calibration.halvesApart.reset();
+    const auto camera = CameraModel::create(reference.intrinsics);
+    if (!camera)
+        return tl::unexpected(camera.error());
+    std::vector<BoardView> used;
+    LensStart start{reference.intrinsics, {}};
+    for (std::size_t i = 0; i < calibration.pictures.size(); ++i) {
+        CalibrationPicture &picture = calibration.pictures[i];
+        const auto pose = std::ranges::find(pictures, i) == pictures.end() ? std::nullopt : poseOf(picture.view, *camera);
+        picture.used = pose.has_value();
+        if (!pose)
+            continue;
+        used.push_back(picture.view);
+        start.cameraFromBoard.push_back(*pose);
+    }
+    if (used.size() < leastViews)
+        return tooFew(used.size());
+    auto fit = fitLens(used, start, {}, control);
+    if (control.isCancelled())
+        return cancelled(calibrationWhat);
+    if (!fit)
+        return refuseCalibration("no lens fits these pictures", "choose others");
+    const CornerMarks outliers = outlyingCorners(used, *fit, control);
+    if (auto finished = finish(calibration, used, std::move(*fit), outliers, control); !finished)
+        return tl::unexpected(finished.error());
+    return calibration;
+}
+
+std::vector<std::size_t> picturesWithin(const IntrinsicCalibration &calibration, double mostRmsPx)
+{
+    std::vector<std::size_t> within;
+    for (std::size_t i = 0; i < calibration.pictures.size(); ++i) {
+        if (calibration.pictures[i].rmsPx <= mostRmsPx)
+            within.push_back(i);
+    }
+    return within;
 }
 
 } // namespace odo

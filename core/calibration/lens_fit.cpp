@@ -8,6 +8,7 @@
 #include <array>
 #include <ceres/autodiff_cost_function.h>
 #include <ceres/iteration_callback.h>
+#include <ceres/loss_function.h>
 #include <ceres/manifold.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
@@ -68,22 +69,25 @@ public:
             m_poses.push_back(parametersOf(pose));
     }
 
-    bool solve(bool holdFocal, const JobControl &control)
+    bool solve(const LensFitOptions &wanted, const JobControl &control)
     {
         ceres::Problem::Options ownership;
         ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+        ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+        ceres::CauchyLoss cauchy(std::max(1e-9, wanted.cauchyPx));
+        ceres::LossFunction *loss = wanted.cauchyPx > 0 ? &cauchy : nullptr;
         ceres::Problem problem(ownership);
         auto *ordering = new ceres::ParameterBlockOrdering;
         for (std::size_t view = 0; view < m_views.size(); ++view) {
             for (std::size_t i = 0; i < m_views[view].pixels.size(); ++i) {
                 m_costs.push_back(std::make_unique<Cost>(
                     new LensResidual<model>{m_views[view].pointsOnBoard[i], m_views[view].pixels[i]}));
-                problem.AddResidualBlock(m_costs.back().get(), nullptr, m_lens.data(), m_poses[view].data());
+                problem.AddResidualBlock(m_costs.back().get(), loss, m_lens.data(), m_poses[view].data());
             }
             ordering->AddElementToGroup(m_poses[view].data(), 0);
         }
         ordering->AddElementToGroup(m_lens.data(), 1);
-        if (holdFocal)
+        if (wanted.holdFocal)
             problem.SetManifold(m_lens.data(), new ceres::SubsetManifold(size, {0, 1}));
         StopWhenCancelled stop(control);
         ceres::Solver::Options options;
@@ -113,7 +117,8 @@ public:
         std::size_t next = 0, count = 0;
         for (std::size_t view = 0; view < m_views.size(); ++view) {
             fit.cameraFromBoard.push_back(transformOf(m_poses[view]));
-            fit.pictureSquares.push_back(addNormal(view, next, reduced));
+            fit.residualsPx.emplace_back();
+            fit.pictureSquares.push_back(addNormal(view, next, reduced, fit.residualsPx.back()));
             fit.squares += fit.pictureSquares.back();
             count += m_views[view].pixels.size();
         }
@@ -131,7 +136,8 @@ private:
 
     /// Adds a view's share to the lens's normal matrix, its pose eliminated (Schur complement); returns its
     /// squares.
-    double addNormal(std::size_t view, std::size_t &next, Matrix &reduced) const
+    double addNormal(std::size_t view, std::size_t &next, Matrix &reduced,
+                     std::vector<Eigen::Vector2d> &residuals) const
     {
         Matrix lensLens = Matrix::Zero();
         Eigen::Matrix<double, size, 6> lensPose = Eigen::Matrix<double, size, 6>::Zero();
@@ -144,6 +150,7 @@ private:
             const double *parameters[] = {m_lens.data(), m_poses[view].data()};
             double *derivatives[] = {byLens.data(), byPose.data()};
             m_costs[next]->Evaluate(parameters, residual.data(), derivatives);
+            residuals.push_back(-residual);
             squares += residual.squaredNorm();
             lensLens += byLens.transpose() * byLens;
             lensPose += byLens.transpose() * byPose;
@@ -175,11 +182,11 @@ private:
 };
 
 template <LensModel model>
-std::optional<LensFit> fitWith(const std::vector<BoardView> &views, const LensStart &start, bool holdFocal,
-                               const JobControl &control)
+std::optional<LensFit> fitWith(const std::vector<BoardView> &views, const LensStart &start,
+                               const LensFitOptions &options, const JobControl &control)
 {
     Fit<model> fit(views, start);
-    if (!fit.solve(holdFocal, control))
+    if (!fit.solve(options, control))
         return std::nullopt;
     LensFit result = fit.result();
     if (!std::isfinite(result.squares) || !CameraModel::create(result.intrinsics))
@@ -189,29 +196,39 @@ std::optional<LensFit> fitWith(const std::vector<BoardView> &views, const LensSt
 
 } // namespace
 
-std::optional<LensFit> fitLens(const std::vector<BoardView> &views, const LensStart &start, bool holdFocal,
-                               const JobControl &control)
+double LensFit::rmsPx() const
+{
+    std::size_t count = 0;
+    for (const auto &residuals : residualsPx)
+        count += residuals.size();
+    return count == 0 ? 0 : std::sqrt(squares / static_cast<double>(count));
+}
+
+std::optional<LensFit> fitLens(const std::vector<BoardView> &views, const LensStart &start,
+                               const LensFitOptions &options, const JobControl &control)
 {
     switch (start.intrinsics.model) {
     case LensModel::Standard:
-        return fitWith<LensModel::Standard>(views, start, holdFocal, control);
+        return fitWith<LensModel::Standard>(views, start, options, control);
     case LensModel::Fisheye:
-        return fitWith<LensModel::Fisheye>(views, start, holdFocal, control);
+        return fitWith<LensModel::Fisheye>(views, start, options, control);
     case LensModel::Rational:
         break;
     }
-    // The rational model has so many ways to bend that it is started from the standard one's answer.
+    // The rational model has so many ways to bend that it is started from the standard one's answer, unless one is known.
+    if (start.intrinsics.distortion.size() == 8)
+        return fitWith<LensModel::Rational>(views, start, options, control);
     LensStart simple = start;
     simple.intrinsics.model = LensModel::Standard;
-    simple.intrinsics.distortion.resize(std::min<std::size_t>(5, start.intrinsics.distortion.size()));
-    const auto first = fitWith<LensModel::Standard>(views, simple, holdFocal, control);
+    simple.intrinsics.distortion.clear();
+    const auto first = fitWith<LensModel::Standard>(views, simple, options, control);
     if (!first)
         return std::nullopt;
     LensStart better{first->intrinsics, first->cameraFromBoard};
     better.intrinsics.model = LensModel::Rational;
     better.intrinsics.covariance.resize(0, 0);
     better.intrinsics.distortion.resize(8, 0.0);
-    return fitWith<LensModel::Rational>(views, better, holdFocal, control);
+    return fitWith<LensModel::Rational>(views, better, options, control);
 }
 
 } // namespace odo

@@ -16,9 +16,20 @@ struct LensFit
 {
     Intrinsics intrinsics; ///< with covariance, from the residuals' σ
     std::vector<RigidTransform> cameraFromBoard;
+    std::vector<std::vector<Eigen::Vector2d>> residualsPx; ///< of each picture, one a corner: seen minus foretold
     std::vector<double> pictureSquares; ///< sum of squared distances of each picture, px²
     double squares = 0;                 ///< of all
     double sigmaPx = 0;                 ///< of one coordinate, by the degrees of freedom
+
+    double rmsPx() const; ///< sqrt(mean of squared distances)
+};
+
+/// How a lens is fitted.
+struct LensFitOptions
+{
+    bool holdFocal = false; ///< both focal lengths stay
+    /// Not 0: Cauchy's loss of this scale, which hardly heeds corners much farther off. The covariance then means nothing.
+    double cauchyPx = 0;
 };
 
 /// A lens and poses to start from.
@@ -34,9 +45,9 @@ struct LensStart
 std::optional<LensStart> startLens(const std::vector<BoardView> &views, int widthPx, int heightPx,
                                    LensModel model, std::vector<std::size_t> &withoutPose);
 
-/// Levenberg–Marquardt over lens and poses (Ceres, Schur complement over the poses). With holdFocal both
-/// focal lengths stay. nullopt where it was cancelled or led nowhere.
-std::optional<LensFit> fitLens(const std::vector<BoardView> &views, const LensStart &start, bool holdFocal,
-                               const JobControl &control);
+/// Levenberg–Marquardt over lens and poses (Ceres, Schur complement over the poses). nullopt where it was
+/// cancelled or led nowhere.
+std::optional<LensFit> fitLens(const std::vector<BoardView> &views, const LensStart &start,
+                               const LensFitOptions &options, const JobControl &control);
 
 } // namespace odo

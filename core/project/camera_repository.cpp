@@ -30,11 +30,11 @@ Result<void> addPicture(ProjectConnection &connection, const QString &sql, Recor
 
 Result<void> addPictures(ProjectConnection &connection, RecordId id, const IntrinsicCalibration &calibration)
 {
-    for (std::size_t i = 0; i < calibration.pictureRmsPx.size(); ++i) {
-        const auto &[file, rmsPx] = calibration.pictureRmsPx[i];
+    for (std::size_t i = 0; i < calibration.pictures.size(); ++i) {
+        const CalibrationPicture &picture = calibration.pictures[i];
         if (auto done =
                 addPicture(connection, QStringLiteral("INSERT INTO calibration_picture VALUES (?,?,?,?)"), id,
-                           i, file, rmsPx);
+                           i, picture.view.source, picture.rmsPx);
             !done)
             return done;
     }
@@ -55,7 +55,9 @@ Result<void> readPictures(const ProjectConnection &connection, RecordId id, Intr
                    QStringLiteral("SELECT file, rms_px FROM calibration_picture WHERE intrinsics_id=? "
                                   "ORDER BY position"));
     auto read = used.bind(id).eachRow([&into](const Statement &row) -> Result<void> {
-        into.pictureRmsPx.emplace_back(row.text(0), row.real(1));
+        into.pictures.emplace_back();
+        into.pictures.back().view.source = row.text(0);
+        into.pictures.back().rmsPx = row.real(1);
         return {};
     });
     if (!read)

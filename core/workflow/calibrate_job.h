@@ -6,6 +6,7 @@
 #include "core/workflow/job.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ struct CalibrateSettings
     std::string camera; ///< made when the project has none of that name
     std::vector<std::filesystem::path> files; ///< pictures and videos of the board
     BoardSpec board;
-    LensModel model = LensModel::Standard;
+    std::optional<LensModel> model; ///< nullopt: the one that foretells best
 };
 
 /// Finds the board in pictures, computes a camera's intrinsics and stores them as its newest ones.

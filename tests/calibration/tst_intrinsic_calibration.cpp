@@ -128,7 +128,7 @@ private Q_SLOTS:
         QVERIFY(contains(result->verdict, "12 pictures fit to 0."));
         QVERIFY(contains(result->verdict, "Look at picture7"));
         QVERIFY(contains(result->verdict, "each half of them foretells the other to"));
-        QCOMPARE(result->pictureRmsPx.size(), std::size_t(12));
+        QCOMPARE(result->picturesUsed(), std::size_t(12));
     }
     void picturesThatCannotBeUsedAreTold()
     {
@@ -141,7 +141,7 @@ private Q_SLOTS:
         const auto result = calibrateIntrinsics(views, widthPx, heightPx, LensModel::Standard, JobControl());
         QVERIFY(result.has_value());
         QCOMPARE(result->rejected.size(), std::size_t(3));
-        QCOMPARE(result->pictureRmsPx.size(), std::size_t(7));
+        QCOMPARE(result->picturesUsed(), std::size_t(7));
     }
     void refusesFewerThanThreePictures()
     {

@@ -34,7 +34,11 @@ IntrinsicsRecord RecordSource::calibration(RecordId camera)
     record.origin = "imported from Kamera–ß.yaml";
     record.calibration.intrinsics = intrinsics(LensModel::Rational);
     record.calibration.rmsPx = positive();
-    record.calibration.pictureRmsPx = {{"bild 1.jpg", positive()}, {"картина.png", positive()}};
+    for (const char *file : {"bild 1.jpg", "картина.png"}) {
+        record.calibration.pictures.emplace_back();
+        record.calibration.pictures.back().view.source = file;
+        record.calibration.pictures.back().rmsPx = positive();
+    }
     record.calibration.rejected = {{"c.jpg", "no board found"}};
     record.calibration.crossValidationPx = positive();
     record.calibration.verdict = "good";

@@ -129,7 +129,11 @@ private Q_SLOTS:
         const IntrinsicCalibration &read = first->calibration, &stored = older->calibration;
         QVERIFY(sameLens(read.intrinsics, stored.intrinsics));
         QVERIFY(same(read.rmsPx, stored.rmsPx) && same(read.crossValidationPx, stored.crossValidationPx));
-        QVERIFY(read.pictureRmsPx == stored.pictureRmsPx);
+        QCOMPARE(read.pictures.size(), stored.pictures.size());
+        for (std::size_t i = 0; i < read.pictures.size(); ++i) {
+            QCOMPARE(read.pictures[i].view.source, stored.pictures[i].view.source);
+            QVERIFY(same(read.pictures[i].rmsPx, stored.pictures[i].rmsPx));
+        }
         QCOMPARE(read.rejected.size(), std::size_t(1));
         QCOMPARE(read.rejected[0].file, stored.rejected[0].file);
         QCOMPARE(read.rejected[0].reason, stored.rejected[0].reason);

@@ -52,7 +52,7 @@ void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
         facts.append({Words::tr("Board error"),
                       Words::tr("%1 px in %2 pictures")
                           .arg(locale.toString(record.calibration.rmsPx, 'f', 2))
-                          .arg(record.calibration.pictureRmsPx.size()),
+                          .arg(record.calibration.picturesUsed()),
                       {}});
     if (record.calibration.crossValidationPx > 0)
         facts.append({Words::tr("Held-out error"),

@@ -46,8 +46,11 @@ void storeTestbed(Stored &stored, const TrialScene &scene)
         intrinsics.origin = "calibrated";
         intrinsics.calibration.intrinsics = view.floorView->camera().intrinsics();
         intrinsics.calibration.rmsPx = 0.21;
-        intrinsics.calibration.pictureRmsPx = {
-            {"board_1.png", 0.20}, {"board_2.png", 0.22}, {"board_3.png", 0.21}};
+        for (int i = 1; i <= 3; ++i) {
+            intrinsics.calibration.pictures.emplace_back();
+            intrinsics.calibration.pictures.back().view.source = "board_" + std::to_string(i) + ".png";
+            intrinsics.calibration.pictures.back().rmsPx = 0.19 + 0.01 * i;
+        }
         intrinsics.calibration.verdict = "Good: 0.21 px in 3 pictures.";
         RegistrationRecord registration;
         registration.camera = camera;

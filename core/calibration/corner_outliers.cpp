@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/corner_outliers.h"
+
+#include "core/base/upper_median.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace odo {
+
+namespace {
+
+constexpr double standingOut = 5, leastPx = 0.1;
+constexpr double medianOfRayleigh = 1.17741; // sqrt(2 ln 2): of distances whose coordinates have σ 1
+constexpr std::size_t leastCorners = 6, leastTogether = 3;
+constexpr double sameWay = 0.8; // length of the mean of their directions
+
+/// σ of one coordinate, from the median distance; what the fit took away by adapting is given back.
+double robustSigmaPx(const LensFit &fit)
+{
+    std::vector<double> distances;
+    for (const auto &residuals : fit.residualsPx) {
+        for (const Eigen::Vector2d &residual : residuals)
+            distances.push_back(residual.norm());
+    }
+    if (distances.empty())
+        return 0;
+    const double values = 2.0 * static_cast<double>(distances.size());
+    const double fitted = 4.0 + static_cast<double>(fit.intrinsics.distortion.size() + 6 * fit.residualsPx.size());
+    return upperMedian(std::move(distances)) / medianOfRayleigh * std::sqrt(values / std::max(1.0, values - fitted));
+}
+
+CornerMarks beyond(const LensFit &fit, double limitPx)
+{
+    CornerMarks marks(fit.residualsPx.size());
+    for (std::size_t view = 0; view < marks.size(); ++view) {
+        for (std::size_t i = 0; i < fit.residualsPx[view].size(); ++i) {
+            if (fit.residualsPx[view][i].norm() > limitPx)
+                marks[view].push_back(i);
+        }
+    }
+    return marks;
+}
+
+/// The smallest distance between two corners of a board.
+double spacingM(const BoardView &view)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < view.pointsOnBoard.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j)
+            least = std::min(least, (view.pointsOnBoard[i] - view.pointsOnBoard[j]).norm());
+    }
+    return least;
+}
+
+/// Splits marked corners into groups that hang together by steps of two squares at most.
+std::vector<std::vector<std::size_t>> groupsOf(const BoardView &view, std::vector<std::size_t> marks)
+{
+    const double reachM = 2.1 * spacingM(view);
+    std::vector<std::vector<std::size_t>> groups;
+    while (!marks.empty()) {
+        std::vector<std::size_t> group{marks.back()};
+        marks.pop_back();
+        for (std::size_t next = 0; next < group.size(); ++next) {
+            const auto near = std::ranges::partition(marks, [&](std::size_t mark) {
+                return (view.pointsOnBoard[mark] - view.pointsOnBoard[group[next]]).norm() > reachM;
+            });
+            group.insert(group.end(), near.begin(), near.end());
+            marks.erase(near.begin(), near.end());
+        }
+        groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
+bool movesTogether(const std::vector<std::size_t> &group, const std::vector<Eigen::Vector2d> &residuals)
+{
+    if (group.size() < leastTogether)
+        return false;
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (std::size_t index : group)
+        sum += residuals[index].normalized();
+    return sum.norm() > sameWay * static_cast<double>(group.size());
+}
+
+double limitOf(const LensFit &fit)
+{
+    return std::max(leastPx, standingOut * robustSigmaPx(fit));
+}
+
+} // namespace
+
+CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &fit, const JobControl &control)
+{
+    const double limitPx = limitOf(fit);
+    CornerMarks marks = beyond(fit, limitPx);
+    if (countOf(marks) == 0)
+        return marks;
+    const auto robust =
+        fitLens(views, {fit.intrinsics, fit.cameraFromBoard}, {false, 2 * limitPx / standingOut}, control);
+    return robust ? beyond(*robust, limitOf(*robust)) : marks;
+}
+
+CornerMarks singleCorners(const std::vector<BoardView> &views, const LensFit &fit, const CornerMarks &marks)
+{
+    CornerMarks single(marks.size());
+    for (std::size_t view = 0; view < marks.size(); ++view) {
+        if (views[view].pixels.size() < marks[view].size() + leastCorners)
+            continue;
+        for (const auto &group : groupsOf(views[view], marks[view])) {
+            if (!movesTogether(group, fit.residualsPx[view]))
+                single[view].insert(single[view].end(), group.begin(), group.end());
+        }
+        std::ranges::sort(single[view]);
+    }
+    return single;
+}
+
+std::size_t countOf(const CornerMarks &marks)
+{
+    std::size_t count = 0;
+    for (const auto &list : marks)
+        count += list.size();
+    return count;
+}
+
+std::vector<BoardView> withoutCorners(const std::vector<BoardView> &views, const CornerMarks &marks)
+{
+    std::vector<BoardView> kept = views;
+    for (std::size_t view = 0; view < views.size(); ++view) {
+        for (auto index = marks[view].rbegin(); index != marks[view].rend(); ++index) {
+            kept[view].pixels.erase(kept[view].pixels.begin() + static_cast<std::ptrdiff_t>(*index));
+            kept[view].pointsOnBoard.erase(kept[view].pointsOnBoard.begin() + static_cast<std::ptrdiff_t>(*index));
+        }
+    }
+    return kept;
+}
+
+} // namespace odo

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/lens_choice.h"
+
+#include "core/base/units.h"
+#include "core/calibration/held_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace odo {
+
+namespace {
+
+constexpr double marginErrors = 2;    // standard errors of the mean difference
+constexpr double marginPart = 0.01;   // of the RMS: less is nothing that anybody would notice
+constexpr int decimals = 3;
+
+struct Candidate
+{
+    LensFit fit;
+    CornerMarks outliers;
+    std::optional<HeldOut> heldOut;
+
+    LensModel model() const { return fit.intrinsics.model; }
+    double heldOutPx() const
+    {
+        return heldOut && heldOut->unforetold == 0 ? heldOut->rmsPx : std::numeric_limits<double>::infinity();
+    }
+};
+
+CornerMarks common(const std::vector<Candidate> &candidates)
+{
+    CornerMarks marks = candidates.front().outliers;
+    for (const Candidate &candidate : candidates) {
+        for (std::size_t view = 0; view < marks.size(); ++view) {
+            std::vector<std::size_t> both;
+            std::ranges::set_intersection(marks[view], candidate.outliers[view], std::back_inserter(both));
+            marks[view] = std::move(both);
+        }
+    }
+    return marks;
+}
+
+/// The simpler model foretells clearly worse: by more than chance among the pictures explains, and by enough to matter.
+bool isClearlyWorse(const Candidate &simpler, const Candidate &best)
+{
+    if (!(simpler.heldOutPx() > (1 + marginPart) * best.heldOutPx()))
+        return false;
+    if (!std::isfinite(simpler.heldOutPx()))
+        return true;
+    const auto &worse = simpler.heldOut->pictureMeanSquares, &better = best.heldOut->pictureMeanSquares;
+    const auto count = static_cast<double>(worse.size());
+    double mean = 0, squares = 0;
+    for (std::size_t i = 0; i < worse.size(); ++i)
+        mean += (worse[i] - better[i]) / count;
+    for (std::size_t i = 0; i < worse.size(); ++i)
+        squares += std::pow(worse[i] - better[i] - mean, 2);
+    return mean > marginErrors * std::sqrt(squares / (count - 1) / count);
+}
+
+std::string pixelsOf(const Candidate &candidate)
+{
+    return std::isfinite(candidate.heldOutPx()) ? formatNumber(candidate.heldOutPx(), decimals) + " px" : "not all";
+}
+
+std::string reasonOf(const Candidate &chosen, const std::vector<Candidate> &candidates)
+{
+    const auto other = std::ranges::min_element(candidates, {}, [&](const Candidate &candidate) {
+        return &candidate == &chosen ? std::numeric_limits<double>::infinity() : candidate.heldOutPx();
+    });
+    if (&*other == &chosen)
+        return "no other model fits";
+    const std::string own = "it foretells pictures held out to " + pixelsOf(chosen) + ", the ";
+    const bool simplest = &chosen == &candidates.front();
+    const Candidate &against = simplest ? *other : candidates.front();
+    return own + lensModelName(against.model()) + " one " + (simplest ? "no better (" : "only to ") + pixelsOf(against) +
+           (simplest ? ")" : "");
+}
+
+} // namespace
+
+std::string lensModelName(LensModel model)
+{
+    return model == LensModel::Standard ? "standard" : model == LensModel::Rational ? "rational" : "fisheye";
+}
+
+std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views, const std::vector<LensStart> &starts,
+                                     const JobControl &control)
+{
+    std::vector<Candidate> candidates;
+    for (const LensStart &start : starts) {
+        auto fit = fitLens(views, start, {}, control);
+        if (!fit)
+            continue;
+        CornerMarks outliers = outlyingCorners(views, *fit, control);
+        candidates.push_back({std::move(*fit), std::move(outliers), std::nullopt});
+    }
+    if (candidates.empty() || control.isCancelled())
+        return std::nullopt;
+    if (starts.size() == 1)
+        return LensChoice{std::move(candidates.front().fit), std::move(candidates.front().outliers), {}, "told"};
+
+    const std::vector<BoardView> sound = withoutCorners(views, singleCorners(views, candidates.front().fit, common(candidates)));
+    std::vector<LensTrial> trials;
+    for (Candidate &candidate : candidates) {
+        candidate.heldOut = holdOut(sound, candidate.fit, control);
+        trials.push_back({candidate.model(), candidate.heldOutPx()});
+    }
+    if (control.isCancelled())
+        return std::nullopt;
+    const Candidate &best = *std::ranges::min_element(candidates, {}, &Candidate::heldOutPx);
+    Candidate &chosen =
+        *std::ranges::find_if(candidates, [&](const Candidate &candidate) { return !isClearlyWorse(candidate, best); });
+    std::string reason = reasonOf(chosen, candidates);
+    return LensChoice{std::move(chosen.fit), std::move(chosen.outliers), std::move(trials), std::move(reason)};
+}
+
+} // namespace odo
