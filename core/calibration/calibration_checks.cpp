@@ -2,6 +2,7 @@
 #include "core/calibration/calibration_checks.h"
 
 #include "core/base/units.h"
+#include "core/calibration/plane_pose.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -15,6 +16,9 @@ constexpr double leastTurn = 8;          // degrees between the most different p
 constexpr double worstFocalSigma = 0.03; // of the focal length
 constexpr double probe = 1.3;            // by how much the focal length is changed to see whether the pictures mind
 constexpr double leastBox = 0.15;        // of the picture, that the board must have been moved over
+constexpr std::size_t leastGroup = 3;
+constexpr double suspiciousGain = 1.5, groupGain = 2; // of the sum of squares
+constexpr double leastZoom = 0.02;                    // of the focal length
 constexpr const char *tiltAdvice = "take pictures with the board tilted by 30 to 45 degrees, to each side";
 
 /// The largest angle between the board's normals of any two pictures, degrees.
@@ -62,7 +66,78 @@ Eigen::AlignedBox2d boxOf(const std::vector<BoardView> &views)
     return box;
 }
 
+struct OwnFocal
+{
+    std::size_t view;
+    double focalPx;
+};
+
+/// The focal length that each picture asks for by itself, ascending; pictures that cannot tell are missing. squares: the
+/// misfit that remains when each has its own.
+std::vector<OwnFocal> ownFocals(const std::vector<BoardView> &views, const LensFit &fit, double &squares)
+{
+    std::vector<OwnFocal> focals;
+    const auto camera = CameraModel::create(fit.intrinsics);
+    squares = 0;
+    for (std::size_t view = 0; view < views.size(); ++view) {
+        std::vector<PointPair> pairs;
+        for (std::size_t i = 0; i < views[view].pixels.size(); ++i)
+            pairs.push_back({views[view].pointsOnBoard[i], views[view].pixels[i], {}});
+        const auto pose = fitPlanePose(pairs, *camera, FocalLength::Free);
+        if (!pose || !pose->focalSigmaPx) {
+            squares += fit.pictureSquares[view];
+            continue;
+        }
+        squares += pose->rmsPx * pose->rmsPx * static_cast<double>(pairs.size());
+        focals.push_back({view, pose->camera.intrinsics().fxPx});
+    }
+    std::ranges::sort(focals, {}, &OwnFocal::focalPx);
+    return focals;
+}
+
+std::optional<LensFit> fitGroup(const std::vector<BoardView> &views, const LensFit &fit,
+                                const std::vector<OwnFocal> &group, const JobControl &control)
+{
+    std::vector<BoardView> some;
+    std::vector<std::size_t> withoutPose;
+    for (const OwnFocal &own : group)
+        some.push_back(views[own.view]);
+    const auto start =
+        startLens(some, fit.intrinsics.widthPx, fit.intrinsics.heightPx, fit.intrinsics.model, withoutPose);
+    return start && withoutPose.empty() ? fitLens(some, *start, {}, control) : std::nullopt;
+}
+
 } // namespace
+
+Result<void> checkOneCamera(const std::vector<BoardView> &views, const LensFit &fit, const JobControl &control)
+{
+    double ownSquares = 0;
+    const std::vector<OwnFocal> focals = ownFocals(views, fit, ownSquares);
+    if (focals.size() < 2 * leastGroup || fit.squares < suspiciousGain * ownSquares)
+        return {};
+    std::size_t split = leastGroup;
+    const auto gap = [&](std::size_t i) { return focals[i].focalPx / focals[i - 1].focalPx; };
+    for (std::size_t i = leastGroup; i + leastGroup <= focals.size(); ++i) {
+        if (gap(i) > gap(split))
+            split = i;
+    }
+    const auto middle = focals.begin() + static_cast<std::ptrdiff_t>(split);
+    const auto lower = fitGroup(views, fit, {focals.begin(), middle}, control);
+    const auto upper = fitGroup(views, fit, {middle, focals.end()}, control);
+    if (!lower || !upper)
+        return {};
+    double together = 0;
+    for (const OwnFocal &own : focals)
+        together += fit.pictureSquares[own.view];
+    const double one = lower->intrinsics.fxPx, other = upper->intrinsics.fxPx;
+    if (together < groupGain * (lower->squares + upper->squares) || std::abs(other / one - 1) < leastZoom)
+        return {};
+    return refuseCalibration(
+        "the pictures ask for two focal lengths: " + std::to_string(split) + " for about " + formatNumber(one, 0) + " px, " +
+            std::to_string(focals.size() - split) + " (such as " + views[focals[split].view].source + ") for about " +
+            formatNumber(other, 0) + " px",
+        "use pictures of one camera at one zoom and focus");
+}
 
 tl::unexpected<Error> refuseCalibration(std::string why, std::string advice)
 {

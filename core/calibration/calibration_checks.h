@@ -22,6 +22,9 @@ std::string placeOfCorners(const std::vector<BoardView> &views, int widthPx, int
 /// Refuses pictures that show the board always in the same part of the picture.
 Result<void> checkPlaces(const std::vector<BoardView> &views, int widthPx, int heightPx);
 
+/// Refuses pictures that fall into two groups which are fitted far better by a lens each, of different focal lengths.
+Result<void> checkOneCamera(const std::vector<BoardView> &views, const LensFit &fit, const JobControl &control);
+
 /// Refuses a fit that its pictures do not determine, and gives σ of its focal length over itself otherwise.
 Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFit &fit,
                                const std::optional<HeldOut> &halves, const JobControl &control);

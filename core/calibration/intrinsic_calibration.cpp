@@ -118,6 +118,8 @@ std::optional<RigidTransform> poseOf(const BoardView &view, const CameraModel &c
 Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardView> &views, LensFit fit,
                     const CornerMarks &outliers, const JobControl &control)
 {
+    if (auto one = checkOneCamera(views, fit, control); !one)
+        return one;
     std::size_t corners = 0;
     for (const BoardView &view : views)
         corners += view.pixels.size();

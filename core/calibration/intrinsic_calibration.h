@@ -65,7 +65,7 @@ constexpr double mostOutliers = 0.03;
 /// Zhang 2000 with Levenberg–Marquardt refinement (Ceres), all views jointly.
 ///
 /// model: nullopt chooses among Standard, Rational and Fisheye: the simplest whose error on held-out pictures is within
-/// a margin of the best one's (two standard errors of the paired differences by picture, and 1 %; after the
+/// a margin of the best one's (two standard errors of the paired differences of the pictures' RMS, and 1 %; after the
 /// one-standard-error rule of Breiman et al. 1984, section 3.4.3). Under six views Standard.
 ///
 /// Corners whose residual is beyond 5 robust σ (median of the distances) of a fit that heeds them little (Cauchy's loss)

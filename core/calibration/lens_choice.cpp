@@ -52,11 +52,13 @@ bool isClearlyWorse(const Candidate &simpler, const Candidate &best)
         return true;
     const auto &worse = simpler.heldOut->pictureMeanSquares, &better = best.heldOut->pictureMeanSquares;
     const auto count = static_cast<double>(worse.size());
+    // Of each picture's RMS, since squares would let one picture drown the others.
+    const auto gain = [&](std::size_t i) { return std::sqrt(worse[i]) - std::sqrt(better[i]); };
     double mean = 0, squares = 0;
     for (std::size_t i = 0; i < worse.size(); ++i)
-        mean += (worse[i] - better[i]) / count;
+        mean += gain(i) / count;
     for (std::size_t i = 0; i < worse.size(); ++i)
-        squares += std::pow(worse[i] - better[i] - mean, 2);
+        squares += std::pow(gain(i) - mean, 2);
     return mean > marginErrors * std::sqrt(squares / (count - 1) / count);
 }
 

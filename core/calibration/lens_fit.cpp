@@ -13,6 +13,7 @@
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 #include <cmath>
+#include <glog/logging.h>
 #include <memory>
 
 namespace odo {
@@ -97,6 +98,10 @@ public:
         options.function_tolerance = 1e-12;
         options.parameter_tolerance = 1e-12;
         options.gradient_tolerance = 1e-14;
+        // Coefficients of the rational lens that the pictures do not determine leave a matrix that cannot be factored:
+        // some damping stays, and the library does not warn of steps that it damps more, on the terminal.
+        options.max_trust_region_radius = 1e9;
+        FLAGS_minloglevel = google::GLOG_ERROR;
         options.logging_type = ceres::SILENT;
         options.callbacks.push_back(&stop);
         ceres::Solver::Summary summary;

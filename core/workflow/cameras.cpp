@@ -24,7 +24,7 @@ Result<IntrinsicsRecord> storeCalibration(Project &project, const std::string &c
             return tl::unexpected(found.error());
         record.camera = found->id;
         record.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
-        record.origin = "calibrated from " + std::to_string(calibration.pictureRmsPx.size()) + " pictures";
+        record.origin = "calibrated from " + std::to_string(calibration.picturesUsed()) + " pictures";
         record.calibration = calibration;
         const auto added = project.cameras().addIntrinsics(record);
         if (!added)

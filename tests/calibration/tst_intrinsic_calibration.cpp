@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/intrinsic_calibration.h"
-#include "core/geometry/rigid_transform.h"
+#include "tests/calibration/seen_boards.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -17,44 +17,6 @@ constexpr int widthPx = 1280, heightPx = 720;
 Intrinsics lens(LensModel model, std::vector<double> distortion)
 {
     return {widthPx, heightPx, 902.5, 905.5, 651.25, 348.5, model, std::move(distortion), {}};
-}
-
-/// A board of 9×6 corners of 30 mm as a camera sees it; the pose turns it by tilts (radians) about the
-/// board's axes.
-BoardView see(const CameraModel &camera, const Vector3d &centre, double tiltX, double tiltY, double turn,
-              std::mt19937 &random, double noisePx)
-{
-    std::normal_distribution<double> noise(0, 1);
-    const Eigen::Quaterniond rotation = Eigen::AngleAxisd(tiltX, Vector3d::UnitX()) *
-                                        Eigen::AngleAxisd(tiltY, Vector3d::UnitY()) *
-                                        Eigen::AngleAxisd(turn, Vector3d::UnitZ());
-    BoardView view{"picture", 9, 6, {}, {}};
-    for (int y = 0; y < 6; ++y) {
-        for (int x = 0; x < 9; ++x) {
-            const Vector2d point(0.03 * x, 0.03 * y);
-            const auto pixel =
-                camera.project(rotation * Vector3d(point.x() - 0.12, point.y() - 0.075, 0) + centre);
-            if (!pixel)
-                continue;
-            view.pixels.push_back(*pixel + noisePx * Vector2d(noise(random), noise(random)));
-            view.pointsOnBoard.push_back(point);
-        }
-    }
-    return view;
-}
-
-std::vector<BoardView> tiltedViews(const CameraModel &camera, int count, double noisePx, unsigned seed = 1)
-{
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> across(-1, 1);
-    std::vector<BoardView> views;
-    for (int i = 0; i < count; ++i) {
-        const double depth = 0.55 + 0.25 * across(random);
-        views.push_back(see(camera, {0.4 * depth * across(random), 0.22 * depth * across(random), depth},
-                            0.7 * across(random), 0.7 * across(random), 3 * across(random), random, noisePx));
-        views.back().source = "picture" + std::to_string(i);
-    }
-    return views;
 }
 
 bool contains(const std::string &text, const char *words)

@@ -154,15 +154,17 @@ void LensResultPage::showAnswer(const LensAnswer &answer)
     QStringList names;
     for (std::size_t i = 0; i < m_pictures.kept.size(); ++i) {
         names << m_pictures.kept[i].name;
-        const auto &rms = answer.calibration.pictureRmsPx;
-        const auto found = std::find_if(rms.begin(), rms.end(), [&](const auto &each) { return each.first == m_pictures.kept[i].board.view.source; });
-        if (found != rms.end())
-            m_errors[i] = found->second;
+        const auto &pictures = answer.calibration.pictures;
+        const auto found = std::find_if(pictures.begin(), pictures.end(), [&](const CalibrationPicture &each) {
+            return each.view.source == m_pictures.kept[i].board.view.source;
+        });
+        if (found != pictures.end())
+            m_errors[i] = found->rmsPx;
     }
     m_bars->setBars(names, m_errors);
     const Intrinsics &lens = answer.calibration.intrinsics;
     m_facts->setFacts({{tr("Model"), modelName(lens.model), {}},
-                       {tr("Pictures"), tr("%1 of %2").arg(answer.calibration.pictureRmsPx.size()).arg(m_pictures.kept.size()), {}},
+                       {tr("Pictures"), tr("%1 of %2").arg(answer.calibration.picturesUsed()).arg(m_pictures.kept.size()), {}},
                        {tr("Board error"), px(answer.calibration.rmsPx, 3), {}},
                        {tr("Held-out error"), answer.calibration.crossValidationPx > 0 ? px(answer.calibration.crossValidationPx, 3)
                                                                                        : tr("needs six pictures"), {}},
