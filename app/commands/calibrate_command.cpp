@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "core/base/units.h"
 #include "core/workflow/calibrate_job.h"
 
 namespace odo {
@@ -62,14 +63,23 @@ QJsonObject answerJson(const CalibrateJob &job)
     QJsonObject perImage;
     for (const CalibrationPicture &picture : calibration.pictures)
         perImage.insert(QString::fromStdString(picture.view.source), picture.rmsPx);
-    return {{QStringLiteral("camera"), QString::fromStdString(job.settings().camera)},
+    QJsonObject answer{{QStringLiteral("camera"), QString::fromStdString(job.settings().camera)},
             {QStringLiteral("rms_px"), calibration.rmsPx},
             {QStringLiteral("images_used"), qint64(calibration.picturesUsed())},
             {QStringLiteral("images_rejected"), rejected},
             {QStringLiteral("intrinsics"), intrinsicsJson(calibration.intrinsics)},
             {QStringLiteral("per_image_rms_px"), perImage},
             {QStringLiteral("crossvalidation_px"), calibration.crossValidationPx},
+            {QStringLiteral("lens_reason"), QString::fromStdString(calibration.lensReason)},
+            {QStringLiteral("corners_left_out"), qint64(calibration.cornersLeftOut())},
+            {QStringLiteral("corners_disagreeing"), calibration.disagreeingPart},
             {QStringLiteral("verdict"), QString::fromStdString(calibration.verdict)}};
+    if (calibration.onFloor)
+        answer.insert(QStringLiteral("on_floor_mm"),
+                      QJsonObject{{QStringLiteral("middle"), toMillimetres(calibration.onFloor->middleM)},
+                                  {QStringLiteral("worst"), toMillimetres(calibration.onFloor->worstM)},
+                                  {QStringLiteral("where"), QString::fromStdString(calibration.onFloor->worstWhere)}});
+    return answer;
 }
 
 } // namespace

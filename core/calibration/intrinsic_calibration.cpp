@@ -14,15 +14,19 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t leastViews = 3;
+constexpr std::size_t leastViews = 3, leastCorners = 6;
 constexpr double mostDisagreeing = 0.25; // of the corners: with more it is not known which of them are right
 
-bool isUsable(const BoardView &view)
+/// Why a view cannot be used and what to do; empty where it can.
+std::string faultOf(const BoardView &view)
 {
-    if (view.pixels.size() < 6 || view.pixels.size() != view.pointsOnBoard.size())
-        return false;
-    return std::ranges::all_of(view.pixels, [](const auto &p) { return p.allFinite(); }) &&
-           std::ranges::all_of(view.pointsOnBoard, [](const auto &p) { return p.allFinite(); });
+    const std::size_t corners = std::min(view.pixels.size(), view.pointsOnBoard.size());
+    if (corners < leastCorners || view.pixels.size() != view.pointsOnBoard.size())
+        return "it has " + std::to_string(corners) + " corners of the board, six are needed: show more of it";
+    if (!std::ranges::all_of(view.pixels, [](const auto &p) { return p.allFinite(); }) ||
+        !std::ranges::all_of(view.pointsOnBoard, [](const auto &p) { return p.allFinite(); }))
+        return "a corner of it is not a number: let the board be found in it again";
+    return "";
 }
 
 /// The views that can be used; the others are told with a reason.
@@ -31,10 +35,11 @@ std::vector<BoardView> usableViews(const std::vector<BoardView> &views,
 {
     std::vector<BoardView> usable;
     for (const BoardView &view : views) {
-        if (isUsable(view))
+        const std::string fault = faultOf(view);
+        if (fault.empty())
             usable.push_back(view);
         else
-            rejected.push_back({view.source, "fewer than six corners, or one that is not a number"});
+            rejected.push_back({view.source, fault});
     }
     return usable;
 }
@@ -80,7 +85,7 @@ std::vector<LensStart> startsFor(std::vector<BoardView> &views, int widthPx, int
         kept.push_back(std::move(*starts[i]));
     }
     for (auto index = dropped.rbegin(); index != dropped.rend(); ++index) {
-        rejected.push_back({views[*index].source, "the corners do not lie as on a flat board"});
+        rejected.push_back({views[*index].source, "its corners do not lie as on a flat board: glue the board onto something stiff"});
         views.erase(views.begin() + static_cast<std::ptrdiff_t>(*index));
     }
     return kept;

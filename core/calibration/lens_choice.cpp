@@ -77,8 +77,10 @@ std::string reasonOf(const Candidate &chosen, const std::vector<Candidate> &cand
     const std::string own = "it foretells pictures held out to " + pixelsOf(chosen) + ", the ";
     const bool simplest = &chosen == &candidates.front();
     const Candidate &against = simplest ? *other : candidates.front();
-    return own + lensModelName(against.model()) + " one " + (simplest ? "no better (" : "only to ") + pixelsOf(against) +
-           (simplest ? ")" : "");
+    const std::string name = lensModelName(against.model());
+    if (simplest && against.heldOutPx() < chosen.heldOutPx())
+        return own + name + " one to " + pixelsOf(against) + ", which may be chance";
+    return own + name + " one " + (simplest ? "no better (" : "only to ") + pixelsOf(against) + (simplest ? ")" : "");
 }
 
 } // namespace

@@ -35,6 +35,16 @@ private:
     const JobControl &m_control;
 };
 
+/// Ceres warns on standard error of steps that it then takes otherwise.
+void keepWarningsToItself()
+{
+    static const bool once = [] {
+        FLAGS_minloglevel = google::GLOG_ERROR;
+        return true;
+    }();
+    static_cast<void>(once);
+}
+
 Pose parametersOf(const RigidTransform &transform)
 {
     const Eigen::AngleAxisd turn(transform.rotation);
@@ -95,13 +105,13 @@ public:
         options.linear_solver_type = ceres::DENSE_SCHUR;
         options.linear_solver_ordering.reset(ordering);
         options.max_num_iterations = 200;
-        options.function_tolerance = 1e-12;
+        options.function_tolerance = wanted.holdFocal ? 1e-9 : 1e-12; // a probe needs no last digits
         options.parameter_tolerance = 1e-12;
         options.gradient_tolerance = 1e-14;
         // Coefficients of the rational lens that the pictures do not determine leave a matrix that cannot be factored:
-        // some damping stays, and the library does not warn of steps that it damps more, on the terminal.
+        // some damping stays, and steps that need more of it are no news for the terminal.
         options.max_trust_region_radius = 1e9;
-        FLAGS_minloglevel = google::GLOG_ERROR;
+        keepWarningsToItself();
         options.logging_type = ceres::SILENT;
         options.callbacks.push_back(&stop);
         ceres::Solver::Summary summary;

@@ -1,74 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/calibration_rows.h"
 #include "core/project/connection.h"
 #include "core/project/lens_rows.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
+#include "core/project/stored_words.h"
 
 namespace odo {
 
 namespace {
 
 const QString intrinsicsColumns =
-    QStringLiteral("SELECT id, camera_id, lens_id, made_ms, origin, rms_px, cross_validation_px, verdict "
-                   "FROM intrinsics ");
+    QStringLiteral("SELECT id, camera_id, lens_id, made_ms, origin, rms_px, cross_validation_px, verdict, "
+                   "software_version, board_pattern, board_columns, board_rows, square_m, marker_ratio, dictionary, "
+                   "lens_reason, disagreeing_part FROM intrinsics ");
 
 CameraRecord cameraOf(const Statement &row)
 {
     return {row.integer(0), row.text(1), row.text(2)};
-}
-
-/// One row of a table that lists pictures: with a number or with a reason.
-template <class Value>
-Result<void> addPicture(ProjectConnection &connection, const QString &sql, RecordId intrinsics,
-                        std::size_t position, const std::string &file, const Value &value)
-{
-    if (auto valid = checkText("name of a calibration picture", file); !valid)
-        return valid;
-    Statement insert(connection, sql);
-    return insert.bind(intrinsics).bind(static_cast<std::int64_t>(position)).bind(file).bind(value).run();
-}
-
-Result<void> addPictures(ProjectConnection &connection, RecordId id, const IntrinsicCalibration &calibration)
-{
-    for (std::size_t i = 0; i < calibration.pictures.size(); ++i) {
-        const CalibrationPicture &picture = calibration.pictures[i];
-        if (auto done =
-                addPicture(connection, QStringLiteral("INSERT INTO calibration_picture VALUES (?,?,?,?)"), id,
-                           i, picture.view.source, picture.rmsPx);
-            !done)
-            return done;
-    }
-    for (std::size_t i = 0; i < calibration.rejected.size(); ++i) {
-        const RejectedPicture &picture = calibration.rejected[i];
-        if (auto done =
-                addPicture(connection, QStringLiteral("INSERT INTO rejected_picture VALUES (?,?,?,?)"), id, i,
-                           picture.file, picture.reason);
-            !done)
-            return done;
-    }
-    return {};
-}
-
-Result<void> readPictures(const ProjectConnection &connection, RecordId id, IntrinsicCalibration &into)
-{
-    Statement used(connection,
-                   QStringLiteral("SELECT file, rms_px FROM calibration_picture WHERE intrinsics_id=? "
-                                  "ORDER BY position"));
-    auto read = used.bind(id).eachRow([&into](const Statement &row) -> Result<void> {
-        into.pictures.emplace_back();
-        into.pictures.back().view.source = row.text(0);
-        into.pictures.back().rmsPx = row.real(1);
-        return {};
-    });
-    if (!read)
-        return read;
-    Statement rejected(connection,
-                       QStringLiteral("SELECT file, reason FROM rejected_picture WHERE intrinsics_id=? "
-                                      "ORDER BY position"));
-    return rejected.bind(id).eachRow([&into](const Statement &row) -> Result<void> {
-        into.rejected.push_back({row.text(0), row.text(1)});
-        return {};
-    });
 }
 
 Result<IntrinsicsRecord> readIntrinsics(const ProjectConnection &connection, const Statement &row)
@@ -85,7 +34,22 @@ Result<IntrinsicsRecord> readIntrinsics(const ProjectConnection &connection, con
     if (!intrinsics)
         return tl::unexpected(intrinsics.error());
     record.calibration.intrinsics = std::move(*intrinsics);
-    if (auto read = readPictures(connection, record.id, record.calibration); !read)
+    record.softwareVersion = row.text(8);
+    if (!row.text(9).empty()) {
+        const auto pattern =
+            fromStoredWord(boardPatternWords, row.text(9), "calibration " + std::to_string(record.id) + " of the project");
+        if (!pattern)
+            return tl::unexpected(pattern.error());
+        record.board.pattern = *pattern;
+    }
+    record.board.columns = row.smallInteger(10);
+    record.board.rows = row.smallInteger(11);
+    record.board.squareM = row.real(12);
+    record.board.markerRatio = row.real(13);
+    record.board.dictionary = row.text(14);
+    record.calibration.lensReason = row.text(15);
+    record.calibration.disagreeingPart = row.real(16);
+    if (auto read = readCalibrationPictures(connection, record); !read)
         return tl::unexpected(read.error());
     return record;
 }
@@ -159,16 +123,23 @@ Result<IntrinsicsRecord> CameraRepository::addIntrinsics(const IntrinsicsRecord 
         Statement insert(
             m_connection,
             QStringLiteral("INSERT INTO intrinsics (camera_id, lens_id, made_ms, origin, rms_px, "
-                           "cross_validation_px, verdict) VALUES (?,?,?,?,?,?,?)"));
+                           "cross_validation_px, verdict, software_version, board_pattern, board_columns, "
+                           "board_rows, square_m, marker_ratio, dictionary, lens_reason, disagreeing_part) "
+                           "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
         insert.bind(intrinsics.camera).bind(*lensId);
         insert.bind(static_cast<std::int64_t>(intrinsics.made.time_since_epoch().count()))
             .bind(intrinsics.origin);
         insert.bind(calibration.rmsPx).bind(calibration.crossValidationPx).bind(calibration.verdict);
+        const BoardSpec &board = intrinsics.board;
+        insert.bind(intrinsics.softwareVersion);
+        insert.bind(board.pattern ? storedWord(boardPatternWords, *board.pattern) : std::string());
+        insert.bind(board.columns).bind(board.rows).bind(board.squareM).bind(board.markerRatio).bind(board.dictionary);
+        insert.bind(calibration.lensReason).bind(calibration.disagreeingPart);
         if (auto done = insert.run(); !done)
             return tl::unexpected(done.error());
         IntrinsicsRecord stored = intrinsics;
         stored.id = insert.insertedId();
-        if (auto added = addPictures(m_connection, stored.id, calibration); !added)
+        if (auto added = addCalibrationPictures(m_connection, stored); !added)
             return tl::unexpected(added.error());
         return stored;
     });
@@ -187,6 +158,22 @@ Result<std::optional<IntrinsicsRecord>> CameraRepository::currentIntrinsics(Reco
     if (!record)
         return tl::unexpected(record.error());
     return std::optional(std::move(*record));
+}
+
+Result<std::vector<IntrinsicsRecord>> CameraRepository::allIntrinsics(RecordId camera) const
+{
+    std::vector<IntrinsicsRecord> all;
+    Statement select(m_connection, intrinsicsColumns + QStringLiteral("WHERE camera_id=? ORDER BY id DESC"));
+    auto read = select.bind(camera).eachRow([&](const Statement &row) -> Result<void> {
+        auto record = readIntrinsics(m_connection, row);
+        if (!record)
+            return tl::unexpected(record.error());
+        all.push_back(std::move(*record));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return all;
 }
 
 Result<IntrinsicsRecord> CameraRepository::intrinsics(RecordId id) const

@@ -33,30 +33,55 @@ Result<void> checkDatabase(const ProjectConnection &connection, Problems &proble
     });
 }
 
-void checkFile(const Project &project, const RecordingRecord &recording, bool withHash, Problems &problems)
+/// A file that the project refers to. name: "the recording of view 'A'".
+struct KeptFile
 {
-    const std::filesystem::path file = project.resolve(recording);
+    std::filesystem::path file;
+    std::string name, sha256;
+    std::int64_t bytes;
+    std::string adviceWhenMissing;
+};
+
+void checkFile(const KeptFile &kept, bool withHash, Problems &problems)
+{
     const auto report = [&](const std::string &what, const std::string &advice) {
-        problems.push_back({what, file.string(), advice});
+        problems.push_back({what, kept.file.string(), advice});
     };
     std::error_code problem;
-    const std::uintmax_t bytes = std::filesystem::file_size(file, problem);
+    const std::uintmax_t bytes = std::filesystem::file_size(kept.file, problem);
     if (problem)
-        return report("the recording of view '" + recording.cameraName + "' is missing",
-                      "put the file back in its place; the measured track is kept without it");
-    if (bytes != static_cast<std::uintmax_t>(recording.bytes))
-        return report("the recording of view '" + recording.cameraName + "' has " + std::to_string(bytes) +
-                          " bytes instead of " + std::to_string(recording.bytes),
+        return report(kept.name + " is missing", kept.adviceWhenMissing);
+    if (bytes != static_cast<std::uintmax_t>(kept.bytes))
+        return report(kept.name + " has " + std::to_string(bytes) + " bytes instead of " + std::to_string(kept.bytes),
                       "put the original file back in its place");
-    if (!withHash || recording.sha256.empty())
+    if (!withHash || kept.sha256.empty())
         return;
-    const auto hash = fileSha256(file, {});
+    const auto hash = fileSha256(kept.file, {});
     if (!hash)
-        return report("the recording of view '" + recording.cameraName + "' cannot be read",
-                      "check the disk");
-    if (*hash != recording.sha256)
-        report("the recording of view '" + recording.cameraName + "' was changed since it was made",
-               "put the original file back in its place");
+        return report(kept.name + " cannot be read", "check the disk");
+    if (*hash != kept.sha256)
+        report(kept.name + " was changed since it was made", "put the original file back in its place");
+}
+
+void checkCalibrations(Project &project, const CameraRecord &camera, bool withHashes, Problems &problems)
+{
+    const auto all = project.cameras().allIntrinsics(camera.id);
+    if (!all) {
+        problems.push_back({all.error().what + ": " + all.error().why, "camera '" + camera.name + "'", restoreAdvice});
+        return;
+    }
+    for (const IntrinsicsRecord &record : *all) {
+        for (std::size_t i = 0; i < record.files.size(); ++i) {
+            const StoredPicture &picture = record.files[i];
+            if (picture.path.empty())
+                continue;
+            checkFile({absolutePath(project.file(), picture.path),
+                       "the calibration picture '" + record.calibration.pictures[i].view.source + "' of camera '" +
+                           camera.name + "'",
+                       picture.sha256, picture.bytes, "put the file back in its place; the lens is kept without it"},
+                      withHashes, problems);
+        }
+    }
 }
 
 void checkObservations(Project &project, const RecordingRecord &recording, const std::string &where,
@@ -91,7 +116,9 @@ void checkTrial(Project &project, const TrialRecord &trial, const std::vector<Ro
         return;
     }
     for (const RecordingRecord &recording : *recordings) {
-        checkFile(project, recording, withHashes, problems);
+        checkFile({project.resolve(recording), "the recording of view '" + recording.cameraName + "'", recording.sha256,
+                   recording.bytes, "put the file back in its place; the measured track is kept without it"},
+                  withHashes, problems);
         for (const RobotRecord &robot : robots)
             checkObservations(project, recording, where, robot, problems);
     }
@@ -120,6 +147,10 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
     }
     if (!robots || !trials)
         return problems;
+    if (const auto cameras = project.cameras().all()) {
+        for (const CameraRecord &camera : *cameras)
+            checkCalibrations(project, camera, withHashes, problems);
+    }
     for (const TrialRecord &trial : *trials)
         checkTrial(project, trial, *robots, withHashes, problems);
     return problems;

@@ -30,6 +30,14 @@ struct CameraRecord
     std::string deviceUri; ///< may be empty
 };
 
+/// A picture of a calibration, in the project's media folder.
+struct StoredPicture
+{
+    std::string path; ///< as a recording's; empty: it was not kept
+    std::string sha256;
+    std::int64_t bytes = 0;
+};
+
 /// A revision of a camera's intrinsics; the newest is in force, old ones are kept.
 struct IntrinsicsRecord
 {
@@ -37,7 +45,13 @@ struct IntrinsicsRecord
     RecordId camera = 0;
     Instant made;
     std::string origin; ///< "calibrated", "imported from A.yaml"
-    IntrinsicCalibration calibration; ///< for an import: rmsPx 0 and no pictures
+    /// For an import: rmsPx 0 and no pictures. What follows from the rest is not stored: onFloor (expectedOnFloor gives
+    /// it), halvesApart, lensTrials. With its pictures' corners it can be solved again (recalibrate); those of projects
+    /// before format 5 have none.
+    IntrinsicCalibration calibration;
+    BoardSpec board;             ///< as it was found out; 0 columns: not known
+    std::string softwareVersion; ///< that made it; empty: not known
+    std::vector<StoredPicture> files; ///< one for each of calibration.pictures, or none at all
 };
 
 /// A revision of a camera's registration to the floor.

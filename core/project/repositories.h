@@ -26,6 +26,8 @@ public:
     Result<IntrinsicsRecord> addIntrinsics(const IntrinsicsRecord &intrinsics);
     /// The newest; nullopt when the camera was never calibrated.
     Result<std::optional<IntrinsicsRecord>> currentIntrinsics(RecordId camera) const;
+    /// Every calibration and import, the newest first.
+    Result<std::vector<IntrinsicsRecord>> allIntrinsics(RecordId camera) const;
     Result<IntrinsicsRecord> intrinsics(RecordId id) const;
     Result<RegistrationRecord> addRegistration(const RegistrationRecord &registration);
     Result<std::optional<RegistrationRecord>> currentRegistration(RecordId camera) const;

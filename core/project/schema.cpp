@@ -170,6 +170,27 @@ std::vector<std::string> viewsInStep()
     };
 }
 
+/// Calibrations with what they were made from: the board, the corners found, and the pictures.
+std::vector<std::string> calibrationPictures()
+{
+    return {
+        "ALTER TABLE intrinsics ADD COLUMN software_version TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE intrinsics ADD COLUMN board_pattern TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE intrinsics ADD COLUMN board_columns INTEGER NOT NULL DEFAULT 0",
+        "ALTER TABLE intrinsics ADD COLUMN board_rows INTEGER NOT NULL DEFAULT 0",
+        "ALTER TABLE intrinsics ADD COLUMN square_m REAL NOT NULL DEFAULT 0",
+        "ALTER TABLE intrinsics ADD COLUMN marker_ratio REAL NOT NULL DEFAULT 0",
+        "ALTER TABLE intrinsics ADD COLUMN dictionary TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE intrinsics ADD COLUMN lens_reason TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE intrinsics ADD COLUMN disagreeing_part REAL NOT NULL DEFAULT 0",
+        "ALTER TABLE calibration_picture ADD COLUMN used INTEGER NOT NULL DEFAULT 1",
+        "ALTER TABLE calibration_picture ADD COLUMN corners BLOB",
+        "ALTER TABLE calibration_picture ADD COLUMN path TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE calibration_picture ADD COLUMN sha256 TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE calibration_picture ADD COLUMN bytes INTEGER NOT NULL DEFAULT 0",
+    };
+}
+
 } // namespace
 
 std::vector<Migration> projectMigrations()
@@ -178,7 +199,8 @@ std::vector<Migration> projectMigrations()
             sqlMigration("samples overruled by hand", overrules()),
             sqlMigration("rates of the cameras' clocks", clockRates()),
             sqlMigration("tasks with gates, a reference path and limits", tasks()),
-            sqlMigration("how each view was put in step", viewsInStep())};
+            sqlMigration("how each view was put in step", viewsInStep()),
+            sqlMigration("calibrations with their boards, corners and pictures", calibrationPictures())};
 }
 
 } // namespace odo

@@ -14,11 +14,13 @@ constexpr BlobLayout observationsLayout{'O', 1, 8 + 8 + 1 + 10 * 8};
 constexpr BlobLayout samplesLayout{'S', 1, 8 + 8 + 1 + 8 * 8 + 4 + 8 + 4};
 constexpr BlobLayout pointsLayout{'P', 1, 1 + 12 * 8};
 constexpr BlobLayout truthLayout{'R', 1, 8 + 6 * 8};
+constexpr BlobLayout cornersLayout{'C', 1, 1 + 6 * 8};
 constexpr BlobLayout numbersLayout{'D', 1, 8};
 constexpr BlobLayout squareLayout{'M', 1, 8};
 
 constexpr std::uint8_t foundBit = 1, duplicateBit = 2, borderBit = 4;
 constexpr std::uint8_t positionBit = 1, disagreementBit = 2;
+constexpr std::uint8_t standsOutBit = 1, leftOutBit = 2;
 constexpr std::size_t maxSquareSize = 64;
 
 /// One column: each row's value, as `value(row)` gives it.
@@ -242,6 +244,43 @@ Result<void> unpackTruth(const QByteArray &bytes, const std::string &what, Truth
     for (auto *series : {&into.positions, &into.velocities, &into.accelerations}) {
         series->resize(reader->rows());
         takeVector(*reader, *series, [](Eigen::Vector2d &v) -> Eigen::Vector2d & { return v; });
+    }
+    return {};
+}
+
+QByteArray packCorners(const CalibrationPicture &picture)
+{
+    const std::size_t corners = picture.view.pixels.size();
+    std::vector<std::uint8_t> bits(corners, 0);
+    for (std::size_t corner : picture.outliers)
+        bits.at(corner) |= standsOutBit;
+    for (std::size_t corner : picture.leftOut)
+        bits.at(corner) |= leftOutBit;
+    std::vector<Eigen::Vector2d> residuals = picture.residualsPx;
+    residuals.resize(corners, Eigen::Vector2d::Zero());
+    BlobWriter writer(cornersLayout, corners);
+    putColumn(writer, bits, [](std::uint8_t bit) { return bit; });
+    for (const auto *vectors : {&picture.view.pixels, &picture.view.pointsOnBoard, &std::as_const(residuals)})
+        putVector(writer, *vectors, [](const Eigen::Vector2d &vector) { return vector; });
+    return writer.take();
+}
+
+Result<void> unpackCorners(const QByteArray &bytes, const std::string &what, CalibrationPicture &into)
+{
+    auto reader = BlobReader::open(bytes, cornersLayout, what);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    const std::size_t corners = reader->rows();
+    for (std::size_t i = 0; i < corners; ++i) {
+        const auto bits = reader->take<std::uint8_t>();
+        if (bits & standsOutBit)
+            into.outliers.push_back(i);
+        if (bits & leftOutBit)
+            into.leftOut.push_back(i);
+    }
+    for (auto *vectors : {&into.view.pixels, &into.view.pointsOnBoard, &into.residualsPx}) {
+        vectors->assign(corners, Eigen::Vector2d::Zero());
+        takeVector(*reader, *vectors, [](Eigen::Vector2d &vector) -> Eigen::Vector2d & { return vector; });
     }
     return {};
 }

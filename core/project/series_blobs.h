@@ -38,6 +38,11 @@ QByteArray packTruth(const TruthSeries &truth);
 /// Fills the vectors of `into`.
 Result<void> unpackTruth(const QByteArray &bytes, const std::string &what, TruthSeries &into);
 
+/// The corners of a picture of a board with their residuals, and which of them stand out or do not count.
+QByteArray packCorners(const CalibrationPicture &picture);
+/// Fills in the picture's corners; the rest of it stays.
+Result<void> unpackCorners(const QByteArray &bytes, const std::string &what, CalibrationPicture &into);
+
 QByteArray packNumbers(std::span<const double> numbers);
 Result<std::vector<double>> unpackNumbers(const QByteArray &bytes, const std::string &what);
 

@@ -16,6 +16,8 @@ using StoredWords = std::array<std::pair<Value, std::string_view>, Count>;
 
 constexpr StoredWords<LensModel, 3> lensModelWords{
     {{LensModel::Standard, "standard"}, {LensModel::Rational, "rational"}, {LensModel::Fisheye, "fisheye"}}};
+constexpr StoredWords<BoardPattern, 2> boardPatternWords{
+    {{BoardPattern::Checkerboard, "checkerboard"}, {BoardPattern::Charuco, "charuco"}}};
 constexpr StoredWords<RobotRecord::Height, 3> heightModeWords{{{RobotRecord::Height::Told, "told"},
                                                                {RobotRecord::Height::Automatic, "automatic"},
                                                                {RobotRecord::Height::Free, "free"}}};

@@ -31,4 +31,17 @@ Result<void> writePicture(const Frame &frame, const std::filesystem::path &file)
     return {};
 }
 
+Result<std::vector<unsigned char>> greyPng(const Frame &frame)
+{
+    std::vector<unsigned char> bytes;
+    try {
+        const cv::Mat luma(frame.y.height, frame.y.width, CV_8UC1, const_cast<std::uint8_t *>(frame.y.data),
+                           static_cast<std::size_t>(frame.y.stride));
+        if (!luma.empty() && cv::imencode(".png", luma, bytes))
+            return bytes;
+    } catch (const cv::Exception &) {
+    }
+    return fail(ErrorCode::Internal, "picture", "it could not be packed", "use another picture");
+}
+
 } // namespace odo

@@ -5,10 +5,14 @@
 #include "core/video/frame.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace odo {
 
 /// Writes a frame as a still picture in colour; the ending names the format (.png, .jpg).
 Result<void> writePicture(const Frame &frame, const std::filesystem::path &file);
+
+/// A frame's luma as a grey PNG, unchanged.
+Result<std::vector<unsigned char>> greyPng(const Frame &frame);
 
 } // namespace odo

@@ -4,6 +4,7 @@
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/video/picture_writer.h"
 #include "core/workflow/cameras.h"
 #include "core/workflow/picture_source.h"
 
@@ -92,11 +93,13 @@ void CalibrateJob::searchPicture(const Frame &frame, const std::string &name)
     m_settings.board.columns = view->columns;
     m_settings.board.rows = view->rows;
     m_views.push_back(std::move(*view));
+    if (auto png = greyPng(frame))
+        m_pictures.push_back({name, std::move(*png)});
 }
 
 Result<void> CalibrateJob::commit(Project &project)
 {
-    const auto stored = storeCalibration(project, m_settings.camera, m_calibration);
+    const auto stored = storeCalibration(project, m_settings.camera, m_calibration, m_settings.board, m_pictures);
     if (!stored)
         return tl::unexpected(stored.error());
     return {};

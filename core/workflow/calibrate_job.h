@@ -3,6 +3,7 @@
 
 #include "core/calibration/board_detection.h"
 #include "core/project/records.h"
+#include "core/workflow/calibration_media.h"
 #include "core/workflow/job.h"
 
 #include <filesystem>
@@ -39,6 +40,7 @@ private:
 
     CalibrateSettings m_settings;
     std::vector<BoardView> m_views;
+    std::vector<BoardPicture> m_pictures; ///< of the views
     std::vector<RejectedPicture> m_rejected;
     int m_widthPx = 0, m_heightPx = 0;
     IntrinsicCalibration m_calibration;

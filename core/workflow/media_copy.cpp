@@ -23,14 +23,6 @@ QString safeName(const std::string &name)
     return safe;
 }
 
-std::filesystem::path unusedPath(const std::filesystem::path &folder, const QString &stem, const std::string &ending)
-{
-    std::filesystem::path path = folder / (stem.toStdString() + ending);
-    for (int number = 2; std::filesystem::exists(path); ++number)
-        path = folder / (stem.toStdString() + "_" + std::to_string(number) + ending);
-    return path;
-}
-
 /// Copies block by block, hashing on the way, and gives the hash.
 Result<std::string> copyHashed(const std::filesystem::path &source, const std::filesystem::path &target,
                                const std::string &what, const JobControl &control)
@@ -62,6 +54,16 @@ Result<std::string> copyHashed(const std::filesystem::path &source, const std::f
 
 } // namespace
 
+std::filesystem::path freeMediaPath(const std::filesystem::path &folder, const std::string &name,
+                                    const std::string &ending)
+{
+    const std::string stem = safeName(name).toStdString();
+    std::filesystem::path path = folder / (stem + ending);
+    for (int number = 2; std::filesystem::exists(path); ++number)
+        path = folder / (stem + "_" + std::to_string(number) + ending);
+    return path;
+}
+
 Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::filesystem::path &mediaFolder,
                                 const std::string &name, const JobControl &control)
 {
@@ -73,7 +75,7 @@ Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::
     MediaCopy copy;
     const std::filesystem::path original = std::filesystem::absolute(source);
     copy.made = !std::filesystem::equivalent(original.parent_path(), mediaFolder, problem);
-    copy.file = copy.made ? unusedPath(mediaFolder, safeName(name), source.extension().string()) : original;
+    copy.file = copy.made ? freeMediaPath(mediaFolder, name, source.extension().string()) : original;
     const auto hash = copy.made ? copyHashed(original, copy.file, what, control) : fileSha256(original, control);
     if (!hash)
         return tl::unexpected(hash.error());

@@ -24,4 +24,8 @@ struct MediaCopy
 Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::filesystem::path &mediaFolder,
                                 const std::string &name, const JobControl &control);
 
+/// A file name in a folder that is not taken yet, made of a name that is made safe for every file system.
+std::filesystem::path freeMediaPath(const std::filesystem::path &folder, const std::string &name,
+                                    const std::string &ending);
+
 } // namespace odo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures the speed of decoding and tracking beside libavcodec's and OpenCV's, and the accuracy beside it.
 #include "tests/acceptance/scenes/scene_report.h"
+#include "tests/benchmark/lens_rounds.h"
 #include "tests/benchmark/speed_rounds.h"
 
 #include <QCommandLineParser>
@@ -20,6 +21,7 @@ struct Order
     QString folder, json, scenes, program;
     int rounds = 5;
     double durationS = 10;
+    bool calibrationOnly = false;
 };
 
 Order orderFrom(const QCoreApplication &app)
@@ -38,6 +40,7 @@ Order orderFrom(const QCoreApplication &app)
            QString());
     option("program", "The odograph to measure there.",
            qEnvironmentVariable("ODOGRAPH_PROGRAM", QStringLiteral("odograph")));
+    parser.addOption({QStringLiteral("calibration"), QStringLiteral("Measures the calibration alone.")});
     parser.process(app);
     const auto value = [&](const char *name) { return parser.value(QString::fromLatin1(name)); };
     return {value("folder"),
@@ -45,7 +48,8 @@ Order orderFrom(const QCoreApplication &app)
             value("scenes"),
             value("program"),
             std::max(1, value("rounds").toInt()),
-            std::max(2.0, value("seconds").toDouble())};
+            std::max(2.0, value("seconds").toDouble()),
+            parser.isSet(QStringLiteral("calibration"))};
 }
 
 void print(const QString &text)
@@ -86,6 +90,13 @@ int main(int argc, char *argv[])
 {
     const QCoreApplication app(argc, argv);
     const Order order = orderFrom(app);
+    const std::vector<Figure> calibration = measureCalibration(order.rounds);
+    if (calibration.empty())
+        return fail(QStringLiteral("the boards cannot be calibrated from"));
+    if (order.calibrationOnly) {
+        print(figuresTable(calibration));
+        return std::ranges::all_of(calibration, &Figure::isMet) ? 0 : 1;
+    }
     const QTemporaryDir scratch;
     const QString folder = order.folder.isEmpty() ? scratch.path() : order.folder;
     std::filesystem::create_directories(folder.toStdString());
@@ -97,6 +108,7 @@ int main(int argc, char *argv[])
     if (figures.empty())
         return fail(QStringLiteral("the clips in %1 cannot be read; remove them").arg(folder));
     figures.push_back(measureColdSearch(clips->h264));
+    figures.insert(figures.end(), calibration.begin(), calibration.end());
     const std::vector<Figure> centres = measureCentres(*clips);
     figures.insert(figures.end(), centres.begin(), centres.end());
     print(figuresTable(figures));

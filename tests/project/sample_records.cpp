@@ -38,7 +38,18 @@ IntrinsicsRecord RecordSource::calibration(RecordId camera)
         record.calibration.pictures.emplace_back();
         record.calibration.pictures.back().view.source = file;
         record.calibration.pictures.back().rmsPx = positive();
+        record.calibration.pictures.back().view.pixels = {vector(), vector(), vector()};
+        record.calibration.pictures.back().view.pointsOnBoard = {vector(), vector(), vector()};
+        record.calibration.pictures.back().residualsPx = {vector(), vector(), vector()};
     }
+    record.calibration.pictures[0].outliers = {0, 2};
+    record.calibration.pictures[0].leftOut = {2};
+    record.calibration.pictures[1].used = false;
+    record.calibration.lensReason = "told";
+    record.calibration.disagreeingPart = positive();
+    record.board = {BoardPattern::Charuco, 9, 6, positive(), positive(), "DICT_6X6_250"};
+    record.softwareVersion = "0.1.0";
+    record.files = {{"run.media/calibration/A_1.png", "00ff", 12345}, {}};
     record.calibration.rejected = {{"c.jpg", "no board found"}};
     record.calibration.crossValidationPx = positive();
     record.calibration.verdict = "good";

@@ -133,7 +133,28 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < read.pictures.size(); ++i) {
             QCOMPARE(read.pictures[i].view.source, stored.pictures[i].view.source);
             QVERIFY(same(read.pictures[i].rmsPx, stored.pictures[i].rmsPx));
+            QCOMPARE(read.pictures[i].used, i == 0);
+            QCOMPARE(read.pictures[i].view.columns, 9);
+            QCOMPARE(read.pictures[i].view.pattern, BoardPattern::Charuco);
+            QVERIFY(read.pictures[i].view.pixels == stored.pictures[i].view.pixels);
+            QVERIFY(read.pictures[i].view.pointsOnBoard == stored.pictures[i].view.pointsOnBoard);
+            QVERIFY(read.pictures[i].residualsPx == stored.pictures[i].residualsPx);
+            QVERIFY(read.pictures[i].outliers == stored.pictures[i].outliers);
+            QVERIFY(read.pictures[i].leftOut == stored.pictures[i].leftOut);
         }
+        QCOMPARE(read.lensReason, stored.lensReason);
+        QVERIFY(same(read.disagreeingPart, stored.disagreeingPart));
+        QCOMPARE(first->softwareVersion, older->softwareVersion);
+        QCOMPARE(first->board.rows, 6);
+        QCOMPARE(first->board.dictionary, std::string("DICT_6X6_250"));
+        QVERIFY(same(first->board.squareM, older->board.squareM) && same(first->board.markerRatio, older->board.markerRatio));
+        QCOMPARE(first->files.size(), std::size_t(2));
+        QCOMPARE(first->files[0].path, older->files[0].path);
+        QCOMPARE(first->files[0].sha256, older->files[0].sha256);
+        QCOMPARE(first->files[0].bytes, std::int64_t(12345));
+        QVERIFY(first->files[1].path.empty());
+        const auto all = m_project->cameras().allIntrinsics(camera);
+        QVERIFY(all && all->size() == 2 && all->front().id == newer->id && all->back().id == older->id);
         QCOMPARE(read.rejected.size(), std::size_t(1));
         QCOMPARE(read.rejected[0].file, stored.rejected[0].file);
         QCOMPARE(read.rejected[0].reason, stored.rejected[0].reason);

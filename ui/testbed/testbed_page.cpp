@@ -4,6 +4,7 @@
 #include "core/exchange/layout_csv.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/video/picture_writer.h"
 #include "core/workflow/cameras.h"
 #include "ui/models/timeline.h"
 #include "ui/testbed/lens/lens_wizard.h"
@@ -299,7 +300,19 @@ void TestbedPage::calibrate()
     if (wizard.exec() != QDialog::Accepted)
         return;
     const MeasuredLens lens = wizard.result();
-    if (const auto stored = storeCalibration(m_project, lens.camera.toStdString(), lens.calibration); !stored) {
+    std::vector<BoardPicture> pictures;
+    BoardSpec board;
+    board.squareM = lens.squareM;
+    for (const KeptPicture &picture : lens.pictures) {
+        const BoardView &view = picture.board.view;
+        board.pattern = view.pattern;
+        board.columns = view.columns;
+        board.rows = view.rows;
+        if (auto png = greyPng(picture.frame))
+            pictures.push_back({view.source, std::move(*png)});
+    }
+    const auto stored = storeCalibration(m_project, lens.camera.toStdString(), lens.calibration, board, pictures);
+    if (!stored) {
         Q_EMIT failed(stored.error());
         return;
     }

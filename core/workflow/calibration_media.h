@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// A picture of a board on its way into the project.
+struct BoardPicture
+{
+    std::string source;             ///< as BoardView::source
+    std::vector<unsigned char> png; ///< grey
+};
+
+/// Writes pictures into "<name>.media/calibration". What was written is removed again by the destructor unless it is kept,
+/// so that a calibration that cannot be stored leaves nothing. At most 200 MB a calibration: what is beyond is not kept,
+/// its corners are.
+class CalibrationMedia
+{
+public:
+    explicit CalibrationMedia(const std::filesystem::path &mediaFolder);
+    ~CalibrationMedia();
+    CalibrationMedia(const CalibrationMedia &) = delete;
+    CalibrationMedia &operator=(const CalibrationMedia &) = delete;
+
+    /// Whole and on the disk when it returns. An empty path where the limit is reached. Error Io.
+    Result<StoredPicture> write(const std::string &name, const std::vector<unsigned char> &png);
+    void keep() { m_files.clear(); }
+
+private:
+    std::filesystem::path m_mediaFolder, m_folder;
+    std::vector<std::filesystem::path> m_files;
+    std::size_t m_bytes = 0;
+};
+
+} // namespace odo

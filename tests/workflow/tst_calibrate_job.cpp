@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From pictures to a stored calibration: what is kept, what is refused, and in which words.
+#include "core/calibration/board_collector.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/simulation/board_poses.h"
+#include "core/simulation/renderer.h"
+#include "core/video/picture_writer.h"
+#include "core/workflow/calibrate_job.h"
+#include "core/workflow/cameras.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <functional>
+#include <set>
+
+using namespace odo;
+
+namespace {
+
+constexpr int widthPx = 640, heightPx = 360;
+
+CameraModel camera(double focalPx = 560)
+{
+    return *CameraModel::create({widthPx, heightPx, focalPx, focalPx + 1, 322, 178, LensModel::Standard, {-0.1, 0.02, 0, 0}, {}});
+}
+
+std::vector<RigidTransform> poses(int count)
+{
+    return heldBoardPoses(camera(), SimulatedBoard(), count, 5);
+}
+
+Frame rendered(const RigidTransform &cameraFromBoard, const CameraModel &through = camera())
+{
+    SimulatedBoard board;
+    board.cameraFromBoard = cameraFromBoard;
+    return renderBoard(through, board, 1, 1);
+}
+
+/// A board of 9×6 whose middle is at a place, turned about the camera's x axis.
+RigidTransform posed(const Eigen::Vector3d &middle, double degrees)
+{
+    RigidTransform cameraFromBoard;
+    cameraFromBoard.rotation = Eigen::AngleAxisd(degrees * EIGEN_PI / 180, Eigen::Vector3d::UnitX());
+    cameraFromBoard.translation = middle - cameraFromBoard.rotation * Eigen::Vector3d(0.1, 0.0625, 0);
+    return cameraFromBoard;
+}
+
+/// Every pixel the mean of those around it.
+Frame blurred(const Frame &frame, int reach)
+{
+    auto buffer = std::make_shared<FrameBuffer>(frame.format);
+    for (int y = 0; y < heightPx; ++y) {
+        for (int x = 0; x < widthPx; ++x) {
+            int sum = 0, count = 0;
+            for (int v = std::max(0, y - reach); v <= std::min(heightPx - 1, y + reach); ++v)
+                for (int u = std::max(0, x - reach); u <= std::min(widthPx - 1, x + reach); ++u, ++count)
+                    sum += frame.y.data[v * frame.y.stride + u];
+            buffer->yRow(y)[x] = std::uint8_t(sum / count);
+        }
+    }
+    return FrameBuffer::toFrame(buffer, 0, Nanoseconds(0));
+}
+
+std::vector<BoardView> views(int count, const CameraModel &through = camera())
+{
+    std::vector<BoardView> seen;
+    for (const RigidTransform &pose : heldBoardPoses(through, SimulatedBoard(), count, 11)) {
+        seen.push_back({"picture" + std::to_string(seen.size()), 9, 6, {}, {}});
+        for (int i = 0; i < 54; ++i) {
+            const Eigen::Vector2d point(0.025 * (i % 9), 0.025 * (i / 9));
+            seen.back().pixels.push_back(*through.project(pose * Eigen::Vector3d(point.x(), point.y(), 0)));
+            seen.back().pointsOnBoard.push_back(point);
+        }
+    }
+    return seen;
+}
+
+std::string calibrationOf(const std::vector<BoardView> &of)
+{
+    const auto result = calibrateIntrinsics(of, widthPx, heightPx, std::nullopt, JobControl());
+    return result ? "accepted" : result.error().message();
+}
+
+/// Why the one picture that was changed is not used.
+std::string rejectionOf(const std::function<void(BoardView &)> &change)
+{
+    std::vector<BoardView> of = views(10);
+    change(of[4]);
+    const auto result = calibrateIntrinsics(of, widthPx, heightPx, LensModel::Standard, JobControl());
+    return result && result->rejected.size() == 1 ? result->rejected[0].reason : "accepted";
+}
+
+std::string offered(BoardCollector &collector, const Frame &frame)
+{
+    const PictureAnswer answer = collector.offer(frame, "p.png");
+    return answer.refusal ? answer.refusal->message() : "accepted";
+}
+
+std::string found(const Frame &frame, int columns = 0, int rows = 0, double squareM = 0.025)
+{
+    BoardSpec spec;
+    spec.columns = columns;
+    spec.rows = rows;
+    spec.squareM = squareM;
+    const auto view = findBoard(frame, spec, "p.png");
+    return view ? "accepted" : view.error().message();
+}
+
+const RigidTransform plain = posed({0, 0, 0.45}, 0);
+
+} // namespace
+
+class TestCalibrateJob : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Project> m_project;
+
+    std::filesystem::path path(const QString &name) const { return m_folder->filePath(name).toStdString(); }
+
+    std::filesystem::path written(const QString &name, const QByteArray &bytes) const
+    {
+        QFile file(m_folder->filePath(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+            qFatal("cannot write %s", qPrintable(name));
+        return path(name);
+    }
+
+    std::vector<std::filesystem::path> pictures(int count) const
+    {
+        std::vector<std::filesystem::path> files;
+        for (const RigidTransform &pose : poses(count)) {
+            files.push_back(path(QStringLiteral("board %1.png").arg(files.size())));
+            if (!writePicture(rendered(pose), files.back()))
+                qFatal("cannot write a picture");
+        }
+        return files;
+    }
+
+    /// The message with which a calibration from these files fails, or the reason why the last was not used.
+    std::string jobOn(std::vector<std::filesystem::path> files, bool last)
+    {
+        CalibrateJob job({"A", std::move(files), {}, LensModel::Standard});
+        const auto done = runToEnd(job, *m_project, {});
+        if (!done)
+            return last ? "failed: " + done.error().message() : done.error().message();
+        return last && !job.calibration().rejected.empty() ? job.calibration().rejected.back().reason : "accepted";
+    }
+
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_project = std::move(*Project::create(path(QStringLiteral("run.odo")), "run"));
+    }
+    void cleanup() { m_project.reset(); }
+
+    void keepsAllThatItWasMadeFrom()
+    {
+        CalibrateJob job({"Cam/1", pictures(10), {}, std::nullopt});
+        const auto done = runToEnd(job, *m_project, {});
+        QVERIFY2(done.has_value(), done ? "" : done.error().message().c_str());
+        m_project.reset();
+        m_project = std::move(*Project::open(path(QStringLiteral("run.odo")), Project::Access::ReadWrite));
+        const auto id = m_project->cameras().find("Cam/1")->id;
+        const IntrinsicsRecord record = **m_project->cameras().currentIntrinsics(id);
+        QCOMPARE(record.softwareVersion, std::string(ODOGRAPH_VERSION));
+        QVERIFY(record.board.pattern == BoardPattern::Checkerboard && record.board.columns == 9 && record.board.rows == 6);
+        QCOMPARE(record.board.squareM, 0.025);
+        QVERIFY(!record.calibration.lensReason.empty());
+        QCOMPARE(record.files.size(), job.calibration().pictures.size());
+        for (const StoredPicture &picture : record.files) {
+            QVERIFY2(picture.path.starts_with("run.media/calibration/Cam_1_board_"), picture.path.c_str());
+            QCOMPARE(qint64(picture.bytes), QFileInfo(m_folder->filePath(QString::fromStdString(picture.path))).size());
+        }
+        QVERIFY(m_project->check(true)->empty());
+
+        // Solved again from the stored corners: the same lens; with a picture less: one of the others.
+        std::vector<std::size_t> all(record.files.size());
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[i] = i;
+        const auto again = recalibrate(record.calibration, all, {});
+        QVERIFY2(again.has_value(), again ? "" : again.error().message().c_str());
+        QVERIFY(std::abs(again->intrinsics.fxPx - record.calibration.intrinsics.fxPx) < 1e-3);
+        all.pop_back();
+        QCOMPARE(recalibrate(record.calibration, all, {})->picturesUsed(), all.size());
+        // And from the stored pictures themselves.
+        std::vector<std::filesystem::path> files;
+        for (const StoredPicture &picture : record.files)
+            files.push_back(path(QString::fromStdString(picture.path)));
+        CalibrateJob second({"Cam/1", files, {}, record.calibration.intrinsics.model});
+        QVERIFY(runToEnd(second, *m_project, {}).has_value());
+        QVERIFY(std::abs(second.calibration().intrinsics.fxPx / record.calibration.intrinsics.fxPx - 1) < 0.001);
+        QCOMPARE(m_project->cameras().allIntrinsics(id)->size(), std::size_t(2));
+        QVERIFY(m_project->check(true)->empty());
+
+        // The check names what is missing and what was changed.
+        QVERIFY(QFile::remove(QString::fromStdString(files[0].string())));
+        QFile changed(QString::fromStdString(files[1].string()));
+        QVERIFY(changed.open(QIODevice::ReadWrite) && changed.seek(100) && changed.write("?") == 1);
+        changed.close();
+        const auto problems = m_project->check(true);
+        QCOMPARE(problems->size(), std::size_t(2));
+        QCOMPARE(problems->at(0).what, std::string("the calibration picture 'board 0.png' of camera 'Cam/1' is missing"));
+        QCOMPARE(problems->at(1).what,
+                 std::string("the calibration picture 'board 1.png' of camera 'Cam/1' was changed since it was made"));
+    }
+    void whatFailsLeavesNothing()
+    {
+        const auto files = pictures(8);
+        JobControl control;
+        control.progress = [&](double fraction, const std::string &) {
+            if (fraction > 0.5)
+                control.cancel.cancel();
+        };
+        CalibrateJob cancelledJob({"A", files, {}, std::nullopt});
+        QCOMPARE(runToEnd(cancelledJob, *m_project, control).error().code, ErrorCode::Cancelled);
+        CalibrateJob tooFew({"A", {files[0], files[1]}, {}, std::nullopt});
+        QVERIFY(!runToEnd(tooFew, *m_project, {}).has_value());
+        // Its rows cannot be stored, after its pictures were written.
+        CalibrateJob unnamed({std::string(300, 'x'), files, {}, std::nullopt});
+        QVERIFY(!runToEnd(unnamed, *m_project, {}).has_value());
+        QVERIFY(m_project->cameras().all()->empty());
+        QVERIFY(!std::filesystem::exists(m_project->mediaFolder()));
+    }
+
+    void everyKindOfBadInputHasItsSentence_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<QString>("words");
+        const char *rows[][2] = {
+            {"no board", "no board found; show the whole board, flat, sharp and well lit"},
+            {"another size", "inner corners, 7x5 was asked for; count the inner corners, or leave the size out"},
+            {"blurred", "the board is blurred: its edges are "},
+            {"cut off", "keep the whole board in the picture"},
+            {"too oblique", "the board is seen too obliquely, at "},
+            {"too small", "the board is too small: it fills "},
+            {"another resolution", "the first picture 640×360; use pictures of one camera at one resolution"},
+            {"the same pose again", "the board stands as in p.png already; move it elsewhere, turn it or tilt it"},
+            {"no such file", "there is no such file; check the name and the folder"},
+            {"not a picture", "it is no PNG, JPEG, BMP, TIFF or PNM picture"},
+            {"damaged picture", "its content is damaged or cut short"},
+            {"empty video", "the file is empty"},
+            {"too few", "three pictures of the board are needed, 2 can be used; take ten or more"},
+            {"all frontal", "take pictures with the board tilted by 30 to 45 degrees, to each side"},
+            {"all in one place", "show the board in one place, the upper left"},
+            {"two zooms", "the pictures ask for two focal lengths: 8 for about "},
+            {"not a number", "a corner of it is not a number: let the board be found in it again"},
+            {"too few corners", "it has 4 corners of the board, six are needed: show more of it"},
+            {"collinear corners", "its corners do not lie as on a flat board: glue the board onto something stiff"},
+            {"squares of no size", "the squares have no size; give it like 25mm"},
+            {"a board of 2×2", "a board of 2x2 inner corners is too small; give 3x3 at least, like 9x6"},
+            {"a picture without size", "the picture has no size; use pictures of the camera"},
+        };
+        int kind = 0;
+        for (const auto &[name, words] : rows)
+            QTest::newRow(name) << kind++ << QString::fromUtf8(words);
+    }
+    void everyKindOfBadInputHasItsSentence()
+    {
+        QFETCH(int, kind);
+        QFETCH(QString, words);
+        const std::string told = messageOf(kind);
+        QVERIFY2(QString::fromStdString(told).contains(words), told.c_str());
+        QVERIFY(told.find('\n') == std::string::npos);
+    }
+
+private:
+    std::string messageOf(int kind)
+    {
+        BoardCollector collector({});
+        const auto withGood = [this](const std::filesystem::path &bad) {
+            auto files = pictures(8);
+            files.push_back(bad);
+            return jobOn(files, true);
+        };
+        switch (kind) {
+        case 0:
+            return found(rendered(posed({0, 0, 60}, 0)));
+        case 1:
+            return found(rendered(plain), 7, 5);
+        case 2:
+            return found(blurred(rendered(plain), 8));
+        case 3:
+            return found(rendered(posed({0.255, 0, 0.45}, 0)), 9, 6);
+        case 4: {
+            RigidTransform oblique;
+            oblique.rotation = Eigen::AngleAxisd(68 * EIGEN_PI / 180, Eigen::Vector3d::UnitY());
+            oblique.translation = Eigen::Vector3d(0, 0, 0.3) - oblique.rotation * Eigen::Vector3d(0.1, 0.0625, 0);
+            return offered(collector, rendered(oblique, CameraModel::assumed(widthPx, heightPx)));
+        }
+        case 5:
+            return offered(collector, rendered(posed({0, 0, 2.6}, 0), CameraModel::assumed(widthPx, heightPx)));
+        case 6: {
+            offered(collector, rendered(plain));
+            SimulatedBoard board;
+            board.cameraFromBoard = posed({0, 0, 0.6}, 0);
+            return offered(collector, renderBoard(CameraModel::assumed(800, 600), board, 1, 1));
+        }
+        case 7:
+            offered(collector, rendered(plain));
+            return offered(collector, rendered(plain));
+        case 8:
+            return jobOn({path(QStringLiteral("gone.png"))}, false);
+        case 9:
+            return withGood(written(QStringLiteral("letter.png"), "Dear class"));
+        case 10: {
+            QFile whole(QString::fromStdString(pictures(1)[0].string()));
+            return whole.open(QIODevice::ReadOnly) ? withGood(written(QStringLiteral("half.png"), whole.read(400))) : "";
+        }
+        case 11:
+            return withGood(written(QStringLiteral("clip.mp4"), {}));
+        case 12:
+            return jobOn(pictures(2), false);
+        case 13: {
+            std::vector<BoardView> frontal;
+            for (int i = 0; i < 12; ++i) {
+                const Eigen::Vector3d middle(0.1 * (i % 4 - 1.5), 0.06 * (i / 4 - 1), 0.5 + 0.02 * i);
+                frontal.push_back(*findBoard(rendered(posed(middle, 0)), {}, "frontal" + std::to_string(i)));
+            }
+            return calibrationOf(frontal);
+        }
+        case 14: {
+            std::vector<BoardView> still = views(12);
+            for (BoardView &view : still)
+                for (Eigen::Vector2d &pixel : view.pixels)
+                    pixel *= 0.3;
+            return calibrationOf(still);
+        }
+        case 15: {
+            std::vector<BoardView> mixed = views(8);
+            for (BoardView &view : views(8, camera(760)))
+                mixed.push_back(view);
+            return calibrationOf(mixed);
+        }
+        case 16:
+            return rejectionOf([](BoardView &view) { view.pixels[7].y() = std::nan(""); });
+        case 17:
+            return rejectionOf([](BoardView &view) {
+                view.pixels.resize(4);
+                view.pointsOnBoard.resize(4);
+            });
+        case 18:
+            return rejectionOf([](BoardView &view) {
+                for (Eigen::Vector2d &point : view.pointsOnBoard)
+                    point.y() = 0;
+            });
+        case 19:
+            return found(rendered(plain), 9, 6, 0);
+        case 20:
+            return found(rendered(plain), 2, 2);
+        default:
+            return calibrateIntrinsics(views(8), 0, 0, std::nullopt, {}).error().message();
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCalibrateJob)
+#include "tst_calibrate_job.moc"
