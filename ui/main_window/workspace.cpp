@@ -5,7 +5,7 @@
 #include "core/workflow/demo.h"
 #include "core/workflow/job.h"
 #include "core/workflow/job_runner.h"
-#include "ui/main_window/background_task.h"
+#include "ui/models/background_task.h"
 
 namespace odo {
 namespace {

@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/testbed_page.h"
 
-#include "core/exchange/layout_csv.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/video/picture_writer.h"
-#include "core/workflow/cameras.h"
 #include "ui/models/timeline.h"
-#include "ui/testbed/lens/lens_wizard.h"
-#include "ui/testbed/register_dialog.h"
-#include "ui/testbed/targets/target_dialog.h"
 #include "ui/testbed/testbed_state.h"
+#include "ui/testbed/testbed_tools.h"
 #include "ui/views/camera_view.h"
 #include "ui/views/card.h"
 #include "ui/views/empty_state.h"
-#include "ui/views/path_field.h"
-#include "ui/views/theme_icon.h"
 
 #include <QAction>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QInputDialog>
 #include <QListWidget>
 #include <QPushButton>
 #include <QScrollArea>
@@ -34,10 +24,6 @@ namespace odo {
 namespace {
 
 constexpr int tableHeight = 100; // header and two cameras
-
-const char *const boardBefore = "?board";
-
-enum ToolAction { CalibrateAction, RegisterAction, ImportLensAction, ImportLayoutAction, PrintAction };
 
 QPushButton *buttonFor(QAction *action)
 {
@@ -52,7 +38,7 @@ QPushButton *buttonFor(QAction *action)
 } // namespace
 
 TestbedPage::TestbedPage(Project &project, QWidget *parent)
-    : QWidget(parent), m_project(project), m_timeline(new Timeline(this)),
+    : QWidget(parent), m_project(project), m_tools(new TestbedTools(project, *this)), m_timeline(new Timeline(this)),
       m_cameras(new CameraListModel(this)), m_table(new QTableView), m_layoutList(new QListWidget),
       m_view(new CameraView(*m_timeline)), m_facts(new FactList), m_sketch(new FloorSketch),
       m_empty(
@@ -63,7 +49,6 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
 {
     setObjectName(QStringLiteral("page"));
     setFocusProxy(m_table);
-    makeActions();
     auto *left = new QSplitter(Qt::Vertical);
     left->addWidget(makeCameraCard());
     left->addWidget(makeLayoutCard());
@@ -87,10 +72,10 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
     auto *contentLayout = new QHBoxLayout(content);
     contentLayout->setContentsMargins(8, 8, 8, 8);
     contentLayout->addWidget(splitter);
-    for (const ToolAction action : {CalibrateAction, ImportLensAction, ImportLayoutAction}) {
-        QPushButton *button =
-            m_empty->addButton(QStringLiteral("add"), m_actions.at(action)->text().remove(QLatin1Char('&')));
-        connect(button, &QPushButton::clicked, m_actions.at(action), &QAction::trigger);
+    for (const TestbedTools::Tool tool : {TestbedTools::Calibrate, TestbedTools::NewLayout, TestbedTools::PrintTargets}) {
+        QAction *action = m_tools->action(tool);
+        QPushButton *button = m_empty->addButton(QStringLiteral("add"), action->text().remove(QLatin1Char('&')));
+        connect(button, &QPushButton::clicked, action, &QAction::trigger);
     }
     m_stack->addWidget(content);
     m_stack->addWidget(m_empty);
@@ -98,36 +83,14 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_stack);
     connect(m_view, &CameraView::settled, this, &TestbedPage::settled);
+    connect(m_tools, &TestbedTools::failed, this, &TestbedPage::failed);
+    connect(m_tools, &TestbedTools::changed, this, [this](const QString &words) {
+        refresh();
+        Q_EMIT changed(words);
+    });
 }
 
 TestbedPage::~TestbedPage() = default;
-
-void TestbedPage::makeActions()
-{
-    const auto add = [this](const QString &icon, const QString &text, const QString &tip,
-                            void (TestbedPage::*slot)()) {
-        auto *action = new QAction(themeIcon(icon), text, this);
-        action->setToolTip(tip);
-        connect(action, &QAction::triggered, this, slot);
-        m_actions.append(action);
-    };
-    add(QStringLiteral("calibrate"), tr("&Calibrate camera…"),
-        tr("Measure a camera's lens from pictures of a board"), &TestbedPage::calibrate);
-    add(QStringLiteral("register"), tr("&Register camera…"),
-        tr("Find where a camera stands from the floor markers"), &TestbedPage::registerCamera);
-    add(QStringLiteral("import"), tr("Import &intrinsics…"),
-        tr("Take a camera's lens from a ROS or OpenCV YAML file"), &TestbedPage::importLens);
-    add(QStringLiteral("add"), tr("Import marker &layout…"),
-        tr("Take the places of the markers from a table"), &TestbedPage::importLayout);
-    add(QStringLiteral("print"), tr("Print &targets…"),
-        tr("Boards for the lens and markers for the floor, to scale"), &TestbedPage::printTargets);
-    // Short words for the buttons below the camera table; the menu has the long ones.
-    m_actions.at(CalibrateAction)->setIconText(tr("Calibrate…"));
-    m_actions.at(RegisterAction)->setIconText(tr("Register…"));
-    m_actions.at(ImportLensAction)->setIconText(tr("Import lens…"));
-    m_actions.at(ImportLayoutAction)->setIconText(tr("Import layout…"));
-    m_actions.at(PrintAction)->setIconText(tr("Print targets…"));
-}
 
 QWidget *TestbedPage::makeCameraCard()
 {
@@ -159,8 +122,8 @@ QWidget *TestbedPage::makeCameraCard()
     auto *buttons = new QHBoxLayout;
     buttons->setContentsMargins(10, 8, 10, 8);
     buttons->setSpacing(8);
-    for (const ToolAction action : {CalibrateAction, RegisterAction, ImportLensAction})
-        buttons->addWidget(buttonFor(m_actions.at(action)));
+    for (const TestbedTools::Tool tool : {TestbedTools::Calibrate, TestbedTools::Register, TestbedTools::ImportLens})
+        buttons->addWidget(buttonFor(m_tools->action(tool)));
     buttons->addStretch(1);
     contentLayout->addLayout(buttons);
     auto *card = new Card(tr("Cameras"));
@@ -187,8 +150,8 @@ QWidget *TestbedPage::makeLayoutCard()
     auto *buttons = new QHBoxLayout;
     buttons->setContentsMargins(10, 8, 10, 8);
     buttons->setSpacing(8);
-    for (const ToolAction action : {ImportLayoutAction, PrintAction})
-        buttons->addWidget(buttonFor(m_actions.at(action)));
+    for (const TestbedTools::Tool tool : {TestbedTools::NewLayout, TestbedTools::ImportLayout, TestbedTools::PrintTargets})
+        buttons->addWidget(buttonFor(m_tools->action(tool)));
     buttons->addStretch(1);
     layout->addLayout(buttons);
     auto *card = new Card(tr("Marker layouts"));
@@ -219,7 +182,6 @@ void TestbedPage::refresh()
                                                            labels.join(QStringLiteral(", "))));
     }
     m_layoutList->setCurrentRow(std::min(layoutRow, m_layoutList->count() - 1));
-    m_actions.at(RegisterAction)->setEnabled(!m_layouts.empty());
     m_stack->setCurrentIndex(m_cameras->rowCount() == 0 && m_layouts.empty() ? 1 : 0);
     const int row = std::max(0, static_cast<int>(cameraNames().indexOf(camera)));
     if (m_cameras->rowCount() > 0)
@@ -241,8 +203,17 @@ QString TestbedPage::currentCamera() const
     return m_table->currentIndex().data(CameraListModel::NameRole).toString();
 }
 
+QList<QAction *> TestbedPage::toolActions() const { return m_tools->actions(); }
+
+void TestbedPage::tellTools()
+{
+    const int row = m_layoutList->currentRow();
+    m_tools->setCurrent(currentCamera(), row < 0 ? std::nullopt : std::optional(m_layouts.at(static_cast<std::size_t>(row))));
+}
+
 void TestbedPage::showCamera()
 {
+    tellTools();
     const QModelIndex current = m_table->currentIndex();
     if (!current.isValid()) {
         m_view->setScene(nullptr, 0);
@@ -263,6 +234,7 @@ void TestbedPage::showCamera()
 
 void TestbedPage::showLayout()
 {
+    tellTools();
     const int row = m_layoutList->currentRow();
     if (row < 0) {
         m_sketch->setTestbed(std::nullopt, {});
@@ -281,118 +253,6 @@ void TestbedPage::showLayout()
 bool TestbedPage::isSettled() const
 {
     return m_stack->currentIndex() == 1 || m_view->isSettled();
-}
-
-void TestbedPage::calibrate()
-{
-    // What a connected camera sees of a board; the simulated ones have somebody who holds it.
-    std::vector<CameraDescription> live = listCameras();
-    for (CameraDescription &camera : live)
-        camera.uri += boardBefore;
-    LensWizard wizard(cameraNames(), currentCamera(), live,
-                      [](const QString &uri) -> Result<std::shared_ptr<CameraSource>> {
-                          auto camera = openCamera(uri.toStdString());
-                          if (!camera)
-                              return tl::unexpected(camera.error());
-                          return std::shared_ptr<CameraSource>(std::move(*camera));
-                      },
-                      this);
-    if (wizard.exec() != QDialog::Accepted)
-        return;
-    const MeasuredLens lens = wizard.result();
-    std::vector<BoardPicture> pictures;
-    BoardSpec board;
-    board.squareM = lens.squareM;
-    for (const KeptPicture &picture : lens.pictures) {
-        const BoardView &view = picture.board.view;
-        board.pattern = view.pattern;
-        board.columns = view.columns;
-        board.rows = view.rows;
-        if (auto png = greyPng(picture.frame))
-            pictures.push_back({view.source, std::move(*png)});
-    }
-    const auto stored = storeCalibration(m_project, lens.camera.toStdString(), lens.calibration, board, pictures);
-    if (!stored) {
-        Q_EMIT failed(stored.error());
-        return;
-    }
-    refresh();
-    Q_EMIT changed(tr("Camera %1 is calibrated. %2").arg(lens.camera, QString::fromStdString(lens.calibration.verdict)));
-}
-
-void TestbedPage::registerCamera()
-{
-    QStringList layouts;
-    for (const LayoutRecord &record : m_layouts)
-        layouts << QString::fromStdString(record.layout.name);
-    RegisterDialog dialog(cameraNames(), currentCamera(), layouts, this);
-    if (dialog.exec() != QDialog::Accepted)
-        return;
-    const auto job = std::make_shared<RegisterJob>(dialog.settings());
-    const QString camera = QString::fromStdString(job->settings().camera);
-    Q_EMIT jobRequested(job, tr("Registering camera %1").arg(camera), [job, camera] {
-        return tr("Camera %1 is registered. %2")
-            .arg(camera, QString::fromStdString(job->record().registration.verdict));
-    });
-}
-
-void TestbedPage::importLens()
-{
-    const QString file = QFileDialog::getOpenFileName(this, tr("Intrinsics of a camera"), {},
-                                                      tr("Calibrations (*.yaml *.yml);;All files (*)"));
-    if (file.isEmpty())
-        return;
-    bool accepted = false;
-    const QString camera =
-        QInputDialog::getItem(this, tr("Import intrinsics"), tr("Camera:"), cameraNames(),
-                              std::max(0, m_table->currentIndex().row()), true, &accepted)
-            .trimmed();
-    if (!accepted || camera.isEmpty())
-        return;
-    const Result<IntrinsicsRecord> imported = importIntrinsics(m_project, camera.toStdString(), pathOf(file));
-    if (!imported) {
-        Q_EMIT failed(imported.error());
-        return;
-    }
-    refresh();
-    Q_EMIT changed(tr("The lens of camera %1 was taken from %2.").arg(camera, QFileInfo(file).fileName()));
-}
-
-void TestbedPage::printTargets()
-{
-    QStringList labels;
-    if (const int row = m_layoutList->currentRow(); row >= 0) {
-        for (const Marker &marker : m_layouts.at(static_cast<std::size_t>(row)).layout.markers)
-            labels << QString::fromStdString(marker.label);
-    }
-    TargetDialog(TargetKind::Checkerboard, labels, this).exec();
-}
-
-void TestbedPage::importLayout()
-{
-    const QString file = QFileDialog::getOpenFileName(this, tr("Places of the markers (label,x_mm,y_mm)"), {},
-                                                      tr("Tables (*.csv *.txt);;All files (*)"));
-    if (file.isEmpty())
-        return;
-    bool accepted = false;
-    const QString name =
-        QInputDialog::getText(this, tr("Import marker layout"), tr("Name of the layout:"), QLineEdit::Normal,
-                              QFileInfo(file).completeBaseName(), &accepted)
-            .trimmed();
-    if (!accepted || name.isEmpty())
-        return;
-    Result<MarkerLayout> layout = readLayoutCsv(pathOf(file));
-    if (!layout) {
-        Q_EMIT failed(layout.error());
-        return;
-    }
-    layout->name = name.toStdString();
-    if (const Result<LayoutRecord> added = m_project.layouts().add(*layout); !added) {
-        Q_EMIT failed(added.error());
-        return;
-    }
-    refresh();
-    Q_EMIT changed(tr("Layout %1 has %2 markers.").arg(name).arg(layout->markers.size()));
 }
 
 } // namespace odo

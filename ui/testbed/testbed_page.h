@@ -7,8 +7,6 @@
 #include <QList>
 #include <QString>
 #include <QWidget>
-#include <functional>
-#include <memory>
 #include <vector>
 
 class QAction;
@@ -24,8 +22,8 @@ class Card;
 class EmptyState;
 class FactList;
 class FloorSketch;
-class Job;
 class Project;
+class TestbedTools;
 class Timeline;
 
 /// Testbed: the cameras, how well each is calibrated and registered, what it sees, and where all stand.
@@ -41,36 +39,28 @@ public:
     /// change.
     void refresh();
     bool isSettled() const;
-    /// Calibrate, register, import intrinsics, import a layout; for menus too.
-    QList<QAction *> toolActions() const { return m_actions; }
+    /// What TestbedTools offers; for menus too.
+    QList<QAction *> toolActions() const;
 
 Q_SIGNALS:
-    /// words: what the job does; done: what there is to say after it.
-    void jobRequested(const std::shared_ptr<odo::Job> &job, const QString &words,
-                      const std::function<QString()> &done);
-    void changed(const QString &words); ///< the project was changed without a job
+    void changed(const QString &words); ///< the project was changed
     void failed(const odo::Error &error);
     void settled();
 
 private:
-    void makeActions();
     QWidget *makeCameraCard();
     QWidget *makeLayoutCard();
-    void calibrate();
-    void registerCamera();
-    void importLens();
-    void importLayout();
-    void printTargets();
     void showCamera();
     void showLayout();
+    void tellTools();
     QStringList cameraNames() const;
     QString currentCamera() const;
 
     Project &m_project;
+    TestbedTools *m_tools;
     Timeline *m_timeline;
     CameraListModel *m_cameras;
     std::vector<LayoutRecord> m_layouts;
-    QList<QAction *> m_actions;
     QTableView *m_table;
     QListWidget *m_layoutList;
     CameraView *m_view;

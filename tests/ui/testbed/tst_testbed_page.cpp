@@ -2,9 +2,9 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/testbed/register_dialog.h"
 #include "ui/testbed/testbed_page.h"
 #include "ui/testbed/testbed_state.h"
+#include "ui/testbed/testbed_tools.h"
 
 #include <QAction>
 #include <QPushButton>
@@ -24,7 +24,6 @@ private Q_SLOTS:
     void showsCamerasAndTheirState();
     void drawsCamerasWhereTheyStand();
     void beginsEmpty();
-    void asksForARegistration();
 
 private:
     QTemporaryDir m_folder;
@@ -77,25 +76,7 @@ void TestTestbedPage::beginsEmpty()
     page.refresh();
     QVERIFY(page.isSettled());
     QCOMPARE(page.findChild<QStackedWidget *>()->currentIndex(), 1);
-    QVERIFY2(!page.toolActions().at(1)->isEnabled(), "nothing to register yet");
-}
-
-void TestTestbedPage::asksForARegistration()
-{
-    RegisterDialog none({QStringLiteral("A")}, QStringLiteral("A"), {});
-    RegisterDialog dialog({QStringLiteral("A"), QStringLiteral("B")}, QStringLiteral("B"),
-                          {QStringLiteral("floor")});
-    const auto accept = [](RegisterDialog &shown) {
-        for (auto *button : shown.findChildren<QPushButton *>())
-            if (button->isDefault())
-                return button->isEnabled();
-        return false;
-    };
-    QVERIFY2(!accept(none), "there is no layout");
-    QVERIFY(accept(dialog));
-    QCOMPARE(dialog.settings().camera, std::string("B"));
-    QCOMPARE(dialog.settings().layout, std::string("floor"));
-    QVERIFY(dialog.settings().pictureFile.empty());
+    QVERIFY2(!page.toolActions().at(TestbedTools::Register)->isEnabled(), "nothing to register yet");
 }
 
 QTEST_MAIN(TestTestbedPage)

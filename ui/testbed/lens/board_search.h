@@ -33,7 +33,7 @@ struct KeptPicture
     QString name;
     QImage image;
     CollectedPicture board;
-    Frame frame; ///< as taken
+    std::vector<unsigned char> png; ///< as taken, grey: to be kept with the calibration
 };
 
 /// What has been gathered.

@@ -3,6 +3,7 @@
 
 #include "core/capture/camera_source.h"
 #include "core/video/picture.h"
+#include "core/video/picture_writer.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/picture_source.h"
 #include "ui/views/path_field.h"
@@ -148,7 +149,7 @@ void BoardSearchWorker::took(const Frame &frame, const QString &name, const Pict
                                                 m_collector.widthPx(), m_collector.heightPx());
         }
         if (answer.kept)
-            m_state.kept.push_back({name, searchedPicture.image, *answer.picture, frame});
+            m_state.kept.push_back({name, searchedPicture.image, *answer.picture, greyPng(frame).value_or(std::vector<unsigned char>())});
         ++m_onTheirWay;
         Q_EMIT searched(searchedPicture);
     }

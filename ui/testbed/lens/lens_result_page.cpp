@@ -77,11 +77,7 @@ LensResultPage::LensResultPage(QWidget *parent)
     layout->addWidget(m_verdict);
     layout->addWidget(m_progress);
     layout->addLayout(row, 1);
-    connect(m_bars, &PictureBars::thresholdChanged, this, [this](double threshold) {
-        for (std::size_t i = 0; i < m_counts.size(); ++i)
-            m_counts[i] = m_errors[i] <= threshold;
-        solve();
-    });
+    connect(m_bars, &PictureBars::thresholdChanged, this, &LensResultPage::solveAgain);
     connect(m_bars, &PictureBars::currentChanged, this, &LensResultPage::showPicture);
     connect(m_model, &QComboBox::currentIndexChanged, this, &LensResultPage::solve);
     connect(&m_solver, &LensSolver::solved, this, &LensResultPage::showAnswer);
@@ -111,70 +107,92 @@ QWidget *LensResultPage::makeFigures()
 void LensResultPage::begin(const SearchState &pictures)
 {
     m_pictures = pictures;
-    m_counts.assign(m_pictures.kept.size(), true);
-    m_errors.assign(m_pictures.kept.size(), 0);
     m_bars->setBars({}, {});
     m_canvas->setContent({});
     m_straight->setContent({});
     solve();
 }
 
-std::vector<KeptPicture> LensResultPage::used() const
+void LensResultPage::solve()
 {
-    std::vector<KeptPicture> used;
-    for (std::size_t i = 0; i < m_counts.size(); ++i)
-        if (m_counts[i])
-            used.push_back(m_pictures.kept[i]);
-    return used;
+    m_all.reset();
+    LensQuestion question;
+    question.size = m_pictures.size;
+    for (const KeptPicture &picture : m_pictures.kept)
+        question.views.push_back(picture.board.view);
+    if (const int model = m_model->currentData().toInt(); model != chosenByItself)
+        question.model = LensModel(model);
+    ask(std::move(question));
 }
 
-void LensResultPage::solve()
+void LensResultPage::solveAgain(double mostRmsPx)
+{
+    if (!m_all)
+        return;
+    LensQuestion question;
+    question.size = m_pictures.size;
+    question.reference = m_all;
+    question.chosen = picturesWithin(*m_all, mostRmsPx);
+    ask(std::move(question));
+}
+
+void LensResultPage::ask(LensQuestion question)
 {
     m_calibration.reset();
     m_verdict->setText(tr("Solving…"));
     m_progress->setValue(0);
     m_progress->setVisible(true);
-    LensQuestion question;
-    question.size = m_pictures.size;
-    for (const KeptPicture &picture : used())
-        question.views.push_back(picture.board.view);
     if (!m_pictures.kept.empty())
         question.example = m_pictures.kept.front().image;
-    if (const int model = m_model->currentData().toInt(); model != chosenByItself)
-        question.model = LensModel(model);
     m_solver.solve(std::move(question));
     Q_EMIT completeChanged();
+}
+
+const CalibrationPicture *LensResultPage::outcomeOf(int index) const
+{
+    if (!m_calibration)
+        return nullptr;
+    const auto found = std::ranges::find(m_calibration->pictures, m_pictures.kept[std::size_t(index)].board.view.source,
+                                         [](const CalibrationPicture &picture) { return picture.view.source; });
+    return found == m_calibration->pictures.end() ? nullptr : &*found;
 }
 
 void LensResultPage::showAnswer(const LensAnswer &answer)
 {
     m_calibration = answer.calibration;
+    if (!m_all)
+        m_all = m_calibration;
     m_progress->setVisible(false);
-    m_verdict->setText(QString::fromStdString(answer.calibration.verdict));
+    m_verdict->setText(QString::fromStdString(m_calibration->verdict));
     QStringList names;
-    for (std::size_t i = 0; i < m_pictures.kept.size(); ++i) {
-        names << m_pictures.kept[i].name;
-        const auto &pictures = answer.calibration.pictures;
-        const auto found = std::find_if(pictures.begin(), pictures.end(), [&](const CalibrationPicture &each) {
-            return each.view.source == m_pictures.kept[i].board.view.source;
-        });
-        if (found != pictures.end())
-            m_errors[i] = found->rmsPx;
+    std::vector<double> errors;
+    for (int i = 0; i < int(m_pictures.kept.size()); ++i) {
+        names << m_pictures.kept[std::size_t(i)].name;
+        // The threshold is laid over the errors of the lens that all pictures gave: it must not run away while dragged.
+        const std::string &source = m_pictures.kept[std::size_t(i)].board.view.source;
+        const auto found = std::ranges::find(m_all->pictures, source, [](const CalibrationPicture &picture) { return picture.view.source; });
+        errors.push_back(found == m_all->pictures.end() ? 0 : found->rmsPx);
     }
-    m_bars->setBars(names, m_errors);
-    const Intrinsics &lens = answer.calibration.intrinsics;
-    m_facts->setFacts({{tr("Model"), modelName(lens.model), {}},
-                       {tr("Pictures"), tr("%1 of %2").arg(answer.calibration.picturesUsed()).arg(m_pictures.kept.size()), {}},
-                       {tr("Board error"), px(answer.calibration.rmsPx, 3), {}},
-                       {tr("Held-out error"), answer.calibration.crossValidationPx > 0 ? px(answer.calibration.crossValidationPx, 3)
-                                                                                       : tr("needs six pictures"), {}},
+    m_bars->setBars(names, errors);
+    showFigures();
+    m_straight->setContent({answer.straightened, m_pictures.size, {}, true, {}, {}, {}, tr("straight edges must be straight")});
+    m_bars->setCurrent(std::max(0, m_bars->current()));
+    showPicture(m_bars->current());
+    Q_EMIT completeChanged();
+}
+
+void LensResultPage::showFigures()
+{
+    const IntrinsicCalibration &calibration = *m_calibration;
+    const Intrinsics &lens = calibration.intrinsics;
+    m_facts->setFacts({{tr("Model"), tr("%1: %2").arg(modelName(lens.model), QString::fromStdString(calibration.lensReason)), {}},
+                       {tr("Pictures"), tr("%1 of %2").arg(calibration.picturesUsed()).arg(m_pictures.kept.size()), {}},
+                       {tr("Board error"), px(calibration.rmsPx, 3), {}},
+                       {tr("Held-out error"), calibration.crossValidationPx > 0 ? px(calibration.crossValidationPx, 3) : tr("needs six pictures"), {}},
+                       {tr("Corners left out"), QLocale().toString(qulonglong(calibration.cornersLeftOut())), {}},
                        {tr("Focal length"), withSigma(lens, lens.fxPx, 0), {}},
                        {tr("Centre x"), withSigma(lens, lens.cxPx, 2), {}},
                        {tr("Centre y"), withSigma(lens, lens.cyPx, 3), {}}});
-    m_straight->setContent({answer.straightened, m_pictures.size, {}, true, {}, {}, {}, tr("straight edges must be straight")});
-    showPicture(std::max(0, m_bars->current()));
-    m_bars->setCurrent(std::max(0, m_bars->current()));
-    Q_EMIT completeChanged();
 }
 
 void LensResultPage::showFailure(const Error &error)
@@ -190,7 +208,12 @@ void LensResultPage::showPicture(int index)
     if (index < 0 || index >= int(m_pictures.kept.size()))
         return;
     const KeptPicture &picture = m_pictures.kept[std::size_t(index)];
-    m_canvas->setContent({picture.image, m_pictures.size, picture.board.view.pixels, m_counts[std::size_t(index)], {}, {}, {}, picture.name});
+    BoardCanvas::Content content{picture.image, m_pictures.size, picture.board.view.pixels, false, {}, {}, {}, picture.name};
+    if (const CalibrationPicture *outcome = outcomeOf(index)) {
+        content.counts = outcome->used;
+        content.residuals = outcome->residualsPx;
+    }
+    m_canvas->setContent(std::move(content));
 }
 
 } // namespace odo

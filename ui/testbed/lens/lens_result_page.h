@@ -32,8 +32,7 @@ public:
     void cancel() { m_solver.cancel(); }
     /// The lens that stands there; none while it is being solved, or where it could not.
     const std::optional<IntrinsicCalibration> &calibration() const { return m_calibration; }
-    /// Those of begin() that the lens was computed from.
-    std::vector<KeptPicture> used() const;
+    const std::vector<KeptPicture> &pictures() const { return m_pictures.kept; }
 
 Q_SIGNALS:
     void completeChanged();
@@ -41,13 +40,16 @@ Q_SIGNALS:
 private:
     QWidget *makeFigures();
     void solve();
+    void solveAgain(double mostRmsPx);
+    void ask(LensQuestion question);
+    void showFigures();
+    const CalibrationPicture *outcomeOf(int index) const;
     void showAnswer(const LensAnswer &answer);
     void showFailure(const Error &error);
     void showPicture(int index);
 
     SearchState m_pictures;
-    std::vector<bool> m_counts;    ///< of m_pictures.kept, which the lens is computed from
-    std::vector<double> m_errors;  ///< of m_pictures.kept, by the newest lens that had them
+    std::optional<IntrinsicCalibration> m_all; ///< from all pictures: what a threshold starts from
     std::optional<IntrinsicCalibration> m_calibration;
     LensSolver m_solver;
     QLabel *m_verdict;

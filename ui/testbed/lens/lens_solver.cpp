@@ -9,8 +9,9 @@ namespace {
 
 Result<LensAnswer> answerTo(const LensQuestion &question, const JobControl &control)
 {
-    auto calibration = calibrateIntrinsics(question.views, question.size.width(), question.size.height(), question.model,
-                                           control);
+    auto calibration = question.reference ? recalibrate(*question.reference, question.chosen, control)
+                                          : calibrateIntrinsics(question.views, question.size.width(), question.size.height(),
+                                                                question.model, control);
     if (!calibration)
         return tl::unexpected(calibration.error());
     QImage picture = straightened(question.example, calibration->intrinsics);

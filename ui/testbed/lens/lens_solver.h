@@ -18,6 +18,8 @@ struct LensQuestion
     std::vector<BoardView> views;
     QSize size; ///< of the pictures
     std::optional<LensModel> model; ///< nullopt: chosen by how well it foretells
+    std::optional<IntrinsicCalibration> reference; ///< set: again from the chosen of its pictures, instead of the views
+    std::vector<std::size_t> chosen;
     QImage example;
 };
 

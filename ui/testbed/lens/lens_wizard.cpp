@@ -134,7 +134,16 @@ void LensWizard::done(int result)
 
 MeasuredLens LensWizard::result() const
 {
-    return {m_source->camera(), m_source->squareM(), m_result->calibration().value_or(IntrinsicCalibration()), m_result->used()};
+    MeasuredLens lens{m_source->camera(), {}, m_result->calibration().value_or(IntrinsicCalibration()), {}};
+    lens.board.squareM = m_source->squareM();
+    for (const KeptPicture &picture : m_result->pictures()) {
+        const BoardView &view = picture.board.view;
+        lens.board.pattern = view.pattern;
+        lens.board.columns = view.columns;
+        lens.board.rows = view.rows;
+        lens.pictures.push_back({view.source, picture.png});
+    }
+    return lens;
 }
 
 } // namespace odo

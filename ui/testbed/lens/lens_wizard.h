@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/capture/camera_source.h"
+#include "core/workflow/calibration_media.h"
 #include "ui/testbed/lens/board_search.h"
 #include "ui/testbed/lens/lens_solver.h"
 
@@ -22,9 +23,9 @@ class LensSourcePage;
 struct MeasuredLens
 {
     QString camera;
-    double squareM = 0;
+    BoardSpec board; ///< as it was found out
     IntrinsicCalibration calibration;
-    std::vector<KeptPicture> pictures; ///< those it was computed from
+    std::vector<BoardPicture> pictures; ///< of the calibration
 };
 
 /// Leads from a board to a camera's intrinsics: which board and camera, its pictures, the result. Stores nothing: that

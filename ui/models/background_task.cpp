@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/main_window/background_task.h"
+#include "ui/models/background_task.h"
 
 #include <QMetaObject>
 

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+#include "ui/testbed/floor/floor_camera.h"
+#include "ui/testbed/floor/still_picture.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QRadioButton;
+
+namespace odo {
+
+class PathField;
+
+/// First page of the floor wizard: which camera, which layout, and the picture in which its markers are seen.
+class FloorSourcePage : public QWidget
+{
+    Q_OBJECT
+public:
+    /// live: name and address of the cameras that are connected.
+    FloorSourcePage(const std::vector<FloorCamera> &cameras, const QString &current, const std::vector<LayoutRecord> &layouts,
+                    const std::vector<std::pair<QString, QString>> &live, QWidget *parent = nullptr);
+
+    QString camera() const;
+    int layout() const; ///< its place in the list
+    PictureOrigin origin() const;
+    void setFile(const QString &file);
+    bool isComplete() const;
+
+Q_SIGNALS:
+    void completeChanged();
+
+private:
+    void updateChoices();
+    const FloorCamera *known() const;
+
+    const std::vector<FloorCamera> m_cameras;
+    QComboBox *m_camera, *m_layout, *m_live;
+    QRadioButton *m_fromRecording, *m_fromLive, *m_fromFile;
+    PathField *m_file;
+    QLabel *m_lens;
+};
+
+} // namespace odo

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+#include "ui/models/background_task.h"
+#include "ui/testbed/floor/floor_camera.h"
+#include "ui/testbed/floor/still_picture.h"
+
+#include <QDialog>
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+
+namespace odo {
+
+class FloorSourcePage;
+class MarkerPage;
+
+/// Leads from a picture of the markers to a camera's place over the floor: which camera, layout and picture; the
+/// markers, found or put by hand, with the result at once. Stores nothing: that is up to whoever opened it, once it is
+/// accepted. Closing it at any page leaves nothing behind.
+class FloorWizard : public QDialog
+{
+    Q_OBJECT
+public:
+    FloorWizard(std::vector<FloorCamera> cameras, const QString &current, std::vector<LayoutRecord> layouts,
+                const std::vector<std::pair<QString, QString>> &live, QWidget *parent = nullptr);
+    ~FloorWizard() override;
+
+    FloorSourcePage &source() { return *m_source; }
+    MarkerPage &markers() { return *m_markers; }
+    QString camera() const;
+    /// Once accepted: everything but the camera's number and the date.
+    RegistrationRecord result() const;
+
+    void done(int result) override;
+
+private:
+    void turnTo(int page);
+    void next();
+    void beginMarkers();
+    void showPicture(const std::optional<Error> &error);
+    void updateButtons();
+
+    std::vector<FloorCamera> m_cameras;
+    std::vector<LayoutRecord> m_layouts;
+    FloorSourcePage *m_source;
+    MarkerPage *m_markers;
+    QStackedWidget *m_pages;
+    QLabel *m_title, *m_steps;
+    QPushButton *m_back, *m_next, *m_cancel;
+    std::shared_ptr<StillPicture> m_picture; ///< that is being got
+    BackgroundTask m_task;
+};
+
+} // namespace odo

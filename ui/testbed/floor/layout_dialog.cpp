@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/floor/layout_dialog.h"
+
+#include "core/base/units.h"
+#include "core/exchange/layout_csv.h"
+#include "core/geometry/point_layout.h"
+#include "ui/testbed/floor/layout_drawing.h"
+#include "ui/views/path_field.h"
+#include "ui/views/theme.h"
+
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QSet>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <cmath>
+#include <limits>
+
+namespace odo {
+namespace {
+
+enum Column { LabelColumn, XColumn, YColumn, ColumnCount };
+constexpr double flatterThan = 0.05; // of the extent: such markers say little across
+
+QString csvFilter() { return LayoutDialog::tr("Tables (*.csv *.txt);;All files (*)"); }
+
+QPushButton *plainButton(const QString &text)
+{
+    auto *button = new QPushButton(text);
+    button->setAutoDefault(false);
+    return button;
+}
+
+QString freeName(QString name, const QStringList &taken)
+{
+    if (!taken.contains(name))
+        return name;
+    for (int number = 2;; ++number)
+        if (const QString next = QStringLiteral("%1 (%2)").arg(name).arg(number); !taken.contains(next))
+            return next;
+}
+
+/// A person writes 1 200,5 or 1200.5.
+double millimetresOf(const QString &text)
+{
+    bool read = false;
+    double mm = QLocale().toDouble(text.trimmed(), &read);
+    if (!read)
+        mm = QLocale::c().toDouble(text.trimmed(), &read);
+    return read ? mm : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace
+
+LayoutDialog::LayoutDialog(const MarkerLayout &start, const QStringList &taken, QWidget *parent)
+    : QDialog(parent), m_layout(start), m_taken(taken), m_name(new QLineEdit), m_table(new QTableWidget(0, ColumnCount)),
+      m_drawing(new LayoutDrawing), m_message(new QLabel)
+{
+    setWindowTitle(tr("Marker layout"));
+    m_name->setText(freeName(start.name.empty() ? tr("Floor") : QString::fromStdString(start.name), taken));
+    m_message->setWordWrap(true);
+    m_message->setTextFormat(Qt::PlainText);
+    m_message->setAccessibleName(tr("What is wrong"));
+    auto *intro = new QLabel(tr("Where the markers lie on the floor, measured with a tape: millimetres from the origin. X goes to the right, Y "
+                                "away from you, seen from above."));
+    intro->setWordWrap(true);
+    auto *form = new QFormLayout;
+    form->addRow(tr("&Name"), m_name);
+    auto *row = new QHBoxLayout;
+    row->addWidget(makeTable());
+    row->addWidget(m_drawing, 1);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    m_save = buttons->addButton(tr("&Save"), QDialogButtonBox::AcceptRole);
+    auto *layout = new QVBoxLayout(this);
+    layout->addWidget(intro);
+    layout->addLayout(form);
+    layout->addLayout(row, 1);
+    layout->addWidget(m_message);
+    layout->addWidget(buttons);
+    m_save->setDefault(true);
+    resize(860, 560);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_name, &QLineEdit::textChanged, this, [this] { check(); });
+    connect(m_table, &QTableWidget::cellChanged, this, &LayoutDialog::readRow);
+    connect(m_table, &QTableWidget::currentCellChanged, this, [this](int current) { m_drawing->setLayout(m_layout, current); });
+    connect(m_drawing, &LayoutDrawing::picked, m_table, &QTableWidget::selectRow);
+    connect(m_drawing, &LayoutDrawing::moved, this, [this](int marker, const Eigen::Vector2d &place) {
+        m_layout.markers[std::size_t(marker)].pointInWorld = place;
+        showMarkers();
+    });
+    if (m_layout.markers.empty())
+        m_layout.markers = {{"O", {0, 0}}, {"U", {3, 0}}, {"V", {0, 2}}, {"D", {3, 2}}};
+    showMarkers();
+}
+
+QWidget *LayoutDialog::makeTable()
+{
+    m_table->setHorizontalHeaderLabels({tr("Label"), tr("x, mm"), tr("y, mm")});
+    m_table->setAccessibleName(tr("Markers"));
+    m_table->verticalHeader()->hide();
+    m_table->setTabKeyNavigation(false);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    auto *box = new QWidget;
+    box->setFixedWidth(330);
+    auto *layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(makeTools());
+    return box;
+}
+
+QWidget *LayoutDialog::makeTools()
+{
+    auto *add = plainButton(tr("&Add")), *remove = plainButton(tr("&Remove")), *axes = plainButton(tr("A&xes")), *csv = plainButton(tr("&CSV"));
+    connect(add, &QPushButton::clicked, this, &LayoutDialog::addMarker);
+    connect(remove, &QPushButton::clicked, this, &LayoutDialog::removeMarker);
+    auto *axesMenu = new QMenu(axes);
+    axesMenu->addAction(tr("&Origin at the chosen marker"), this, [this] {
+        AxesChange change;
+        if (const int row = m_table->currentRow(); row >= 0)
+            change.originMarker = m_layout.markers[std::size_t(row)].label;
+        changeAxes(change);
+    });
+    axesMenu->addAction(tr("&Quarter turn"), this, [this] { changeAxes({.turnDegrees = 90}); });
+    axesMenu->addAction(tr("&Half turn"), this, [this] { changeAxes({.reverseX = true, .reverseY = true}); });
+    axesMenu->addSeparator();
+    for (const auto &[unit, words] : {std::pair("cm", tr("They were &centimetres")), std::pair("m", tr("They were &metres")), std::pair("inch", tr("They were &inches"))})
+        axesMenu->addAction(words, this, [this, unit = unit] { changeAxes({.lengthFactor = *lengthFactorFrom(unit)}); });
+    axes->setMenu(axesMenu);
+    auto *csvMenu = new QMenu(csv);
+    csvMenu->addAction(tr("&Import…"), this, [this] {
+        const QString file = QFileDialog::getOpenFileName(this, tr("Places of the markers (label,x_mm,y_mm)"), {}, csvFilter());
+        if (!file.isEmpty())
+            tell(importCsv(file));
+    });
+    csvMenu->addAction(tr("&Export…"), this, [this] {
+        const QString file = QFileDialog::getSaveFileName(this, tr("Places of the markers"), m_name->text() + QStringLiteral(".csv"), csvFilter());
+        if (!file.isEmpty())
+            tell(exportCsv(file));
+    });
+    csv->setMenu(csvMenu);
+    auto *tools = new QWidget;
+    auto *row = new QHBoxLayout(tools);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (QPushButton *button : {add, remove, axes, csv})
+        row->addWidget(button);
+    return tools;
+}
+
+void LayoutDialog::showMarkers()
+{
+    m_showing = true;
+    const int row = std::max(0, m_table->currentRow());
+    m_table->setRowCount(int(m_layout.markers.size()));
+    for (int i = 0; i < m_table->rowCount(); ++i) {
+        const Marker &marker = m_layout.markers[std::size_t(i)];
+        const auto number = [](double metres) { return std::isfinite(metres) ? QLocale().toString(toMillimetres(metres), 'g', 9) : QString(); };
+        const QString texts[] = {QString::fromStdString(marker.label), number(marker.pointInWorld.x()), number(marker.pointInWorld.y())};
+        for (int column = 0; column < ColumnCount; ++column)
+            m_table->setItem(i, column, new QTableWidgetItem(texts[column]));
+    }
+    m_table->setCurrentCell(std::min(row, m_table->rowCount() - 1), std::max(0, m_table->currentColumn()));
+    m_showing = false;
+    m_drawing->setLayout(m_layout, m_table->currentRow());
+    check();
+}
+
+void LayoutDialog::readRow(int row)
+{
+    if (m_showing)
+        return;
+    Marker &marker = m_layout.markers[std::size_t(row)];
+    marker.label = m_table->item(row, LabelColumn)->text().trimmed().toStdString();
+    marker.pointInWorld = {fromMillimetres(millimetresOf(m_table->item(row, XColumn)->text())),
+                           fromMillimetres(millimetresOf(m_table->item(row, YColumn)->text()))};
+    m_drawing->setLayout(m_layout, row);
+    check();
+}
+
+void LayoutDialog::addMarker()
+{
+    QString label = QStringLiteral("P1");
+    const auto taken = [&] { return std::ranges::any_of(m_layout.markers, [&](const Marker &marker) { return marker.label == label.toStdString(); }); };
+    for (int number = 1; taken(); ++number)
+        label = QStringLiteral("P%1").arg(number);
+    m_layout.markers.push_back({label.toStdString(), {1, 1}});
+    showMarkers();
+    m_table->setCurrentCell(m_table->rowCount() - 1, XColumn);
+}
+
+void LayoutDialog::removeMarker()
+{
+    if (const int row = m_table->currentRow(); row >= 0)
+        m_layout.markers.erase(m_layout.markers.begin() + row);
+    showMarkers();
+}
+
+QString LayoutDialog::problem() const
+{
+    if (m_name->text().trimmed().isEmpty())
+        return tr("The layout has no name.");
+    if (m_taken.contains(m_name->text().trimmed()))
+        return tr("There is a layout of that name: cameras may stand on it, so it is not overwritten. Give another name.");
+    QSet<QString> labels;
+    std::vector<Eigen::Vector2d> points;
+    for (const Marker &marker : m_layout.markers) {
+        const QString label = QString::fromStdString(marker.label);
+        if (label.isEmpty())
+            return tr("A marker has no label.");
+        if (labels.contains(label))
+            return tr("Two markers are called %1.").arg(label);
+        labels << label;
+        if (!marker.pointInWorld.allFinite())
+            return tr("The place of %1 is not a number.").arg(label);
+        points.push_back(marker.pointInWorld);
+    }
+    if (points.size() < 4)
+        return tr("Four markers are needed, there are %1.").arg(points.size());
+    if (const auto twins = coincidentPoints(points))
+        return tr("%1 and %2 lie at one place.").arg(QString::fromStdString(m_layout.markers[std::size_t((*twins)[0])].label),
+                                                   QString::fromStdString(m_layout.markers[std::size_t((*twins)[1])].label));
+    if (widestQuadrilateral(points).flatness < flatterThan)
+        return tr("The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.");
+    return {};
+}
+
+void LayoutDialog::check()
+{
+    m_layout.name = m_name->text().trimmed().toStdString();
+    const QString wrong = problem();
+    m_message->setText(wrong);
+    QPalette words = palette();
+    words.setColor(QPalette::WindowText, ThemeColours::of(palette()).spike);
+    m_message->setPalette(words);
+    m_save->setEnabled(wrong.isEmpty());
+}
+
+void LayoutDialog::tell(const Result<void> &outcome)
+{
+    if (!outcome)
+        m_message->setText(QString::fromStdString(outcome.error().message()));
+}
+
+Result<void> LayoutDialog::importCsv(const QString &file)
+{
+    auto read = readLayoutCsv(pathOf(file));
+    if (!read)
+        return tl::unexpected(read.error());
+    m_layout.markers = std::move(read->markers);
+    showMarkers();
+    return {};
+}
+
+Result<void> LayoutDialog::exportCsv(const QString &file) const { return writeLayoutCsv(pathOf(file), m_layout); }
+
+void LayoutDialog::changeAxes(const AxesChange &change)
+{
+    const auto axes = axesTransformOf(m_layout, change);
+    if (!axes)
+        return tell(tl::unexpected(axes.error()));
+    m_layout = transformed(m_layout, *axes);
+    showMarkers();
+}
+
+} // namespace odo

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/marker_layout.h"
+#include "core/geometry/floor_view.h"
+
+#include <QImage>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+/// A picture of the floor on which markers are put and dragged, with a magnifier while one is moved. A click puts the
+/// current marker there; the arrow keys move it by a tenth of a pixel, with Shift by a whole one.
+class MarkerCanvas : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit MarkerCanvas(QWidget *parent = nullptr);
+    /// size: of the picture in which pixels count.
+    void setPicture(const QImage &image, QSize size);
+    void setMarkers(std::vector<MarkerPixel> markers);
+    void setCurrent(const QString &label);
+    /// The floor's grid and axes as the registration sees them; nullopt: none.
+    void setFloor(const std::optional<FloorView> &view, const MarkerLayout &layout);
+    void setEmptyText(const QString &text);
+
+    QSize sizeHint() const override { return {720, 405}; }
+    QSize minimumSizeHint() const override { return {320, 180}; }
+    QPointF fromPixel(const Eigen::Vector2d &pixel) const;
+
+Q_SIGNALS:
+    /// A marker was put somewhere; snap: by the mouse, so that what lies near may have been meant.
+    void placed(const QString &label, const Eigen::Vector2d &pixel, bool snap);
+    void picked(const QString &label); ///< a marker that was there was taken hold of
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    QRectF pictureRect() const;
+    Eigen::Vector2d toPixel(const QPointF &place) const;
+    MarkerPixel *markerAt(const QPointF &place);
+    MarkerPixel *current();
+    void paintFloor(QPainter &painter) const;
+    void paintMarkers(QPainter &painter) const;
+    void paintMagnifier(QPainter &painter) const;
+
+    QImage m_image;
+    QSize m_size;
+    std::vector<MarkerPixel> m_markers;
+    QString m_current, m_emptyText;
+    std::optional<FloorView> m_view;
+    MarkerLayout m_layout;
+    bool m_dragging = false;
+};
+
+} // namespace odo

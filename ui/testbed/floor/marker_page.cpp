@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/floor/marker_page.h"
+
+#include "core/base/units.h"
+#include "core/calibration/lens_influence.h"
+#include "core/calibration/marker_snap.h"
+#include "ui/testbed/floor/marker_canvas.h"
+#include "ui/views/card.h"
+#include "ui/views/theme.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace odo {
+namespace {
+
+constexpr int sideWidth = 380;
+enum Column { LabelColumn, PlaceColumn, SeenColumn, ErrorColumn, ColumnCount };
+
+QString kindText(SnappedMarker::Kind kind)
+{
+    switch (kind) {
+    case SnappedMarker::Kind::Tag:
+        return MarkerPage::tr("tag");
+    case SnappedMarker::Kind::Ring:
+        return MarkerPage::tr("ring");
+    case SnappedMarker::Kind::Dot:
+        return MarkerPage::tr("dot");
+    case SnappedMarker::Kind::TapeCrossing:
+        return MarkerPage::tr("tape crossing");
+    case SnappedMarker::Kind::TapeCorner:
+        return MarkerPage::tr("corner");
+    case SnappedMarker::Kind::Saddle:
+        return MarkerPage::tr("crossing fields");
+    case SnappedMarker::Kind::None:
+        break;
+    }
+    return MarkerPage::tr("by hand");
+}
+
+QPushButton *buttonOf(QAction *action)
+{
+    auto *button = new QPushButton(action->text());
+    button->setAutoDefault(false);
+    button->setEnabled(action->isEnabled());
+    QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
+    QObject::connect(action, &QAction::enabledChanged, button, &QWidget::setEnabled);
+    return button;
+}
+
+} // namespace
+
+MarkerPage::MarkerPage(QWidget *parent)
+    : QWidget(parent), m_canvas(new MarkerCanvas), m_table(new QTableWidget(0, ColumnCount)), m_verdict(new QLabel), m_advice(new QLabel),
+      m_remove(new QAction(tr("&Take out"), this)), m_undo(new QAction(tr("&Undo"), this))
+{
+    m_remove->setShortcut(QKeySequence::Delete);
+    m_undo->setShortcut(QKeySequence::Undo);
+    addActions({m_remove, m_undo});
+    connect(m_remove, &QAction::triggered, this, &MarkerPage::removeCurrent);
+    connect(m_undo, &QAction::triggered, this, &MarkerPage::undo);
+    for (QLabel *label : {m_verdict, m_advice}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    }
+    m_verdict->setStyleSheet(QStringLiteral("font-weight: 600"));
+    m_verdict->setAccessibleName(tr("Verdict"));
+    m_advice->setObjectName(QStringLiteral("quiet"));
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_canvas, 1);
+    layout->addWidget(makeSide());
+    connect(m_canvas, &MarkerCanvas::placed, this, &MarkerPage::place);
+    connect(m_canvas, &MarkerCanvas::picked, this, [this](const QString &label) {
+        for (int row = 0; row < m_table->rowCount(); ++row)
+            if (m_table->item(row, LabelColumn)->text() == label)
+                m_table->selectRow(row);
+    });
+    connect(m_table, &QTableWidget::currentCellChanged, this, [this] {
+        m_canvas->setCurrent(currentLabel());
+        m_remove->setEnabled(std::ranges::find(m_pixels, currentLabel().toStdString(), &MarkerPixel::label) != m_pixels.end());
+    });
+}
+
+QWidget *MarkerPage::makeSide()
+{
+    m_table->setHorizontalHeaderLabels({tr("Marker"), tr("Place, mm"), tr("Seen as"), tr("Error")});
+    m_table->setAccessibleName(tr("Markers"));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setShowGrid(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    auto *content = new QWidget;
+    auto *contentLayout = new QVBoxLayout(content);
+    contentLayout->setContentsMargins(0, 0, 0, 0);
+    contentLayout->addWidget(m_table, 1);
+    auto *buttons = new QHBoxLayout;
+    buttons->setContentsMargins(10, 4, 10, 8);
+    buttons->addWidget(buttonOf(m_remove));
+    buttons->addWidget(buttonOf(m_undo));
+    buttons->addStretch(1);
+    contentLayout->addLayout(buttons);
+    auto *markers = new Card(tr("Markers"));
+    markers->setContent(content);
+    auto *said = new QWidget;
+    auto *saidLayout = new QVBoxLayout(said);
+    saidLayout->setContentsMargins(12, 10, 12, 10);
+    saidLayout->addWidget(m_verdict);
+    saidLayout->addWidget(m_advice);
+    saidLayout->addStretch(1);
+    auto *result = new Card(tr("Where the camera stands"));
+    result->setContent(said);
+    auto *side = new QWidget;
+    side->setFixedWidth(sideWidth);
+    auto *layout = new QVBoxLayout(side);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(markers, 3);
+    layout->addWidget(result, 2);
+    return side;
+}
+
+void MarkerPage::wait(const QString &words)
+{
+    m_picture.reset();
+    m_pixels.clear();
+    m_layout = {};
+    m_canvas->setPicture({}, {});
+    m_canvas->setEmptyText(words);
+    evaluate();
+    m_verdict->setText(words);
+    m_advice->clear();
+}
+
+void MarkerPage::showFailure(const Error &error)
+{
+    wait(QString::fromStdString(error.why));
+    m_advice->setText(QString::fromStdString(error.advice));
+}
+
+void MarkerPage::begin(std::shared_ptr<const StillPicture> picture, const MarkerLayout &layout, const std::optional<Intrinsics> &lens)
+{
+    m_picture = std::move(picture);
+    m_layout = layout;
+    m_lens = lens;
+    m_pixels = m_picture->markers;
+    m_kinds.clear();
+    for (const MarkerPixel &marker : m_pixels)
+        m_kinds.emplace_back(marker.label, tr("found"));
+    m_before.clear();
+    m_canvas->setPicture(m_picture->image, {m_picture->frame.format.width, m_picture->frame.format.height});
+    evaluate();
+    m_table->selectRow(0);
+    m_canvas->setFocus();
+}
+
+QString MarkerPage::currentLabel() const
+{
+    const QTableWidgetItem *item = m_table->currentRow() < 0 ? nullptr : m_table->item(m_table->currentRow(), LabelColumn);
+    return item ? item->text() : QString();
+}
+
+void MarkerPage::remember() { m_before.push_back(m_pixels); }
+
+void MarkerPage::place(const QString &label, const Eigen::Vector2d &pixel, bool snap)
+{
+    remember();
+    const SnappedMarker seen = snap ? snapToMarker(m_picture->frame, pixel) : SnappedMarker{SnappedMarker::Kind::None, pixel, 0};
+    const std::string name = label.toStdString();
+    std::erase_if(m_pixels, [&](const MarkerPixel &marker) { return marker.label == name; });
+    std::erase_if(m_kinds, [&](const auto &kind) { return kind.first == name; });
+    m_pixels.push_back({name, seen.pixel});
+    m_kinds.emplace_back(name, kindText(seen.kind));
+    evaluate();
+    // The next one that is nowhere yet, so that a person clicks them one after the other.
+    for (int row = 0; snap && row < m_table->rowCount(); ++row) {
+        const std::string next = m_table->item(row, LabelColumn)->text().toStdString();
+        if (std::ranges::find(m_pixels, next, &MarkerPixel::label) == m_pixels.end()) {
+            m_table->selectRow(row);
+            break;
+        }
+    }
+}
+
+void MarkerPage::removeCurrent()
+{
+    const std::string name = currentLabel().toStdString();
+    remember();
+    std::erase_if(m_pixels, [&](const MarkerPixel &marker) { return marker.label == name; });
+    evaluate();
+}
+
+void MarkerPage::undo()
+{
+    if (m_before.empty())
+        return;
+    m_pixels = std::move(m_before.back());
+    m_before.pop_back();
+    evaluate();
+}
+
+void MarkerPage::evaluate()
+{
+    m_registration.reset();
+    std::optional<FloorView> view;
+    if (m_picture) {
+        const CameraModel camera = cameraOf(m_lens, m_picture->frame.format.width, m_picture->frame.format.height);
+        const auto registered = registerFloor(m_layout, m_pixels, camera, m_lens.has_value());
+        if (registered) {
+            m_registration = *registered;
+            view = floorViewOf(*registered, *CameraModel::create(registered->intrinsics), m_pixels);
+            m_verdict->setText(QString::fromStdString(registered->verdict));
+            const Eigen::Vector3d &at = registered->worldFromCamera.translation;
+            const QLocale locale;
+            m_advice->setText(tr("It stands at x %1 m, y %2 m, %3 m above the floor.")
+                                  .arg(locale.toString(at.x(), 'f', 2), locale.toString(at.y(), 'f', 2), locale.toString(at.z(), 'f', 2)));
+        } else {
+            m_verdict->setText(QString::fromStdString(registered.error().why));
+            m_advice->setText(m_pixels.size() < 4 ? tr("Choose a marker in the table and click where it is; what lies near the click is "
+                                                       "taken to the tenth of a pixel.")
+                                                  : QString::fromStdString(registered.error().advice));
+        }
+    }
+    m_canvas->setMarkers(m_pixels);
+    m_canvas->setFloor(view, m_layout);
+    m_undo->setEnabled(!m_before.empty());
+    showTable();
+    Q_EMIT completeChanged();
+}
+
+void MarkerPage::showTable()
+{
+    const int row = m_table->currentRow();
+    const QSignalBlocker quiet(m_table);
+    m_table->setRowCount(int(m_layout.markers.size()));
+    const QLocale locale;
+    for (int i = 0; i < m_table->rowCount(); ++i) {
+        const Marker &marker = m_layout.markers[std::size_t(i)];
+        const bool seen = std::ranges::find(m_pixels, marker.label, &MarkerPixel::label) != m_pixels.end();
+        const auto kind = std::ranges::find(m_kinds, marker.label, [](const auto &each) { return each.first; });
+        QString error;
+        if (m_registration) {
+            const auto found = std::ranges::find(m_registration->markers, marker.label, &MarkerError::label);
+            if (found != m_registration->markers.end())
+                error = tr("%1 mm").arg(locale.toString(toMillimetres(found->errorM), 'f', 1));
+        }
+        const QString texts[] = {QString::fromStdString(marker.label),
+                                 tr("%1, %2").arg(locale.toString(toMillimetres(marker.pointInWorld.x()), 'f', 0),
+                                                  locale.toString(toMillimetres(marker.pointInWorld.y()), 'f', 0)),
+                                 !seen ? tr("not seen") : kind == m_kinds.end() ? tr("found") : kind->second, error};
+        for (int column = 0; column < ColumnCount; ++column)
+            m_table->setItem(i, column, new QTableWidgetItem(texts[column]));
+    }
+    m_table->resizeColumnsToContents();
+    if (row >= 0 && row < m_table->rowCount())
+        m_table->selectRow(row);
+    m_canvas->setCurrent(currentLabel());
+    m_remove->setEnabled(std::ranges::find(m_pixels, currentLabel().toStdString(), &MarkerPixel::label) != m_pixels.end());
+}
+
+} // namespace odo

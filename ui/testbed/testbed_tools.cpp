@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/testbed_tools.h"
+
+#include "core/exchange/layout_csv.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/cameras.h"
+#include "core/workflow/stored_registration.h"
+#include "ui/models/camera_list_model.h"
+#include "ui/testbed/floor/floor_wizard.h"
+#include "ui/testbed/floor/layout_dialog.h"
+#include "ui/testbed/lens/lens_wizard.h"
+#include "ui/testbed/targets/target_dialog.h"
+#include "ui/views/path_field.h"
+#include "ui/views/theme_icon.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <algorithm>
+
+namespace odo {
+namespace {
+
+const char *const boardBefore = "?board"; // the simulated cameras have somebody who holds a board
+
+/// Cameras with what a registration needs; those without a lens as well.
+Result<std::vector<FloorCamera>> floorCameras(Project &project)
+{
+    const auto rows = loadCameraRows(project);
+    if (!rows)
+        return tl::unexpected(rows.error());
+    std::vector<FloorCamera> cameras;
+    for (const CameraRow &row : *rows) {
+        FloorCamera camera{QString::fromStdString(row.camera.name), row.intrinsics, std::nullopt};
+        const auto recording = newestRecording(project, row.camera.id);
+        if (!recording)
+            return tl::unexpected(recording.error());
+        if (*recording)
+            camera.newestRecording = (*recording)->path;
+        cameras.push_back(std::move(camera));
+    }
+    return cameras;
+}
+
+std::vector<std::pair<QString, QString>> liveCameras()
+{
+    std::vector<std::pair<QString, QString>> live;
+    for (const CameraDescription &camera : listCameras())
+        live.emplace_back(QString::fromStdString(camera.name), QString::fromStdString(camera.uri));
+    return live;
+}
+
+} // namespace
+
+TestbedTools::TestbedTools(Project &project, QWidget &window) : QObject(&window), m_project(project), m_window(window)
+{
+    add(Calibrate, QStringLiteral("calibrate"), tr("&Calibrate camera…"), tr("Calibrate…"),
+        tr("Measure a camera's lens from pictures of a board"), &TestbedTools::calibrate);
+    add(Register, QStringLiteral("register"), tr("&Register camera…"), tr("Register…"),
+        tr("Find where a camera stands from the floor markers"), &TestbedTools::registerCamera);
+    add(ImportLens, QStringLiteral("import"), tr("Import &intrinsics…"), tr("Import lens…"),
+        tr("Take a camera's lens from a ROS or OpenCV YAML file"), &TestbedTools::importLens);
+    add(NewLayout, QStringLiteral("add"), tr("New marker &layout…"), tr("New layout…"),
+        tr("Say where the markers lie, from the start or from the layout that is chosen"), &TestbedTools::newLayout);
+    add(ImportLayout, QStringLiteral("import"), tr("Import &marker layout…"), tr("Import layout…"),
+        tr("Take the places of the markers from a table"), &TestbedTools::importLayout);
+    add(PrintTargets, QStringLiteral("print"), tr("Print &targets…"), tr("Print…"),
+        tr("Boards for the lens and markers for the floor, to scale"), &TestbedTools::printTargets);
+}
+
+void TestbedTools::add(Tool tool, const QString &icon, const QString &text, const QString &shortText, const QString &tip,
+                       void (TestbedTools::*slot)())
+{
+    Q_ASSERT(m_actions.size() == tool);
+    auto *action = new QAction(themeIcon(icon), text, this);
+    action->setIconText(shortText); // for the buttons beneath the tables; the menu has the long words
+    action->setToolTip(tip);
+    connect(action, &QAction::triggered, this, slot);
+    m_actions.append(action);
+}
+
+void TestbedTools::setCurrent(const QString &camera, const std::optional<LayoutRecord> &layout)
+{
+    m_camera = camera;
+    m_layout = layout;
+    m_actions.at(Register)->setEnabled(layout.has_value());
+}
+
+QStringList TestbedTools::cameraNames() const
+{
+    QStringList names;
+    for (const CameraRecord &camera : m_project.cameras().all().value_or(std::vector<CameraRecord>()))
+        names << QString::fromStdString(camera.name);
+    return names;
+}
+
+QStringList TestbedTools::layoutNames() const
+{
+    QStringList names;
+    for (const LayoutRecord &layout : m_project.layouts().all().value_or(std::vector<LayoutRecord>()))
+        names << QString::fromStdString(layout.layout.name);
+    return names;
+}
+
+void TestbedTools::calibrate()
+{
+    std::vector<CameraDescription> live = listCameras();
+    for (CameraDescription &camera : live)
+        camera.uri += boardBefore;
+    LensWizard wizard(cameraNames(), m_camera, live,
+                      [](const QString &uri) -> Result<std::shared_ptr<CameraSource>> {
+                          auto camera = openCamera(uri.toStdString());
+                          if (!camera)
+                              return tl::unexpected(camera.error());
+                          return std::shared_ptr<CameraSource>(std::move(*camera));
+                      },
+                      &m_window);
+    if (wizard.exec() != QDialog::Accepted)
+        return;
+    const MeasuredLens lens = wizard.result();
+    if (const auto stored = storeCalibration(m_project, lens.camera.toStdString(), lens.calibration, lens.board, lens.pictures); !stored)
+        Q_EMIT failed(stored.error());
+    else
+        Q_EMIT changed(tr("Camera %1 is calibrated. %2").arg(lens.camera, QString::fromStdString(lens.calibration.verdict)));
+}
+
+void TestbedTools::registerCamera()
+{
+    auto cameras = floorCameras(m_project);
+    auto layouts = m_project.layouts().all();
+    if (!cameras || !layouts) {
+        Q_EMIT failed(cameras ? layouts.error() : cameras.error());
+        return;
+    }
+    // The one that is chosen comes first, for the wizard begins with it.
+    std::ranges::stable_partition(*layouts, [this](const LayoutRecord &layout) { return m_layout && layout.id == m_layout->id; });
+    FloorWizard wizard(std::move(*cameras), m_camera, std::move(*layouts), liveCameras(), &m_window);
+    if (wizard.exec() != QDialog::Accepted)
+        return;
+    std::string verdict;
+    const auto stored = m_project.inTransaction([&]() -> Result<void> {
+        const auto record = storeRegistration(m_project, wizard.camera().toStdString(), wizard.result());
+        if (!record)
+            return tl::unexpected(record.error());
+        verdict = record->registration.verdict;
+        return {};
+    });
+    if (!stored)
+        Q_EMIT failed(stored.error());
+    else
+        Q_EMIT changed(tr("Camera %1 is registered. %2").arg(wizard.camera(), QString::fromStdString(verdict)));
+}
+
+void TestbedTools::importLens()
+{
+    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Intrinsics of a camera"), {}, tr("Calibrations (*.yaml *.yml);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    const QStringList names = cameraNames();
+    bool accepted = false;
+    const QString camera = QInputDialog::getItem(&m_window, tr("Import intrinsics"), tr("Camera:"), names,
+                                                 std::max(0, int(names.indexOf(m_camera))), true, &accepted)
+                               .trimmed();
+    if (!accepted || camera.isEmpty())
+        return;
+    const Result<IntrinsicsRecord> imported = importIntrinsics(m_project, camera.toStdString(), pathOf(file));
+    if (!imported)
+        Q_EMIT failed(imported.error());
+    else
+        Q_EMIT changed(tr("The lens of camera %1 was taken from %2.").arg(camera, QFileInfo(file).fileName()));
+}
+
+void TestbedTools::newLayout()
+{
+    LayoutDialog dialog(m_layout ? m_layout->layout : MarkerLayout(), layoutNames(), &m_window);
+    if (dialog.exec() == QDialog::Accepted)
+        store(dialog.layout());
+}
+
+void TestbedTools::importLayout()
+{
+    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Places of the markers (label,x_mm,y_mm)"), {},
+                                                      tr("Tables (*.csv *.txt);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    Result<MarkerLayout> layout = readLayoutCsv(pathOf(file));
+    if (!layout) {
+        Q_EMIT failed(layout.error());
+        return;
+    }
+    // Looked over before it is stored: a table of another unit shows at once.
+    layout->name = QFileInfo(file).completeBaseName().toStdString();
+    LayoutDialog dialog(*layout, layoutNames(), &m_window);
+    if (dialog.exec() == QDialog::Accepted)
+        store(dialog.layout());
+}
+
+void TestbedTools::store(MarkerLayout layout)
+{
+    if (const Result<LayoutRecord> added = m_project.layouts().add(layout); !added)
+        Q_EMIT failed(added.error());
+    else
+        Q_EMIT changed(tr("Layout %1 has %2 markers.").arg(QString::fromStdString(layout.name)).arg(layout.markers.size()));
+}
+
+void TestbedTools::printTargets()
+{
+    QStringList labels;
+    if (m_layout)
+        for (const Marker &marker : m_layout->layout.markers)
+            labels << QString::fromStdString(marker.label);
+    TargetDialog(TargetKind::Checkerboard, labels, &m_window).exec();
+}
+
+} // namespace odo

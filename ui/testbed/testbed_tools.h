@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/project/records.h"
+
+#include <QList>
+#include <QObject>
+#include <QString>
+
+class QAction;
+class QWidget;
+
+namespace odo {
+
+class Project;
+
+/// What can be done with a testbed: calibrate and register cameras, make layouts, print targets. Owns the actions, asks
+/// in dialogs, and stores what they end with. Uses the project on its own thread.
+class TestbedTools : public QObject
+{
+    Q_OBJECT
+public:
+    enum Tool { Calibrate, Register, ImportLens, NewLayout, ImportLayout, PrintTargets, ToolCount };
+
+    /// window: parent of the dialogs.
+    TestbedTools(Project &project, QWidget &window);
+
+    QAction *action(Tool tool) const { return m_actions.at(tool); }
+    QList<QAction *> actions() const { return m_actions; }
+    /// What the dialogs begin with. layout: empty where there is none.
+    void setCurrent(const QString &camera, const std::optional<LayoutRecord> &layout);
+
+Q_SIGNALS:
+    void changed(const QString &words);
+    void failed(const odo::Error &error);
+
+private:
+    void add(Tool tool, const QString &icon, const QString &text, const QString &shortText, const QString &tip,
+             void (TestbedTools::*slot)());
+    void calibrate();
+    void registerCamera();
+    void importLens();
+    void newLayout();
+    void importLayout();
+    void printTargets();
+    QStringList cameraNames() const;
+    QStringList layoutNames() const;
+    void store(MarkerLayout layout);
+
+    Project &m_project;
+    QWidget &m_window;
+    QList<QAction *> m_actions;
+    QString m_camera;
+    std::optional<LayoutRecord> m_layout;
+};
+
+} // namespace odo
