@@ -167,6 +167,7 @@ void TestLensWizard::byKeyboardFromFiles()
     const MeasuredLens measured = wizard->result();
     QCOMPARE(measured.camera, QStringLiteral("B"));
     QCOMPARE(measured.pictures.size(), std::size_t(kept));
+    QVERIFY(!measured.pictures.front().png.empty());
     // 0.3 %, what the issue of this wizard demands of simulated sets.
     QVERIFY(std::abs(measured.calibration.intrinsics.fxPx / 560 - 1) < 0.003);
 }
@@ -254,20 +255,18 @@ void TestLensWizard::leavesOutWhatIsAboveTheThreshold()
     walkToPictures(*wizard);
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
-    const std::size_t kept = wizard->result().pictures.size();
+    const std::size_t kept = wizard->result().calibration.picturesUsed();
     auto *bars = wizard->findChild<PictureBars *>();
-    for (int i = 0; i < 8; ++i) // from 1.5 times the worst to about the worst
+    for (int i = 0; i < 30 && wizard->result().calibration.picturesUsed() == kept; ++i) { // from 1.5 times the worst down
         QTest::keyClick(bars, Qt::Key_Down);
-    while (wizard->result().pictures.size() == kept)
-        QTest::keyClick(bars, Qt::Key_Down);
-    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+    }
     const MeasuredLens fewer = wizard->result();
-    QVERIFY(fewer.pictures.size() < kept);
-    QCOMPARE(fewer.calibration.pictures.size(), fewer.pictures.size());
+    QVERIFY(fewer.calibration.picturesUsed() < kept);
     for (int i = 0; i < 40; ++i)
         QTest::keyClick(bars, Qt::Key_Up);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
-    QCOMPARE(wizard->result().pictures.size(), kept);
+    QCOMPARE(wizard->result().calibration.picturesUsed(), kept);
 }
 
 void TestLensWizard::tellsOfALostCamera()
