@@ -38,7 +38,7 @@ private Q_SLOTS:
         const QByteArray bytes = content(m_file);
         QVERIFY(bytes.startsWith("SQLite format 3"));
         QCOMPARE(bytes.mid(68, 4), QByteArray("Odog"));
-        QCOMPARE(bytes.mid(60, 4), QByteArray("\0\0\0\5", 4));
+        QCOMPARE(bytes.mid(60, 4), QByteArray("\0\0\0\6", 4));
     }
 
     void creatingNeverReplacesNorLeavesAnything()

@@ -191,7 +191,6 @@ void MainWindow::makePages()
 
 void MainWindow::connectPages()
 {
-    connect(m_testbed, &TestbedPage::jobRequested, this, &MainWindow::startJob);
     connect(m_testbed, &TestbedPage::changed, this, [this](const QString &words) {
         m_messages->showDone(words);
         m_review->refresh();
@@ -264,15 +263,6 @@ bool MainWindow::isSettled() const
     if (page == m_review)
         return m_review->isSettled();
     return page != m_testbed || m_testbed->isSettled();
-}
-
-void MainWindow::startJob(const std::shared_ptr<Job> &job, const QString &words,
-                          const std::function<QString()> &done)
-{
-    const Result<void> started =
-        m_workspace->start(job, words, [this, done] { m_messages->showDone(done()); });
-    if (!started)
-        tellFailure(started.error());
 }
 
 void MainWindow::showTitle()

@@ -5,7 +5,6 @@
 
 #include <QMainWindow>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -16,7 +15,6 @@ namespace odo {
 
 class FileActions;
 class HistoryPage;
-class Job;
 class JobIndicator;
 class MessageBar;
 class ModeBar;
@@ -71,8 +69,6 @@ private:
     void refreshPages();
     void showTitle();
     void showState();
-    void startJob(const std::shared_ptr<Job> &job, const QString &words,
-                  const std::function<QString()> &done);
     void tellFailure(const Error &error);
 
     RecentProjects *m_recent;
