@@ -38,7 +38,7 @@ Result<std::vector<FloorCamera>> floorCameras(Project &project)
         if (!recording)
             return tl::unexpected(recording.error());
         if (*recording)
-            camera.newestRecording = (*recording)->path;
+            camera.newestRecording = project.resolve(**recording);
         cameras.push_back(std::move(camera));
     }
     return cameras;

@@ -162,7 +162,9 @@ void LayoutDialog::showMarkers()
     m_table->setRowCount(int(m_layout.markers.size()));
     for (int i = 0; i < m_table->rowCount(); ++i) {
         const Marker &marker = m_layout.markers[std::size_t(i)];
-        const auto number = [](double metres) { return std::isfinite(metres) ? QLocale().toString(toMillimetres(metres), 'g', 9) : QString(); };
+        QLocale locale; // a person edits these: 2,750 could be read as 2.75
+        locale.setNumberOptions(QLocale::OmitGroupSeparator);
+        const auto number = [&](double metres) { return std::isfinite(metres) ? locale.toString(toMillimetres(metres), 'g', 9) : QString(); };
         const QString texts[] = {QString::fromStdString(marker.label), number(marker.pointInWorld.x()), number(marker.pointInWorld.y())};
         for (int column = 0; column < ColumnCount; ++column)
             m_table->setItem(i, column, new QTableWidgetItem(texts[column]));

@@ -36,7 +36,7 @@ QPushButton *button(QWidget &window, const char *text)
 bool says(QWidget &window, const char *words)
 {
     for (const QLabel *label : window.findChildren<QLabel *>())
-        if (label->text().contains(QLatin1String(words)))
+        if (label->text().contains(QString::fromUtf8(words)))
             return true;
     return false;
 }
