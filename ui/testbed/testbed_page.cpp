@@ -6,6 +6,7 @@
 #include "ui/models/timeline.h"
 #include "ui/testbed/testbed_state.h"
 #include "ui/testbed/testbed_tools.h"
+#include "ui/views/action_button.h"
 #include "ui/views/camera_view.h"
 #include "ui/views/card.h"
 #include "ui/views/empty_state.h"
@@ -24,16 +25,6 @@ namespace odo {
 namespace {
 
 constexpr int tableHeight = 100; // header and two cameras
-
-QPushButton *buttonFor(QAction *action)
-{
-    auto *button = new QPushButton(action->icon(), action->iconText());
-    button->setToolTip(action->toolTip());
-    button->setEnabled(action->isEnabled());
-    QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
-    QObject::connect(action, &QAction::enabledChanged, button, &QWidget::setEnabled);
-    return button;
-}
 
 } // namespace
 
@@ -123,7 +114,7 @@ QWidget *TestbedPage::makeCameraCard()
     buttons->setContentsMargins(10, 8, 10, 8);
     buttons->setSpacing(8);
     for (const TestbedTools::Tool tool : {TestbedTools::Calibrate, TestbedTools::Register, TestbedTools::ImportLens})
-        buttons->addWidget(buttonFor(m_tools->action(tool)));
+        buttons->addWidget(actionButton(m_tools->action(tool), m_tools->action(tool)->iconText()));
     buttons->addStretch(1);
     contentLayout->addLayout(buttons);
     auto *card = new Card(tr("Cameras"));
@@ -151,7 +142,7 @@ QWidget *TestbedPage::makeLayoutCard()
     buttons->setContentsMargins(10, 8, 10, 8);
     buttons->setSpacing(8);
     for (const TestbedTools::Tool tool : {TestbedTools::NewLayout, TestbedTools::ImportLayout, TestbedTools::PrintTargets})
-        buttons->addWidget(buttonFor(m_tools->action(tool)));
+        buttons->addWidget(actionButton(m_tools->action(tool), m_tools->action(tool)->iconText()));
     buttons->addStretch(1);
     layout->addLayout(buttons);
     auto *card = new Card(tr("Marker layouts"));

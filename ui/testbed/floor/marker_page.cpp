@@ -5,6 +5,7 @@
 #include "core/calibration/lens_influence.h"
 #include "core/calibration/marker_snap.h"
 #include "ui/testbed/floor/marker_canvas.h"
+#include "ui/views/action_button.h"
 #include "ui/views/card.h"
 #include "ui/views/theme.h"
 
@@ -43,16 +44,6 @@ QString kindText(SnappedMarker::Kind kind)
         break;
     }
     return MarkerPage::tr("by hand");
-}
-
-QPushButton *buttonOf(QAction *action)
-{
-    auto *button = new QPushButton(action->text());
-    button->setAutoDefault(false);
-    button->setEnabled(action->isEnabled());
-    QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
-    QObject::connect(action, &QAction::enabledChanged, button, &QWidget::setEnabled);
-    return button;
 }
 
 } // namespace
@@ -109,8 +100,8 @@ QWidget *MarkerPage::makeSide()
     contentLayout->addWidget(m_table, 1);
     auto *buttons = new QHBoxLayout;
     buttons->setContentsMargins(10, 4, 10, 8);
-    buttons->addWidget(buttonOf(m_remove));
-    buttons->addWidget(buttonOf(m_undo));
+    buttons->addWidget(actionButton(m_remove, m_remove->text()));
+    buttons->addWidget(actionButton(m_undo, m_undo->text()));
     buttons->addStretch(1);
     contentLayout->addLayout(buttons);
     auto *markers = new Card(tr("Markers"));

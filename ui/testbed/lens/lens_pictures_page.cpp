@@ -4,6 +4,7 @@
 #include "ui/testbed/lens/board_canvas.h"
 #include "ui/testbed/lens/coverage_panel.h"
 #include "ui/testbed/lens/film_strip.h"
+#include "ui/views/action_button.h"
 #include "ui/views/card.h"
 
 #include <QAction>
@@ -20,16 +21,6 @@ namespace odo {
 namespace {
 
 constexpr int sideWidth = 300;
-
-QPushButton *buttonOf(QAction *action)
-{
-    auto *button = new QPushButton(action->text());
-    button->setAutoDefault(false);
-    button->setEnabled(action->isEnabled());
-    QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
-    QObject::connect(action, &QAction::enabledChanged, button, &QWidget::setEnabled);
-    return button;
-}
 
 } // namespace
 
@@ -127,8 +118,8 @@ QWidget *LensPicturesPage::makeSide()
 QWidget *LensPicturesPage::makeStrip()
 {
     auto *buttons = new QVBoxLayout;
-    buttons->addWidget(buttonOf(m_strip->removeAction()));
-    buttons->addWidget(buttonOf(m_strip->undoAction()));
+    buttons->addWidget(actionButton(m_strip->removeAction(), m_strip->removeAction()->text()));
+    buttons->addWidget(actionButton(m_strip->undoAction(), m_strip->undoAction()->text()));
     buttons->addStretch(1);
     auto *strip = new QWidget;
     auto *layout = new QHBoxLayout(strip);
