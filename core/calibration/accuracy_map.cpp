@@ -111,6 +111,20 @@ AccuracyMap accuracyMap(std::span<const FloorView> views, const FloorGrid &grid,
     return map;
 }
 
+Vector2d PlannedCamera::footM() const
+{
+    const double direction = directionDegrees * EIGEN_PI / 180;
+    return aimM + distanceM * Vector2d(std::cos(direction), std::sin(direction));
+}
+
+void PlannedCamera::standAt(const Vector2d &footM)
+{
+    const Vector2d away = footM - aimM;
+    distanceM = away.norm();
+    if (distanceM > 0) // straight above, the direction stays what it was
+        directionDegrees = std::atan2(away.y(), away.x()) * 180 / EIGEN_PI;
+}
+
 Result<FloorView> plannedView(const PlannedCamera &camera, const MarkerLayout &layout, double sigmaPx)
 {
     if (!(camera.heightM >= 0.05 && camera.heightM <= 100))
@@ -121,7 +135,7 @@ Result<FloorView> plannedView(const PlannedCamera &camera, const MarkerLayout &l
         return noCamera("its field of view is " + formatNumber(camera.fieldOfViewDegrees, 1) + "°", "give 2° to 150°, and the size of its pictures");
     const double direction = camera.directionDegrees * EIGEN_PI / 180;
     const Vector2d away(std::cos(direction), std::sin(direction));
-    const Vector2d foot = camera.aimM + camera.distanceM * away;
+    const Vector2d foot = camera.footM();
     const Vector3d place(foot.x(), foot.y(), camera.heightM);
     const Vector3d forward = (Vector3d(camera.aimM.x(), camera.aimM.y(), 0) - place).normalized();
     // Along the floor, so that the picture is upright; straight down it has no up, and the direction gives one.

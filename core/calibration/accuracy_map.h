@@ -50,6 +50,11 @@ struct PlannedCamera
     Eigen::Vector2d aimM = Eigen::Vector2d::Zero();            ///< point of the floor in the middle of the picture
     double fieldOfViewDegrees = 60;                            ///< across the picture's width
     int widthPx = 1280, heightPx = 720;
+
+    /// The point of the floor below it.
+    Eigen::Vector2d footM() const;
+    /// Puts it above that point, aimed at what it is aimed at.
+    void standAt(const Eigen::Vector2d &footM);
 };
 
 /// The view such a camera would have when it were registered by these markers with this σ of one coordinate of a

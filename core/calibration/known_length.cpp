@@ -21,14 +21,15 @@ struct Measured
     double lengthM = 0, varianceM2 = 0;
 };
 
-Result<Measured> measure(const SeenLength &seen, double heightM, double sigmaPx)
+Eigen::Matrix2d noiseOf(double sigmaPx) { return sigmaPx * sigmaPx * Eigen::Matrix2d::Identity(); }
+
+Result<Measured> measure(const SeenLength &seen, double heightM)
 {
     if ((seen.fromPixel - seen.toPixel).norm() < leastPixels)
         return fail(ErrorCode::InvalidInput, what, "both ends lie on one pixel of camera '" + seen.camera + "'",
                     "mark the two ends where they are seen");
-    const Eigen::Matrix2d noise = sigmaPx * sigmaPx * Eigen::Matrix2d::Identity();
-    const auto from = seen.view->locate(seen.fromPixel, noise, heightM);
-    const auto to = seen.view->locate(seen.toPixel, noise, heightM);
+    const auto from = seen.view->locate(seen.fromPixel, noiseOf(seen.fromSigmaPx), heightM);
+    const auto to = seen.view->locate(seen.toPixel, noiseOf(seen.toSigmaPx), heightM);
     if (!from || !to)
         return fail(ErrorCode::InvalidInput, what,
                     std::string("the ") + (from ? "second" : "first") +
@@ -48,27 +49,26 @@ std::string judgement(const LengthCheck &check, double toldM)
 {
     const double difference = *check.differenceM;
     const std::string off =
-        millimetres(std::abs(difference)) + (difference < 0 ? " shorter" : " longer") + " than the " + millimetres(toldM) + " told";
-    if (std::abs(difference) <= agreesWithin * check.sigmaM)
-        return " It is " + off + ", as near as the calibration promises.";
-    return " It is " + off + ", which is " + formatNumber(std::abs(difference) / check.sigmaM, 1) +
-           " times the ± that the calibration promises: check the stick, whether it lies on the floor, and the places "
-           "of the markers.";
+        " It is " + millimetres(std::abs(difference)) + (difference < 0 ? " short" : " long") + " of the " + millimetres(toldM) + " told: ";
+    const double allowed = agreesWithin * check.sigmaM;
+    if (std::abs(difference) <= allowed)
+        return off + "inside the expected error of " + millimetres(allowed) + ".";
+    return off + "outside the expected error of " + millimetres(allowed) +
+           ". Check the length itself, whether it lies on the floor, and the places of the markers.";
 }
 
 } // namespace
 
-Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<double> toldM, double heightM,
-                                double sigmaPx)
+Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<double> toldM, double heightM)
 {
     if (seen.empty())
         return fail(ErrorCode::InvalidInput, what, "no camera was given that sees it", "mark its ends in one picture at least");
     if (toldM && !(*toldM > 0 && std::isfinite(*toldM)))
-        return fail(ErrorCode::InvalidInput, what, "the told length is not above 0", "give the length of the stick");
+        return fail(ErrorCode::InvalidInput, what, "the told length is not above 0", "give the length as it was measured with a tape");
     double information = 0, weighted = 0;
     std::vector<Measured> each;
     for (const SeenLength &one : seen) {
-        const auto measured = measure(one, heightM, sigmaPx);
+        const auto measured = measure(one, heightM);
         if (!measured)
             return tl::unexpected(measured.error());
         each.push_back(*measured);

@@ -16,6 +16,7 @@ struct SeenLength
     const FloorView *view = nullptr; ///< lives as long as the call
     std::string camera;              ///< for words
     Eigen::Vector2d fromPixel, toPixel;
+    double fromSigmaPx = 0.5, toSigmaPx = 0.5; ///< of one coordinate; a click is good to half a pixel, a snapped end to less
 };
 
 /// A length measured on the floor, against what it was told to be.
@@ -29,9 +30,8 @@ struct LengthCheck
 };
 
 /// Measures the length in each camera and joins the cameras by their information. heightM: of the plane in which the
-/// stick lies. sigmaPx: of one coordinate of a clicked end; the told length counts as exact. Errors: no camera, an end
-/// at or beyond the horizon, ends on one pixel, a told length that is not positive. Pure; any thread.
-Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<double> toldM, double heightM = 0,
-                                double sigmaPx = 0.5);
+/// stick lies. The told length counts as exact. Errors: no camera, an end at or beyond the horizon, ends on one pixel, a told
+/// length that is not positive. Pure; any thread.
+Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<double> toldM, double heightM = 0);
 
 } // namespace odo

@@ -87,9 +87,9 @@ private Q_SLOTS:
         QVERIFY(one && two && wrong);
         QVERIFY(two->sigmaM < one->sigmaM);
         QVERIFY(two->agrees);
-        QVERIFY(contains(two->words, "as near as the calibration promises"));
+        QVERIFY(contains(two->words, "inside the expected error of"));
         QVERIFY(!wrong->agrees);
-        QVERIFY(contains(wrong->words, "shorter than the 1050.0 mm told, which is"));
+        QVERIFY(contains(wrong->words, "short of the 1050.0 mm told: outside the expected error of"));
     }
     void badLengthsHaveTheirSentences()
     {

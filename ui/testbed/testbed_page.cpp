@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/models/timeline.h"
+#include "ui/testbed/check_tools.h"
 #include "ui/testbed/testbed_state.h"
 #include "ui/testbed/testbed_tools.h"
 #include "ui/views/action_button.h"
@@ -26,10 +27,21 @@ namespace {
 
 constexpr int tableHeight = 100; // header and two cameras
 
+QHBoxLayout *buttonRow(const QList<QAction *> &actions)
+{
+    auto *buttons = new QHBoxLayout;
+    buttons->setContentsMargins(10, 4, 10, 4);
+    buttons->setSpacing(8);
+    for (QAction *action : actions)
+        buttons->addWidget(actionButton(action, action->iconText()));
+    buttons->addStretch(1);
+    return buttons;
+}
+
 } // namespace
 
 TestbedPage::TestbedPage(Project &project, QWidget *parent)
-    : QWidget(parent), m_project(project), m_tools(new TestbedTools(project, *this)), m_timeline(new Timeline(this)),
+    : QWidget(parent), m_project(project), m_tools(new TestbedTools(project, *this)), m_checks(new CheckTools(project, *this)), m_timeline(new Timeline(this)),
       m_cameras(new CameraListModel(this)), m_table(new QTableView), m_layoutList(new QListWidget),
       m_view(new CameraView(*m_timeline)), m_facts(new FactList), m_sketch(new FloorSketch),
       m_empty(
@@ -75,6 +87,7 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
     layout->addWidget(m_stack);
     connect(m_view, &CameraView::settled, this, &TestbedPage::settled);
     connect(m_tools, &TestbedTools::failed, this, &TestbedPage::failed);
+    connect(m_checks, &CheckTools::failed, this, &TestbedPage::failed);
     connect(m_tools, &TestbedTools::changed, this, [this](const QString &words) {
         refresh();
         Q_EMIT changed(words);
@@ -110,13 +123,9 @@ QWidget *TestbedPage::makeCameraCard()
     contentLayout->setContentsMargins(0, 0, 0, 0);
     contentLayout->setSpacing(0);
     contentLayout->addWidget(m_table);
-    auto *buttons = new QHBoxLayout;
-    buttons->setContentsMargins(10, 8, 10, 8);
-    buttons->setSpacing(8);
-    for (const TestbedTools::Tool tool : {TestbedTools::Calibrate, TestbedTools::Register, TestbedTools::ImportLens})
-        buttons->addWidget(actionButton(m_tools->action(tool), m_tools->action(tool)->iconText()));
-    buttons->addStretch(1);
-    contentLayout->addLayout(buttons);
+    contentLayout->addLayout(buttonRow({m_tools->action(TestbedTools::Calibrate), m_tools->action(TestbedTools::Register),
+                                        m_tools->action(TestbedTools::ImportLens)}));
+    contentLayout->addLayout(buttonRow(m_checks->actions()));
     auto *card = new Card(tr("Cameras"));
     card->setContent(content);
 
@@ -138,13 +147,8 @@ QWidget *TestbedPage::makeLayoutCard()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_layoutList, 1);
-    auto *buttons = new QHBoxLayout;
-    buttons->setContentsMargins(10, 8, 10, 8);
-    buttons->setSpacing(8);
-    for (const TestbedTools::Tool tool : {TestbedTools::NewLayout, TestbedTools::ImportLayout, TestbedTools::PrintTargets})
-        buttons->addWidget(actionButton(m_tools->action(tool), m_tools->action(tool)->iconText()));
-    buttons->addStretch(1);
-    layout->addLayout(buttons);
+    layout->addLayout(buttonRow({m_tools->action(TestbedTools::NewLayout), m_tools->action(TestbedTools::ImportLayout),
+                                 m_tools->action(TestbedTools::PrintTargets)}));
     auto *card = new Card(tr("Marker layouts"));
     card->setContent(content);
     return card;
@@ -194,12 +198,17 @@ QString TestbedPage::currentCamera() const
     return m_table->currentIndex().data(CameraListModel::NameRole).toString();
 }
 
-QList<QAction *> TestbedPage::toolActions() const { return m_tools->actions(); }
+QList<QAction *> TestbedPage::toolActions() const { return m_tools->actions() + m_checks->actions(); }
 
 void TestbedPage::tellTools()
 {
     const int row = m_layoutList->currentRow();
-    m_tools->setCurrent(currentCamera(), row < 0 ? std::nullopt : std::optional(m_layouts.at(static_cast<std::size_t>(row))));
+    const auto layout = row < 0 ? std::nullopt : std::optional(m_layouts.at(static_cast<std::size_t>(row)));
+    m_tools->setCurrent(currentCamera(), layout);
+    bool isRegistered = false;
+    for (int i = 0; i < m_cameras->rowCount(); ++i)
+        isRegistered = isRegistered || m_cameras->row(i).registration.has_value();
+    m_checks->setCurrent(currentCamera(), layout, isRegistered);
 }
 
 void TestbedPage::showCamera()

@@ -19,6 +19,7 @@ namespace odo {
 class CameraListModel;
 class CameraView;
 class Card;
+class CheckTools;
 class EmptyState;
 class FactList;
 class FloorSketch;
@@ -39,7 +40,7 @@ public:
     /// change.
     void refresh();
     bool isSettled() const;
-    /// What TestbedTools offers; for menus too.
+    /// What TestbedTools and CheckTools offer; for menus too.
     QList<QAction *> toolActions() const;
 
 Q_SIGNALS:
@@ -58,6 +59,7 @@ private:
 
     Project &m_project;
     TestbedTools *m_tools;
+    CheckTools *m_checks;
     Timeline *m_timeline;
     CameraListModel *m_cameras;
     std::vector<LayoutRecord> m_layouts;

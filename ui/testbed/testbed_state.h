@@ -3,7 +3,7 @@
 
 #include "ui/models/camera_list_model.h"
 #include "ui/models/trial_scene.h"
-#include "ui/testbed/floor_sketch.h"
+#include "ui/testbed/check/floor_sketch.h"
 #include "ui/views/fact_list.h"
 
 namespace odo {

@@ -6,9 +6,9 @@
 #include "core/project/repositories.h"
 #include "core/workflow/cameras.h"
 #include "core/workflow/stored_registration.h"
-#include "ui/models/camera_list_model.h"
 #include "ui/testbed/floor/floor_wizard.h"
 #include "ui/testbed/floor/layout_dialog.h"
+#include "ui/testbed/known_cameras.h"
 #include "ui/testbed/lens/lens_wizard.h"
 #include "ui/testbed/targets/target_dialog.h"
 #include "ui/views/path_field.h"
@@ -24,33 +24,6 @@ namespace odo {
 namespace {
 
 const char *const boardBefore = "?board"; // the simulated cameras have somebody who holds a board
-
-/// Cameras with what a registration needs; those without a lens as well.
-Result<std::vector<FloorCamera>> floorCameras(Project &project)
-{
-    const auto rows = loadCameraRows(project);
-    if (!rows)
-        return tl::unexpected(rows.error());
-    std::vector<FloorCamera> cameras;
-    for (const CameraRow &row : *rows) {
-        FloorCamera camera{QString::fromStdString(row.camera.name), row.intrinsics, std::nullopt};
-        const auto recording = newestRecording(project, row.camera.id);
-        if (!recording)
-            return tl::unexpected(recording.error());
-        if (*recording)
-            camera.newestRecording = project.resolve(**recording);
-        cameras.push_back(std::move(camera));
-    }
-    return cameras;
-}
-
-std::vector<std::pair<QString, QString>> liveCameras()
-{
-    std::vector<std::pair<QString, QString>> live;
-    for (const CameraDescription &camera : listCameras())
-        live.emplace_back(QString::fromStdString(camera.name), QString::fromStdString(camera.uri));
-    return live;
-}
 
 } // namespace
 

@@ -9,11 +9,10 @@
 
 class QComboBox;
 class QLabel;
-class QRadioButton;
 
 namespace odo {
 
-class PathField;
+class PictureChoice;
 
 /// First page of the floor wizard: which camera, which layout, and the picture in which its markers are seen.
 class FloorSourcePage : public QWidget
@@ -34,13 +33,12 @@ Q_SIGNALS:
     void completeChanged();
 
 private:
-    void updateChoices();
+    void showCamera();
     const FloorCamera *known() const;
 
     const std::vector<FloorCamera> m_cameras;
-    QComboBox *m_camera, *m_layout, *m_live;
-    QRadioButton *m_fromRecording, *m_fromLive, *m_fromFile;
-    PathField *m_file;
+    QComboBox *m_camera, *m_layout;
+    PictureChoice *m_picture;
     QLabel *m_lens;
 };
 

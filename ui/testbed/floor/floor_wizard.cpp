@@ -4,11 +4,6 @@
 #include "ui/testbed/floor/floor_source_page.h"
 #include "ui/testbed/floor/marker_page.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QPushButton>
-#include <QStackedWidget>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace odo {
@@ -28,41 +23,12 @@ std::optional<Intrinsics> lensOf(const std::vector<FloorCamera> &cameras, const 
 
 FloorWizard::FloorWizard(std::vector<FloorCamera> cameras, const QString &current, std::vector<LayoutRecord> layouts,
                          const std::vector<std::pair<QString, QString>> &live, QWidget *parent)
-    : QDialog(parent), m_cameras(std::move(cameras)), m_layouts(std::move(layouts)),
-      m_source(new FloorSourcePage(m_cameras, current, m_layouts, live)), m_markers(new MarkerPage), m_pages(new QStackedWidget),
-      m_title(new QLabel), m_steps(new QLabel), m_back(new QPushButton(tr("< &Back"))), m_next(new QPushButton),
-      m_cancel(new QPushButton(tr("Cancel")))
+    : StepDialog(tr("Register camera to the floor"), tr("&Save"), parent), m_cameras(std::move(cameras)), m_layouts(std::move(layouts)),
+      m_source(new FloorSourcePage(m_cameras, current, m_layouts, live)), m_markers(new MarkerPage)
 {
-    setWindowTitle(tr("Register camera to the floor"));
-    m_title->setStyleSheet(QStringLiteral("font-size: 16pt; font-weight: 600"));
-    m_steps->setObjectName(QStringLiteral("quiet"));
-    m_pages->addWidget(m_source);
-    m_pages->addWidget(m_markers);
-    auto *head = new QHBoxLayout;
-    head->addWidget(m_title);
-    head->addStretch(1);
-    head->addWidget(m_steps);
-    auto *buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    for (QPushButton *button : {m_back, m_next, m_cancel}) {
-        button->setAutoDefault(false);
-        buttons->addWidget(button);
-    }
-    m_next->setProperty("primary", true);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 12, 16, 12);
-    layout->addLayout(head);
-    layout->addSpacing(6);
-    layout->addWidget(m_pages, 1);
-    layout->addLayout(buttons);
-    m_next->setDefault(true);
+    addStep(tr("The camera and its markers"), m_source);
+    addStep(tr("The markers in the picture"), m_markers);
     resize(1120, 680);
-    connect(m_next, &QPushButton::clicked, this, &FloorWizard::next);
-    connect(m_back, &QPushButton::clicked, this, [this] {
-        m_task.cancel();
-        turnTo(SourcePage);
-    });
-    connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_source, &FloorSourcePage::completeChanged, this, &FloorWizard::updateButtons);
     connect(m_markers, &MarkerPage::completeChanged, this, &FloorWizard::updateButtons);
     connect(&m_task, &BackgroundTask::finished, this, &FloorWizard::showPicture);
@@ -73,29 +39,23 @@ FloorWizard::~FloorWizard() = default;
 
 QString FloorWizard::camera() const { return m_source->camera(); }
 
-void FloorWizard::turnTo(int page)
+bool FloorWizard::isComplete(int step) const
 {
-    m_title->setText(page == SourcePage ? tr("The camera and its markers") : tr("The markers in the picture"));
-    m_steps->setText(tr("step %1 of 2").arg(page + 1));
-    m_pages->setCurrentIndex(page);
-    m_next->setText(page == SourcePage ? tr("&Next >") : tr("&Save"));
-    updateButtons();
-    m_pages->currentWidget()->setFocus();
-}
-
-void FloorWizard::updateButtons()
-{
-    const bool first = m_pages->currentIndex() == SourcePage;
-    m_back->setEnabled(!first);
-    m_next->setEnabled(first ? m_source->isComplete() && !m_task.isRunning() : m_markers->registration().has_value());
+    return step == SourcePage ? m_source->isComplete() && !m_task.isRunning() : m_markers->registration().has_value();
 }
 
 void FloorWizard::next()
 {
-    if (m_pages->currentIndex() == MarkersPage)
+    if (step() == MarkersPage)
         return accept();
     turnTo(MarkersPage);
     beginMarkers();
+}
+
+void FloorWizard::back()
+{
+    m_task.cancel();
+    turnTo(SourcePage);
 }
 
 void FloorWizard::beginMarkers()
@@ -114,7 +74,7 @@ void FloorWizard::beginMarkers()
 
 void FloorWizard::showPicture(const std::optional<Error> &error)
 {
-    if (m_pages->currentIndex() == MarkersPage) {
+    if (step() == MarkersPage) {
         if (error)
             m_markers->showFailure(*error);
         else

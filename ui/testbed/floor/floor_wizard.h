@@ -5,12 +5,7 @@
 #include "ui/models/background_task.h"
 #include "ui/testbed/floor/floor_camera.h"
 #include "ui/testbed/floor/still_picture.h"
-
-#include <QDialog>
-
-class QLabel;
-class QPushButton;
-class QStackedWidget;
+#include "ui/views/step_dialog.h"
 
 namespace odo {
 
@@ -20,7 +15,7 @@ class MarkerPage;
 /// Leads from a picture of the markers to a camera's place over the floor: which camera, layout and picture; the
 /// markers, found or put by hand, with the result at once. Stores nothing: that is up to whoever opened it, once it is
 /// accepted. Closing it at any page leaves nothing behind.
-class FloorWizard : public QDialog
+class FloorWizard : public StepDialog
 {
     Q_OBJECT
 public:
@@ -36,20 +31,19 @@ public:
 
     void done(int result) override;
 
+protected:
+    bool isComplete(int step) const override;
+    void next() override;
+    void back() override;
+
 private:
-    void turnTo(int page);
-    void next();
     void beginMarkers();
     void showPicture(const std::optional<Error> &error);
-    void updateButtons();
 
     std::vector<FloorCamera> m_cameras;
     std::vector<LayoutRecord> m_layouts;
     FloorSourcePage *m_source;
     MarkerPage *m_markers;
-    QStackedWidget *m_pages;
-    QLabel *m_title, *m_steps;
-    QPushButton *m_back, *m_next, *m_cancel;
     std::shared_ptr<StillPicture> m_picture; ///< that is being got
     BackgroundTask m_task;
 };

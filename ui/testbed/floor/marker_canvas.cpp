@@ -15,7 +15,7 @@ namespace odo {
 namespace {
 
 const QColor markerColour(86, 180, 233), currentColour(240, 228, 66), gridColour(255, 255, 255, 90), axisColour(255, 255, 255, 220);
-constexpr double grabPx = 12, keyStepPx = 0.1, largeKeyStepPx = 1;
+constexpr double grabPx = 12, keyStepPx = 0.1, largeKeyStepPx = 1, leapPx = 20;
 constexpr double magnifierPx = 132, magnification = 5;
 constexpr double gridStepM = 0.5;
 constexpr int piecesOfALine = 24; // a straight line of the floor is bent by the lens
@@ -53,6 +53,12 @@ void MarkerCanvas::setFloor(const std::optional<FloorView> &view, const MarkerLa
 {
     m_view = view;
     m_layout = layout;
+    update();
+}
+
+void MarkerCanvas::setJoined(bool joined)
+{
+    m_joined = joined;
     update();
 }
 
@@ -120,7 +126,7 @@ void MarkerCanvas::paintEvent(QPaintEvent *)
     paintFloor(painter);
     paintMarkers(painter);
     painter.restore();
-    if (m_dragging)
+    if (m_dragging || m_movedByKeys)
         paintMagnifier(painter);
     if (hasFocus()) {
         painter.setPen(QPen(colours.accent, 2));
@@ -163,6 +169,11 @@ void MarkerCanvas::paintFloor(QPainter &painter) const
 
 void MarkerCanvas::paintMarkers(QPainter &painter) const
 {
+    for (const auto &[colour, width] : {std::pair(QColor(0, 0, 0, 150), 5.0), std::pair(QColor(Qt::white), 2.0)}) {
+        painter.setPen(QPen(colour, width));
+        if (m_joined && m_markers.size() >= 2)
+            painter.drawLine(fromPixel(m_markers[0].pixel), fromPixel(m_markers[1].pixel));
+    }
     for (const MarkerPixel &marker : m_markers) {
         const QString label = QString::fromStdString(marker.label);
         const QPointF at = fromPixel(marker.pixel);
@@ -213,6 +224,7 @@ void MarkerCanvas::mousePressEvent(QMouseEvent *event)
     if (event->button() != Qt::LeftButton || m_image.isNull() || !pictureRect().contains(event->position()))
         return;
     m_dragging = true;
+    m_movedByKeys = false;
     if (const MarkerPixel *there = markerAt(event->position())) {
         m_current = QString::fromStdString(there->label);
         Q_EMIT picked(m_current);
@@ -246,7 +258,8 @@ void MarkerCanvas::mouseReleaseEvent(QMouseEvent *event)
 
 void MarkerCanvas::keyPressEvent(QKeyEvent *event)
 {
-    const double step = event->modifiers() & Qt::ShiftModifier ? largeKeyStepPx : keyStepPx;
+    const auto modifiers = event->modifiers();
+    const double step = modifiers & Qt::ControlModifier ? leapPx : modifiers & Qt::ShiftModifier ? largeKeyStepPx : keyStepPx;
     Eigen::Vector2d move(0, 0);
     switch (event->key()) {
     case Qt::Key_Left:
@@ -261,15 +274,27 @@ void MarkerCanvas::keyPressEvent(QKeyEvent *event)
     case Qt::Key_Down:
         move.y() = step;
         break;
+    case Qt::Key_Space:
+        break;
     default:
         return QWidget::keyPressEvent(event);
     }
     if (m_image.isNull() || m_current.isEmpty())
         return;
     // A marker that is nowhere yet begins in the middle, for those who have no mouse.
+    const Eigen::Vector2d last(m_size.width() - 1, m_size.height() - 1);
     const MarkerPixel *marker = current();
-    const Eigen::Vector2d from = marker ? marker->pixel : 0.5 * Eigen::Vector2d(m_size.width() - 1, m_size.height() - 1);
-    Q_EMIT placed(m_current, from + move, false);
+    const Eigen::Vector2d from = marker ? marker->pixel : 0.5 * last;
+    m_movedByKeys = true;
+    Q_EMIT placed(m_current, (from + move).cwiseMax(0).cwiseMin(last), event->key() == Qt::Key_Space);
+    update();
+}
+
+void MarkerCanvas::focusOutEvent(QFocusEvent *event)
+{
+    m_movedByKeys = false;
+    QWidget::focusOutEvent(event);
+    update();
 }
 
 } // namespace odo

@@ -12,7 +12,8 @@
 namespace odo {
 
 /// A picture of the floor on which markers are put and dragged, with a magnifier while one is moved. A click puts the
-/// current marker there; the arrow keys move it by a tenth of a pixel, with Shift by a whole one.
+/// current marker there; the arrow keys move it by a tenth of a pixel, with Shift by a whole one, with Ctrl by twenty;
+/// Space asks to snap it to what lies near.
 class MarkerCanvas : public QWidget
 {
     Q_OBJECT
@@ -24,6 +25,8 @@ public:
     void setCurrent(const QString &label);
     /// The floor's grid and axes as the registration sees them; nullopt: none.
     void setFloor(const std::optional<FloorView> &view, const MarkerLayout &layout);
+    /// A line from the first marker to the second, as of a length that is measured.
+    void setJoined(bool joined);
     void setEmptyText(const QString &text);
 
     QSize sizeHint() const override { return {720, 405}; }
@@ -31,7 +34,7 @@ public:
     QPointF fromPixel(const Eigen::Vector2d &pixel) const;
 
 Q_SIGNALS:
-    /// A marker was put somewhere; snap: by the mouse, so that what lies near may have been meant.
+    /// A marker was put somewhere; snap: by the mouse or by Space, so that what lies near may have been meant.
     void placed(const QString &label, const Eigen::Vector2d &pixel, bool snap);
     void picked(const QString &label); ///< a marker that was there was taken hold of
 
@@ -41,6 +44,7 @@ protected:
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
 
 private:
     QRectF pictureRect() const;
@@ -57,7 +61,7 @@ private:
     QString m_current, m_emptyText;
     std::optional<FloorView> m_view;
     MarkerLayout m_layout;
-    bool m_dragging = false;
+    bool m_dragging = false, m_movedByKeys = false, m_joined = false;
 };
 
 } // namespace odo

@@ -3,8 +3,8 @@
 
 #include "core/base/units.h"
 #include "core/calibration/lens_influence.h"
-#include "core/calibration/marker_snap.h"
 #include "ui/testbed/floor/marker_canvas.h"
+#include "ui/testbed/floor/snap_words.h"
 #include "ui/views/action_button.h"
 #include "ui/views/card.h"
 #include "ui/views/theme.h"
@@ -24,27 +24,6 @@ namespace {
 
 constexpr int sideWidth = 380;
 enum Column { LabelColumn, PlaceColumn, SeenColumn, ErrorColumn, ColumnCount };
-
-QString kindText(SnappedMarker::Kind kind)
-{
-    switch (kind) {
-    case SnappedMarker::Kind::Tag:
-        return MarkerPage::tr("tag");
-    case SnappedMarker::Kind::Ring:
-        return MarkerPage::tr("ring");
-    case SnappedMarker::Kind::Dot:
-        return MarkerPage::tr("dot");
-    case SnappedMarker::Kind::TapeCrossing:
-        return MarkerPage::tr("tape crossing");
-    case SnappedMarker::Kind::TapeCorner:
-        return MarkerPage::tr("corner");
-    case SnappedMarker::Kind::Saddle:
-        return MarkerPage::tr("crossing fields");
-    case SnappedMarker::Kind::None:
-        break;
-    }
-    return MarkerPage::tr("by hand");
-}
 
 } // namespace
 
@@ -173,7 +152,7 @@ void MarkerPage::place(const QString &label, const Eigen::Vector2d &pixel, bool 
     std::erase_if(m_pixels, [&](const MarkerPixel &marker) { return marker.label == name; });
     std::erase_if(m_kinds, [&](const auto &kind) { return kind.first == name; });
     m_pixels.push_back({name, seen.pixel});
-    m_kinds.emplace_back(name, kindText(seen.kind));
+    m_kinds.emplace_back(name, snappedWords(seen.kind));
     evaluate();
     // The next one that is nowhere yet, so that a person clicks them one after the other.
     for (int row = 0; snap && row < m_table->rowCount(); ++row) {

@@ -19,6 +19,10 @@ Result<void> lookIn(const Frame &frame, const MarkerLayout &layout, const std::o
                     "it is " + std::to_string(frame.format.width) + "×" + std::to_string(frame.format.height) + ", but the lens was measured at " +
                         std::to_string(lens->widthPx) + "×" + std::to_string(lens->heightPx),
                     "take it at that resolution, or measure the lens again");
+    if (layout.markers.empty()) {
+        best.frame = frame;
+        return {};
+    }
     MarkerSearch search;
     search.camera = cameraOf(lens, frame.format.width, frame.format.height);
     search.intrinsicsKnown = lens.has_value();

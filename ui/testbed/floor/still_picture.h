@@ -25,7 +25,8 @@ struct PictureOrigin
     QString file, liveUri;
 };
 
-/// Takes the picture and looks for the layout's markers in it; of a video the first picture in which the most are seen.
+/// Takes the picture and looks for the layout's markers in it; of a video the first picture in which the most are seen. A
+/// layout without markers: the picture alone, of a video the first.
 /// Any thread; long. Errors: unreadable, lost camera, Cancelled, and another size than the lens was measured at.
 Result<StillPicture> takeStillPicture(const PictureOrigin &origin, const MarkerLayout &layout, const std::optional<Intrinsics> &lens,
                                       const JobControl &control);

@@ -5,13 +5,9 @@
 #include "core/workflow/calibration_media.h"
 #include "ui/testbed/lens/board_search.h"
 #include "ui/testbed/lens/lens_solver.h"
+#include "ui/views/step_dialog.h"
 
-#include <QDialog>
 #include <functional>
-
-class QLabel;
-class QPushButton;
-class QStackedWidget;
 
 namespace odo {
 
@@ -30,7 +26,7 @@ struct MeasuredLens
 
 /// Leads from a board to a camera's intrinsics: which board and camera, its pictures, the result. Stores nothing: that
 /// is up to whoever opened it, once it is accepted. Closing it at any page leaves nothing behind.
-class LensWizard : public QDialog
+class LensWizard : public StepDialog
 {
     Q_OBJECT
 public:
@@ -47,12 +43,13 @@ public:
 
     void done(int result) override;
 
+protected:
+    bool isComplete(int step) const override;
+    void next() override;
+    void back() override;
+
 private:
     enum Page { Source, Pictures, Result_ };
-    void turnTo(Page page);
-    void next();
-    void back();
-    void updateButtons();
     void beginPictures();
 
     OpenCamera m_open;
@@ -60,9 +57,6 @@ private:
     LensSourcePage *m_source;
     LensPicturesPage *m_pictures;
     LensResultPage *m_result;
-    QStackedWidget *m_pages;
-    QLabel *m_title, *m_steps;
-    QPushButton *m_back, *m_next, *m_cancel;
 };
 
 } // namespace odo

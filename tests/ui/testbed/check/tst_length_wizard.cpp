@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A known length is checked as a person does it, by mouse and by keyboard.
+#include "core/simulation/demo_testbed.h"
+#include "core/simulation/renderer.h"
+#include "core/video/picture_writer.h"
+#include "tests/ui/testbed/check/found_widgets.h"
+#include "ui/testbed/check/length_page.h"
+#include "ui/testbed/check/length_wizard.h"
+#include "ui/testbed/floor/marker_canvas.h"
+#include "ui/testbed/floor/picture_choice.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+namespace {
+
+constexpr int patienceMs = 60'000;
+
+} // namespace
+
+class TestLengthWizard : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void measuresByMouse();
+    void measuresByKeysAlone();
+    void tellsALengthThatIsOff();
+    void measuresWithoutATruth();
+    void tellsWhatIsWrong();
+    void takesTheNewestRecordingAndALiveCamera();
+    void cancelsAtEveryPage();
+
+private:
+    std::unique_ptr<LengthWizard> makeWizard(const QString &picture);
+    void walkToEnds(LengthWizard &wizard);
+    Eigen::Vector2d seen(const char *label) const;
+    /// Between markers O and U.
+    double trueLengthMm() const;
+
+    QTemporaryDir m_folder;
+    SimulatedScene m_scene = demoTestbed(1);
+    QString m_picture;
+};
+
+void TestLengthWizard::initTestCase()
+{
+    m_picture = m_folder.filePath(QStringLiteral("tags.png"));
+    QVERIFY(writePicture(SceneRenderer(m_scene, 0).render(0), m_picture.toStdString()));
+}
+
+Eigen::Vector2d TestLengthWizard::seen(const char *label) const
+{
+    for (const Marker &marker : m_scene.floor.markers.markers)
+        if (marker.label == label)
+            return *m_scene.cameras[0].view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
+    return {};
+}
+
+double TestLengthWizard::trueLengthMm() const
+{
+    const auto &markers = m_scene.floor.markers.markers;
+    const auto at = [&](const char *label) { return std::ranges::find(markers, std::string(label), &Marker::label)->pointInWorld; };
+    return 1000 * (at("U") - at("O")).norm();
+}
+
+std::unique_ptr<LengthWizard> TestLengthWizard::makeWizard(const QString &picture)
+{
+    // A camera whose pose is known to some millimetres, as after a good registration.
+    const FloorView &truth = m_scene.cameras[0].view;
+    const FloorView view(truth.camera(), truth.worldFromCamera(), Eigen::Matrix<double, 6, 6>::Identity() * 1e-7);
+    auto wizard = std::make_unique<LengthWizard>(
+        std::vector<CheckCamera>{{QStringLiteral("A"), view, m_scene.floor.markers, std::nullopt}}, QStringLiteral("A"),
+        std::vector<std::pair<QString, QString>>{{QStringLiteral("Simulated"), QStringLiteral("sim:A")}});
+    if (!picture.isEmpty())
+        wizard->picture().setFile(picture);
+    wizard->open();
+    return wizard;
+}
+
+void TestLengthWizard::walkToEnds(LengthWizard &wizard)
+{
+    QTest::keyClick(&wizard, Qt::Key_Return);
+    QCOMPARE(wizard.findChild<QStackedWidget *>()->currentIndex(), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(says(wizard, "click both its ends"), patienceMs);
+}
+
+void TestLengthWizard::measuresByMouse()
+{
+    const auto wizard = makeWizard(m_picture);
+    walkToEnds(*wizard);
+    MarkerCanvas &canvas = wizard->page().canvas();
+    QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.fromPixel(seen("O")).toPoint());
+    QVERIFY(!wizard->page().check());
+    QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.fromPixel(seen("U")).toPoint());
+    QVERIFY(wizard->page().check());
+    auto *table = named<QTableWidget>(*wizard, "Ends of the length");
+    QCOMPARE(table->item(0, 1)->text(), QStringLiteral("tag"));
+    named<QDoubleSpinBox>(*wizard, "True length")->setValue(trueLengthMm());
+    const LengthCheck &check = *wizard->page().check();
+    QVERIFY2(check.agrees, check.words.c_str());
+    // Both tags are found to a few tenths of a pixel, which is a millimetre or two here.
+    QVERIFY2(std::abs(*check.differenceM) < 0.003, check.words.c_str());
+    QVERIFY(says(*wizard, "inside the expected error"));
+    // The same in another unit.
+    named<QDoubleSpinBox>(*wizard, "True length")->setValue(trueLengthMm() / 1000);
+    named<QComboBox>(*wizard, "Unit of the true length")->setCurrentText(QStringLiteral("m"));
+    QVERIFY(wizard->page().check()->agrees);
+}
+
+void TestLengthWizard::measuresByKeysAlone()
+{
+    const auto wizard = makeWizard(m_picture);
+    QVERIFY(QTest::qWaitForWindowActive(wizard.get()));
+    walkToEnds(*wizard);
+    MarkerCanvas &canvas = wizard->page().canvas();
+    QTRY_VERIFY(canvas.hasFocus());
+    const Intrinsics &lens = m_scene.cameras[0].view.camera().intrinsics();
+    const auto walk = [&](const Eigen::Vector2d &to) { // from the middle, in steps of twenty pixels and of one
+        const Eigen::Vector2d way = to - 0.5 * Eigen::Vector2d(lens.widthPx - 1, lens.heightPx - 1);
+        for (const auto &[pixels, less, more] : {std::tuple(way.x(), Qt::Key_Left, Qt::Key_Right), std::tuple(way.y(), Qt::Key_Up, Qt::Key_Down)}) {
+            const Qt::Key key = pixels < 0 ? less : more;
+            const int whole = int(std::abs(pixels));
+            for (int i = 0; i < whole / 20; ++i)
+                QTest::keyClick(&canvas, key, Qt::ControlModifier);
+            for (int i = 0; i < whole % 20; ++i)
+                QTest::keyClick(&canvas, key, Qt::ShiftModifier);
+        }
+    };
+    walk(seen("O"));
+    QTest::keyClick(&canvas, Qt::Key_Space); // which goes on to the other end
+    walk(seen("U"));
+    QTest::keyClick(&canvas, Qt::Key_Space);
+    QVERIFY(wizard->page().check());
+    auto *told = named<QDoubleSpinBox>(*wizard, "True length");
+    told->setFocus();
+    told->selectAll();
+    QTest::keyClicks(told, QLocale().toString(trueLengthMm(), 'f', 1).remove(QLocale().groupSeparator()));
+    QTest::keyClick(told, Qt::Key_Tab);
+    QVERIFY2(wizard->page().check()->agrees, wizard->page().check()->words.c_str());
+    QTest::keyClick(wizard.get(), Qt::Key_Return);
+    QVERIFY(!wizard->isVisible());
+}
+
+void TestLengthWizard::tellsALengthThatIsOff()
+{
+    const auto wizard = makeWizard(m_picture);
+    walkToEnds(*wizard);
+    MarkerCanvas &canvas = wizard->page().canvas();
+    for (const char *end : {"O", "U"})
+        QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.fromPixel(seen(end)).toPoint());
+    named<QDoubleSpinBox>(*wizard, "True length")->setValue(trueLengthMm() + 50);
+    QVERIFY(!wizard->page().check()->agrees);
+    QVERIFY(says(*wizard, "outside the expected error"));
+    QVERIFY(says(*wizard, "the places of the markers"));
+}
+
+void TestLengthWizard::measuresWithoutATruth()
+{
+    const auto wizard = makeWizard(m_picture);
+    walkToEnds(*wizard);
+    MarkerCanvas &canvas = wizard->page().canvas();
+    for (const char *end : {"O", "U"})
+        QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.fromPixel(seen(end)).toPoint());
+    QVERIFY(!wizard->page().check()->differenceM);
+    QVERIFY(says(*wizard, "Give its true length"));
+    // A step by key is by hand: no longer what was snapped to.
+    QTest::keyClick(&canvas, Qt::Key_Right);
+    QCOMPARE(named<QTableWidget>(*wizard, "Ends of the length")->item(1, 1)->text(), QStringLiteral("by hand"));
+}
+
+void TestLengthWizard::tellsWhatIsWrong()
+{
+    const QString small = m_folder.filePath(QStringLiteral("small.png"));
+    QVERIFY(writePicture(renderBoard(CameraModel::assumed(640, 480), {.cameraFromBoard = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}}}, 0, 1), small.toStdString()));
+    const auto wizard = makeWizard(small);
+    QTest::keyClick(wizard.get(), Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "it is 640×480, but the lens was measured at 1280×720"), patienceMs);
+
+    const auto same = makeWizard(m_picture);
+    walkToEnds(*same);
+    MarkerCanvas &canvas = same->page().canvas();
+    for (int end = 0; end < 2; ++end) { // the arrows begin in the middle, for both
+        named<QTableWidget>(*same, "Ends of the length")->selectRow(end);
+        QTest::keyClick(&canvas, Qt::Key_Up);
+    }
+    QVERIFY(says(*same, "both ends lie on one pixel"));
+    QVERIFY(!same->page().check());
+}
+
+void TestLengthWizard::takesTheNewestRecordingAndALiveCamera()
+{
+    PictureChoice choice({{QStringLiteral("Simulated"), QStringLiteral("sim:A")}}, QStringLiteral("file"));
+    QVERIFY(!choice.isComplete());
+    choice.setRecording(std::filesystem::path("/somewhere/a.mkv"));
+    QCOMPARE(choice.origin().file, QStringLiteral("/somewhere/a.mkv"));
+    choice.setRecording(std::nullopt); // of another camera, which has none
+    QVERIFY(!choice.isComplete());
+    for (auto *radio : choice.findChildren<QAbstractButton *>())
+        if (radio->text().contains(QLatin1String("onnected")))
+            radio->click();
+    QCOMPARE(choice.origin().liveUri, QStringLiteral("sim:A"));
+    QVERIFY(choice.isComplete());
+}
+
+void TestLengthWizard::cancelsAtEveryPage()
+{
+    for (int page = 0; page < 2; ++page) {
+        const auto wizard = makeWizard(m_picture);
+        if (page > 0)
+            QTest::keyClick(wizard.get(), Qt::Key_Return); // and away while the picture is being got
+        QTest::keyClick(wizard.get(), Qt::Key_Escape);
+        QVERIFY(!wizard->isVisible());
+        QCOMPARE(wizard->QDialog::result(), int(QDialog::Rejected));
+    }
+}
+
+QTEST_MAIN(TestLengthWizard)
+#include "tst_length_wizard.moc"

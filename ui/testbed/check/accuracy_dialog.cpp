@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/check/accuracy_dialog.h"
+
+#include "core/base/units.h"
+#include "ui/testbed/check/floor_sketch.h"
+#include "ui/testbed/check/planned_camera_form.h"
+#include "ui/views/card.h"
+#include "ui/views/theme.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace odo {
+namespace {
+
+constexpr int sideWidth = 400;
+enum Show { Together, Alone };
+
+QPushButton *plainButton(const QString &text)
+{
+    auto *button = new QPushButton(text);
+    button->setAutoDefault(false);
+    return button;
+}
+
+/// The same, where it stands as a sketch shows it.
+SketchedCamera sketched(const QString &name, const MappedCamera &camera)
+{
+    if (const auto *planned = std::get_if<PlannedCamera>(&camera)) {
+        const Eigen::Vector2d foot = planned->footM();
+        return {name, {foot.x(), foot.y(), planned->heightM}, planned->aimM, true};
+    }
+    const FloorView &view = std::get<FloorView>(camera);
+    const Intrinsics &lens = view.camera().intrinsics();
+    const Eigen::Vector3d place = view.cameraInWorld();
+    const auto aim = view.floorFromPixel({lens.widthPx / 2.0, lens.heightPx / 2.0}, 0);
+    return {name, place, aim.value_or(Eigen::Vector2d(place.head<2>())), false};
+}
+
+} // namespace
+
+AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<CheckCamera> &cameras, double robotHeightM, QWidget *parent)
+    : QDialog(parent), m_layout(layout), m_sketch(new FloorSketch), m_list(new QListWidget), m_form(new PlannedCameraForm), m_show(new QComboBox),
+      m_robotHeight(new QDoubleSpinBox), m_reach(new QDoubleSpinBox), m_above(new QCheckBox(tr("may hang &over the floor"))),
+      m_add(plainButton(tr("&Plan a camera"))), m_remove(plainButton(tr("&Remove"))), m_best(plainButton(tr("&Best place"))), m_summary(new QLabel),
+      m_problem(new QLabel)
+{
+    setWindowTitle(tr("Expected accuracy"));
+    for (const CheckCamera &camera : cameras)
+        m_entries.push_back({camera.name, camera.view});
+    for (QLabel *label : {m_summary, m_problem}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    }
+    m_summary->setStyleSheet(QStringLiteral("font-weight: 600"));
+    m_summary->setAccessibleName(tr("Expected accuracy in words"));
+    m_problem->setAccessibleName(tr("What is wrong"));
+    auto *close = new QDialogButtonBox(QDialogButtonBox::Close);
+    auto *row = new QHBoxLayout;
+    row->addWidget(m_sketch, 1);
+    row->addWidget(makeSide());
+    auto *layoutOfAll = new QVBoxLayout(this);
+    layoutOfAll->addLayout(row, 1);
+    layoutOfAll->addWidget(m_summary);
+    layoutOfAll->addWidget(m_problem);
+    layoutOfAll->addWidget(close);
+    resize(1160, 740);
+    m_robotHeight->setValue(toMillimetres(robotHeightM));
+    connect(close, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_add, &QPushButton::clicked, this, &AccuracyDialog::addPlanned);
+    connect(m_remove, &QPushButton::clicked, this, &AccuracyDialog::removePlanned);
+    connect(m_best, &QPushButton::clicked, this, &AccuracyDialog::findBestPlace);
+    connect(m_list, &QListWidget::currentRowChanged, this, [this] {
+        showChosen();
+        recompute();
+    });
+    connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem *item) {
+        m_entries[std::size_t(m_list->row(item))].isCounted = item->checkState() == Qt::Checked;
+        recompute();
+    });
+    connect(m_form, &PlannedCameraForm::edited, this, [this] {
+        if (PlannedCamera *planned = currentPlanned())
+            *planned = m_form->camera();
+        recompute();
+    });
+    connect(m_show, &QComboBox::currentIndexChanged, this, &AccuracyDialog::recompute);
+    connect(m_robotHeight, &QDoubleSpinBox::valueChanged, this, &AccuracyDialog::recompute);
+    connect(m_sketch, &FloorSketch::picked, m_list, [this](int camera) { m_list->setCurrentRow(int(counted().at(std::size_t(camera)))); });
+    connect(m_sketch, &FloorSketch::cameraDragged, this, [this](int camera, const Eigen::Vector2d &place) { drag(camera, place, false); });
+    connect(m_sketch, &FloorSketch::aimDragged, this, [this](int camera, const Eigen::Vector2d &place) { drag(camera, place, true); });
+    connect(&m_maker, &AccuracyMaker::ready, this, &AccuracyDialog::showAccuracy);
+    connect(&m_search, &BackgroundTask::finished, this, &AccuracyDialog::placeFound);
+    showList();
+    if (m_entries.empty())
+        addPlanned();
+}
+
+AccuracyDialog::~AccuracyDialog() = default;
+
+QWidget *AccuracyDialog::makeSide()
+{
+    auto *side = new QWidget;
+    side->setFixedWidth(sideWidth);
+    auto *layout = new QVBoxLayout(side);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(makeCameraCard(), 1);
+    layout->addWidget(makePlanCard());
+    return side;
+}
+
+QWidget *AccuracyDialog::makeCameraCard()
+{
+    m_list->setAccessibleName(tr("Cameras that count"));
+    m_show->addItems({tr("All ticked cameras together"), tr("The chosen camera alone")});
+    m_robotHeight->setRange(0, 3000);
+    m_robotHeight->setDecimals(0);
+    m_robotHeight->setSingleStep(10);
+    m_robotHeight->setSuffix(tr(" mm"));
+    auto *form = new QFormLayout;
+    form->setContentsMargins(12, 4, 12, 8);
+    form->addRow(tr("Sho&w"), m_show);
+    form->addRow(tr("Height of the robo&t"), m_robotHeight);
+    auto *buttons = new QHBoxLayout;
+    buttons->setContentsMargins(12, 6, 12, 2);
+    buttons->addWidget(m_add);
+    buttons->addWidget(m_remove);
+    buttons->addStretch(1);
+    auto *content = new QWidget;
+    auto *layout = new QVBoxLayout(content);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_list, 1);
+    layout->addLayout(buttons);
+    layout->addLayout(form);
+    auto *card = new Card(tr("Cameras"));
+    card->setContent(content);
+    return card;
+}
+
+QWidget *AccuracyDialog::makePlanCard()
+{
+    m_reach->setRange(0, 50);
+    m_reach->setDecimals(1);
+    m_reach->setSingleStep(0.5);
+    m_reach->setSuffix(tr(" m"));
+    m_reach->setValue(1.5);
+    m_above->setToolTip(tr("As under a ceiling; a tripod would stand in the robots' way"));
+    m_best->setToolTip(tr("Puts the camera where, with the others that are ticked, the worst place of the floor is known best"));
+    auto *best = new QHBoxLayout;
+    best->addWidget(m_best);
+    best->addWidget(m_above);
+    best->addStretch(1);
+    auto *form = new QFormLayout;
+    form->setContentsMargins(12, 0, 12, 10);
+    form->addRow(tr("Room beyond the &markers"), m_reach);
+    form->addRow(best);
+    auto *content = new QWidget;
+    auto *layout = new QVBoxLayout(content);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_form);
+    layout->addLayout(form);
+    auto *card = new Card(tr("Planned camera"));
+    card->setContent(content);
+    m_planCard = card;
+    return card;
+}
+
+int AccuracyDialog::currentRow() const { return m_list->currentRow(); }
+
+std::optional<PlannedCamera> AccuracyDialog::planned(int row) const
+{
+    const auto *planned = std::get_if<PlannedCamera>(&m_entries.at(std::size_t(row)).camera);
+    return planned ? std::optional(*planned) : std::nullopt;
+}
+
+PlannedCamera *AccuracyDialog::currentPlanned()
+{
+    return currentRow() < 0 ? nullptr : std::get_if<PlannedCamera>(&m_entries.at(std::size_t(currentRow())).camera);
+}
+
+void AccuracyDialog::showList()
+{
+    const int row = currentRow();
+    const QSignalBlocker quiet(m_list);
+    m_list->clear();
+    for (const Entry &entry : m_entries) {
+        const bool isPlanned = std::holds_alternative<PlannedCamera>(entry.camera);
+        auto *item = new QListWidgetItem(isPlanned ? entry.name : tr("%1, registered").arg(entry.name), m_list);
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+        item->setCheckState(entry.isCounted ? Qt::Checked : Qt::Unchecked);
+    }
+    m_list->setCurrentRow(std::clamp(row, 0, m_list->count() - 1));
+    showChosen();
+    recompute();
+}
+
+void AccuracyDialog::showChosen()
+{
+    const PlannedCamera *planned = currentPlanned();
+    m_remove->setEnabled(planned != nullptr);
+    m_planCard->setEnabled(planned != nullptr && !m_search.isRunning());
+    if (planned)
+        m_form->setCamera(*planned);
+}
+
+void AccuracyDialog::addPlanned()
+{
+    // Before the middle of the floor's lower edge, as a person would put the first one.
+    Eigen::AlignedBox2d floor;
+    for (const Marker &marker : m_layout.markers)
+        floor.extend(marker.pointInWorld);
+    PlannedCamera camera;
+    camera.aimM = floor.center();
+    camera.standAt({floor.center().x(), floor.min().y() - 1});
+    m_entries.push_back({tr("Planned %1").arg(++m_plannedSoFar), camera});
+    showList();
+    m_list->setCurrentRow(m_list->count() - 1);
+}
+
+void AccuracyDialog::removePlanned()
+{
+    if (!currentPlanned() || m_search.isRunning())
+        return;
+    m_entries.erase(m_entries.begin() + currentRow());
+    showList();
+}
+
+std::vector<std::size_t> AccuracyDialog::counted() const
+{
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < m_entries.size(); ++i)
+        if (m_entries[i].isCounted || (m_show->currentIndex() == Alone && int(i) == currentRow()))
+            rows.push_back(i);
+    return rows;
+}
+
+void AccuracyDialog::recompute()
+{
+    AccuracyRequest request{m_layout, {}, std::nullopt, fromMillimetres(m_robotHeight->value())};
+    std::vector<SketchedCamera> cameras;
+    for (const std::size_t row : counted()) {
+        if (m_show->currentIndex() == Alone && int(row) == currentRow())
+            request.alone = request.cameras.size();
+        request.cameras.push_back(m_entries[row].camera);
+        cameras.push_back(sketched(m_entries[row].name, m_entries[row].camera));
+    }
+    m_sketch->setTestbed(m_layout, std::move(cameras));
+    m_maker.make(std::move(request));
+}
+
+void AccuracyDialog::showAccuracy(const ExpectedAccuracy &accuracy)
+{
+    m_sketch->setAccuracy(accuracy.map);
+    m_summary->setText(QString::fromStdString(accuracy.summary.words));
+    QStringList problems;
+    const auto rows = counted();
+    for (std::size_t i = 0; i < accuracy.problems.size() && i < rows.size(); ++i)
+        if (accuracy.problems[i])
+            problems << tr("%1: %2; %3.").arg(m_entries[rows[i]].name, QString::fromStdString(accuracy.problems[i]->why),
+                                             QString::fromStdString(accuracy.problems[i]->advice));
+    QPalette words = palette();
+    words.setColor(QPalette::WindowText, ThemeColours::of(palette()).spike);
+    m_problem->setPalette(words);
+    m_problem->setText(problems.join(QLatin1Char('\n')));
+    m_problem->setHidden(problems.isEmpty());
+}
+
+void AccuracyDialog::drag(int camera, const Eigen::Vector2d &place, bool aim)
+{
+    auto *planned = std::get_if<PlannedCamera>(&m_entries.at(counted().at(std::size_t(camera))).camera);
+    if (!planned)
+        return;
+    const Eigen::Vector2d foot = aim ? planned->footM() : place;
+    planned->aimM = aim ? place : planned->aimM;
+    planned->standAt(foot);
+    showChosen();
+    recompute();
+}
+
+void AccuracyDialog::findBestPlace()
+{
+    const PlannedCamera *planned = currentPlanned();
+    if (!planned)
+        return;
+    m_foundRow = currentRow();
+    m_found = std::make_shared<PlannedCamera>();
+    std::vector<FloorView> others;
+    for (const std::size_t row : counted()) {
+        if (int(row) == m_foundRow || (m_show->currentIndex() == Alone))
+            continue;
+        const auto *other = std::get_if<PlannedCamera>(&m_entries[row].camera);
+        if (const auto view = other ? plannedView(*other, m_layout) : Result<FloorView>(std::get<FloorView>(m_entries[row].camera)))
+            others.push_back(*view);
+    }
+    const PlaceSearch search{m_reach->value(), m_above->isChecked(), fromMillimetres(m_robotHeight->value())};
+    m_search.start([found = m_found, like = *planned, layout = m_layout, others = std::move(others), search](const JobControl &control) -> Result<void> {
+        auto best = bestPlace(like, layout, others, search, control);
+        if (!best)
+            return tl::unexpected(best.error());
+        *found = std::move(*best);
+        return {};
+    });
+    m_summary->setText(tr("Looking for the best place…"));
+    showChosen();
+}
+
+void AccuracyDialog::placeFound(const std::optional<Error> &error)
+{
+    if (error) {
+        showChosen();
+        m_summary->setText(QString::fromStdString(error->message()));
+        return;
+    }
+    m_entries.at(std::size_t(m_foundRow)).camera = *m_found;
+    showChosen();
+    recompute();
+}
+
+void AccuracyDialog::done(int result)
+{
+    m_search.cancel();
+    QDialog::done(result);
+}
+
+} // namespace odo

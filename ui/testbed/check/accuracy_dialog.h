@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/best_place.h"
+#include "ui/models/background_task.h"
+#include "ui/testbed/check/check_camera.h"
+#include "ui/testbed/check/expected_accuracy.h"
+
+#include <QDialog>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace odo {
+
+class FloorSketch;
+class PlannedCameraForm;
+
+/// How well places of the floor will be known: with the registered cameras, one alone, or cameras that are only planned,
+/// which are put by mouse or in numbers, or where they serve best. Stores nothing.
+class AccuracyDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// cameras: registered by the layout. robotHeightM: to begin with.
+    AccuracyDialog(const MarkerLayout &layout, const std::vector<CheckCamera> &cameras, double robotHeightM, QWidget *parent = nullptr);
+    ~AccuracyDialog() override;
+
+    FloorSketch &sketch() { return *m_sketch; }
+    bool isSettled() const { return !m_maker.isRunning() && !m_search.isRunning(); }
+    /// Of the camera in a row of the list; nullopt: it is a registered one.
+    std::optional<PlannedCamera> planned(int row) const;
+
+    void done(int result) override;
+
+private:
+    struct Entry
+    {
+        QString name;
+        MappedCamera camera;
+        bool isCounted = true;
+    };
+
+    QWidget *makeSide();
+    QWidget *makeCameraCard();
+    QWidget *makePlanCard();
+    int currentRow() const;
+    PlannedCamera *currentPlanned();
+    void addPlanned();
+    void removePlanned();
+    void findBestPlace();
+    void placeFound(const std::optional<Error> &error);
+    void showList();
+    void showChosen();
+    void recompute();
+    void showAccuracy(const ExpectedAccuracy &accuracy);
+    void drag(int camera, const Eigen::Vector2d &place, bool aim);
+    std::vector<std::size_t> counted() const;
+
+    const MarkerLayout m_layout;
+    std::vector<Entry> m_entries;
+    int m_plannedSoFar = 0;
+    FloorSketch *m_sketch;
+    QListWidget *m_list;
+    PlannedCameraForm *m_form;
+    QComboBox *m_show;
+    QDoubleSpinBox *m_robotHeight, *m_reach;
+    QCheckBox *m_above;
+    QPushButton *m_add, *m_remove, *m_best;
+    QLabel *m_summary, *m_problem;
+    QWidget *m_planCard = nullptr;
+    AccuracyMaker m_maker;
+    std::shared_ptr<PlannedCamera> m_found;
+    int m_foundRow = -1;
+    BackgroundTask m_search;
+};
+
+} // namespace odo

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/marker_layout.h"
+#include "core/geometry/floor_view.h"
+
+#include <QString>
+#include <filesystem>
+#include <optional>
+
+namespace odo {
+
+/// A registered camera, as the checks take it.
+struct CheckCamera
+{
+    QString name;
+    FloorView view;
+    MarkerLayout layout;                                  ///< it is registered by
+    std::optional<std::filesystem::path> newestRecording;
+};
+
+} // namespace odo

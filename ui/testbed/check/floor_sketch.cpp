@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/check/floor_sketch.h"
+
+#include "ui/models/figure_text.h"
+#include "ui/views/halo_text.h"
+#include "ui/views/theme.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <cmath>
+
+namespace odo {
+namespace {
+
+constexpr double gridM = 0.5, dragStepM = 0.01;
+constexpr double borderPx = 34, markerSidePx = 8, grabPx = 12;
+constexpr double axisM = 0.4;
+
+Eigen::AlignedBox2d boundsOf(const std::optional<MarkerLayout> &layout, const std::vector<SketchedCamera> &cameras,
+                             const std::optional<SketchedAccuracy> &accuracy)
+{
+    Eigen::AlignedBox2d box;
+    if (layout)
+        for (const Marker &marker : layout->markers)
+            box.extend(marker.pointInWorld);
+    for (const SketchedCamera &camera : cameras)
+        box.extend(Eigen::Vector2d(camera.pointInWorld.head<2>()));
+    if (accuracy && accuracy->grid.columns > 0) {
+        box.extend(accuracy->grid.lowerM);
+        box.extend(accuracy->grid.at(accuracy->grid.columns - 1, accuracy->grid.rows - 1));
+    }
+    if (box.isEmpty())
+        box = Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1));
+    return box;
+}
+
+Eigen::Vector2d footOf(const SketchedCamera &camera) { return camera.pointInWorld.head<2>(); }
+
+} // namespace
+
+FloorSketch::FloorSketch(QWidget *parent) : QWidget(parent)
+{
+    setMinimumSize(220, 180);
+    setAccessibleName(tr("Sketch of the testbed from above"));
+}
+
+void FloorSketch::setTestbed(std::optional<MarkerLayout> layout, std::vector<SketchedCamera> cameras)
+{
+    m_layout = std::move(layout);
+    m_cameras = std::move(cameras);
+    setAccessibleDescription(
+        tr("%1 markers, %2 cameras").arg(m_layout ? m_layout->markers.size() : 0).arg(m_cameras.size()));
+    fit();
+}
+
+void FloorSketch::setAccuracy(std::optional<SketchedAccuracy> accuracy)
+{
+    m_accuracy = std::move(accuracy);
+    fit();
+}
+
+/// The same scale on both axes, X to the right, Y up.
+void FloorSketch::fit()
+{
+    update();
+    if (m_held != Held::Nothing) // the ground must not move under the hand
+        return;
+    const Eigen::AlignedBox2d box = boundsOf(m_layout, m_cameras, m_accuracy);
+    const Eigen::Vector2d extent = box.sizes().cwiseMax(0.1), centre = box.center();
+    m_pixelsPerMetre = std::max(1.0, std::min((width() - 2 * borderPx) / extent.x(), (height() - 2 * borderPx) / extent.y()));
+    m_origin = {width() / 2.0 - centre.x() * m_pixelsPerMetre, height() / 2.0 + centre.y() * m_pixelsPerMetre};
+}
+
+QPointF FloorSketch::fromWorld(const Eigen::Vector2d &point) const
+{
+    return m_origin + QPointF(point.x(), -point.y()) * m_pixelsPerMetre;
+}
+
+void FloorSketch::paintGrid(QPainter &painter) const
+{
+    painter.setPen(QPen(ThemeColours::of(palette()).mapGrid, 1));
+    const double left = -m_origin.x() / m_pixelsPerMetre, right = (width() - m_origin.x()) / m_pixelsPerMetre;
+    const double bottom = (m_origin.y() - height()) / m_pixelsPerMetre, top = m_origin.y() / m_pixelsPerMetre;
+    for (double x = std::ceil(left / gridM) * gridM; x <= right; x += gridM)
+        painter.drawLine(QPointF(fromWorld({x, 0}).x(), 0), QPointF(fromWorld({x, 0}).x(), height()));
+    for (double y = std::ceil(bottom / gridM) * gridM; y <= top; y += gridM)
+        painter.drawLine(QPointF(0, fromWorld({0, y}).y()), QPointF(width(), fromWorld({0, y}).y()));
+}
+
+void FloorSketch::paintCamera(QPainter &painter, const SketchedCamera &camera, const QColor &colour) const
+{
+    constexpr double halfAngle = 0.42, wedgePx = 46;
+    const QPointF place = fromWorld(footOf(camera)), aim = fromWorld(camera.lookAtInWorld);
+    const double angle = std::atan2(aim.y() - place.y(), aim.x() - place.x());
+    const auto corner = [&](double by) { return place + wedgePx * QPointF(std::cos(angle + by), std::sin(angle + by)); };
+    QColor ground = colour;
+    ground.setAlphaF(0.22f);
+    painter.setPen(QPen(colour, 1, camera.isPlanned ? Qt::DashLine : Qt::SolidLine));
+    painter.setBrush(ground);
+    painter.drawPolygon(QPolygonF{place, corner(-halfAngle), corner(halfAngle)});
+    if (camera.isPlanned) {
+        painter.drawLine(place, aim);
+        for (const auto &[pen, width] : {std::pair(QColor(Qt::white), 4.0), std::pair(colour, 2.0)}) {
+            painter.setPen(QPen(pen, width));
+            painter.drawLine(aim - QPointF(7, 0), aim + QPointF(7, 0));
+            painter.drawLine(aim - QPointF(0, 7), aim + QPointF(0, 7));
+        }
+    }
+    painter.setPen(QPen(colour, 2));
+    painter.setBrush(camera.isPlanned ? ThemeColours::of(palette()).card : colour);
+    painter.drawEllipse(place, 6, 6);
+    painter.setPen(ThemeColours::of(palette()).text);
+    const QString text = tr("%1, %2 m high").arg(camera.name, QLocale().toString(camera.pointInWorld.z(), 'f', 2));
+    QRectF box = painter.fontMetrics().boundingRect(text);
+    box.moveCenter(place + QPointF(0, 17));
+    box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, width() - box.width() - 4)));
+    painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, text);
+}
+
+void FloorSketch::paintMarkers(QPainter &painter) const
+{
+    const ThemeColours colours = ThemeColours::of(palette());
+    const bool onMap = m_accuracy.has_value(); // whose colours are dark and bright: rims are read on both
+    const QColor ink = onMap ? QColor(Qt::white) : colours.text;
+    const auto text = [&](const QPointF &at, const QString &words) {
+        if (onMap)
+            return drawHaloText(painter, at, words, ink);
+        painter.setPen(ink);
+        painter.drawText(at, words);
+    };
+    for (const auto &[colour, width] : {std::pair(QColor(0, 0, 0, onMap ? 160 : 0), 4.0), std::pair(ink, 1.6)}) {
+        painter.setPen(QPen(colour, width));
+        painter.drawLine(fromWorld({0, 0}), fromWorld({axisM, 0}));
+        painter.drawLine(fromWorld({0, 0}), fromWorld({0, axisM}));
+    }
+    text(fromWorld({axisM, 0}) + QPointF(4, 4), QStringLiteral("X"));
+    text(fromWorld({0, axisM}) + QPointF(-4, -5), QStringLiteral("Y"));
+    if (!m_layout)
+        return;
+    for (const Marker &marker : m_layout->markers) {
+        const QPointF place = fromWorld(marker.pointInWorld);
+        const QRectF square(place - QPointF(markerSidePx, markerSidePx) / 2, QSizeF(markerSidePx, markerSidePx));
+        painter.fillRect(square.adjusted(-1, -1, 1, 1), onMap ? QColor(Qt::black) : ink);
+        painter.fillRect(square, ink);
+        text(place + QPointF(8, 14), QString::fromStdString(marker.label));
+    }
+}
+
+void FloorSketch::paintEvent(QPaintEvent *)
+{
+    const ThemeColours colours = ThemeColours::of(palette());
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(rect(), colours.mapGround);
+    if (!m_layout && m_cameras.empty()) {
+        painter.setPen(colours.muted);
+        painter.drawText(
+            rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
+            tr("Markers and cameras are drawn here once there is a layout or a registered camera."));
+        return;
+    }
+    paintGrid(painter);
+    if (m_accuracy)
+        drawAccuracy(painter, *m_accuracy, [this](const Eigen::Vector2d &point) { return fromWorld(point); }, palette());
+    paintMarkers(painter);
+    for (std::size_t i = 0; i < m_cameras.size(); ++i)
+        paintCamera(painter, m_cameras[i], seriesColour(static_cast<int>(i), palette()));
+    painter.setPen(colours.muted);
+    painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignRight | Qt::AlignBottom, tr("grid 0.5 m"));
+    if (m_accuracy)
+        drawAccuracyKey(painter, *m_accuracy, rect(), palette());
+}
+
+void FloorSketch::resizeEvent(QResizeEvent *) { fit(); }
+
+void FloorSketch::mousePressEvent(QMouseEvent *event)
+{
+    for (std::size_t i = 0; i < m_cameras.size(); ++i) {
+        if (!m_cameras[i].isPlanned)
+            continue;
+        const auto isNear = [&](const Eigen::Vector2d &point) { return QLineF(fromWorld(point), event->position()).length() <= grabPx; };
+        m_held = isNear(footOf(m_cameras[i])) ? Held::Camera : isNear(m_cameras[i].lookAtInWorld) ? Held::Aim : Held::Nothing;
+        if (m_held == Held::Nothing)
+            continue;
+        m_heldCamera = static_cast<int>(i);
+        Q_EMIT picked(m_heldCamera);
+        return;
+    }
+}
+
+void FloorSketch::mouseMoveEvent(QMouseEvent *event)
+{
+    if (m_held == Held::Nothing)
+        return;
+    const QPointF from = (event->position() - m_origin) / m_pixelsPerMetre;
+    const Eigen::Vector2d place = dragStepM * (Eigen::Vector2d(from.x(), -from.y()) / dragStepM).array().round().matrix();
+    if (m_held == Held::Camera)
+        Q_EMIT cameraDragged(m_heldCamera, place);
+    else
+        Q_EMIT aimDragged(m_heldCamera, place);
+}
+
+void FloorSketch::mouseReleaseEvent(QMouseEvent *)
+{
+    m_held = Held::Nothing;
+    fit();
+}
+
+} // namespace odo

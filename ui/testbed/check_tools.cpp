@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/check_tools.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "ui/testbed/check/accuracy_dialog.h"
+#include "ui/testbed/check/length_wizard.h"
+#include "ui/testbed/known_cameras.h"
+#include "ui/views/theme_icon.h"
+
+#include <QAction>
+
+namespace odo {
+
+CheckTools::CheckTools(Project &project, QWidget &window) : QObject(&window), m_project(project), m_window(window)
+{
+    add(Length, QStringLiteral("length"), tr("Check a known &length…"), tr("Length…"),
+        tr("Measure something of known length in a camera's picture, and see whether the camera is as good as it promises"),
+        &CheckTools::checkLength);
+    add(Accuracy, QStringLiteral("accuracy"), tr("&Expected accuracy…"), tr("Accuracy…"),
+        tr("See how well each place of the floor will be known, also with cameras that are only planned"), &CheckTools::showAccuracy);
+}
+
+void CheckTools::add(Tool tool, const QString &icon, const QString &text, const QString &shortText, const QString &tip,
+                     void (CheckTools::*slot)())
+{
+    Q_ASSERT(m_actions.size() == tool);
+    auto *action = new QAction(themeIcon(icon), text, this);
+    action->setIconText(shortText); // for the buttons beneath the tables; the menu has the long words
+    action->setToolTip(tip);
+    connect(action, &QAction::triggered, this, slot);
+    m_actions.append(action);
+}
+
+void CheckTools::setCurrent(const QString &camera, const std::optional<LayoutRecord> &layout, bool isRegistered)
+{
+    m_camera = camera;
+    m_layout = layout;
+    m_actions.at(Length)->setEnabled(isRegistered);
+    m_actions.at(Accuracy)->setEnabled(layout.has_value());
+}
+
+void CheckTools::checkLength()
+{
+    auto cameras = checkCameras(m_project);
+    if (!cameras) {
+        Q_EMIT failed(cameras.error());
+        return;
+    }
+    if (!cameras->empty())
+        LengthWizard(std::move(*cameras), m_camera, liveCameras(), &m_window).exec();
+}
+
+void CheckTools::showAccuracy()
+{
+    auto cameras = checkCameras(m_project);
+    const auto robots = m_project.robots().all();
+    if (!cameras || !robots) {
+        Q_EMIT failed(cameras ? robots.error() : cameras.error());
+        return;
+    }
+    std::erase_if(*cameras, [this](const CheckCamera &camera) { return camera.layout.name != m_layout->layout.name; });
+    double heightM = 0; // of a robot that was told; the figures hardly depend on it
+    for (const RobotRecord &robot : *robots)
+        heightM = std::max(heightM, robot.heightM.value_or(0));
+    AccuracyDialog(m_layout->layout, *cameras, heightM, &m_window).exec();
+}
+
+} // namespace odo

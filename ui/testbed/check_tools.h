@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/project/records.h"
+
+#include <QList>
+#include <QObject>
+#include <QString>
+#include <optional>
+
+class QAction;
+class QWidget;
+
+namespace odo {
+
+class Project;
+
+/// How a testbed is checked: by a known length, and by what accuracy is to be expected. Owns the actions and asks in dialogs. Uses the project on its own thread.
+class CheckTools : public QObject
+{
+    Q_OBJECT
+public:
+    enum Tool { Length, Accuracy, ToolCount };
+
+    /// window: parent of the dialogs.
+    CheckTools(Project &project, QWidget &window);
+
+    QAction *action(Tool tool) const { return m_actions.at(tool); }
+    QList<QAction *> actions() const { return m_actions; }
+    /// What the dialogs begin with. layout: empty where there is none. isRegistered: some camera is.
+    void setCurrent(const QString &camera, const std::optional<LayoutRecord> &layout, bool isRegistered);
+
+Q_SIGNALS:
+    void failed(const odo::Error &error);
+
+private:
+    void add(Tool tool, const QString &icon, const QString &text, const QString &shortText, const QString &tip,
+             void (CheckTools::*slot)());
+    void checkLength();
+    void showAccuracy();
+
+    Project &m_project;
+    QWidget &m_window;
+    QList<QAction *> m_actions;
+    QString m_camera;
+    std::optional<LayoutRecord> m_layout;
+};
+
+} // namespace odo

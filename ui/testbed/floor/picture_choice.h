@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/testbed/floor/still_picture.h"
+
+#include <QWidget>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+class QComboBox;
+class QRadioButton;
+
+namespace odo {
+
+class PathField;
+
+/// Asks where a picture of the floor comes from: the camera's newest recording, a camera that is connected, or a file.
+class PictureChoice : public QWidget
+{
+    Q_OBJECT
+public:
+    /// live: name and address of the cameras that are connected. fileName: of the line for the file, for a screen reader.
+    PictureChoice(const std::vector<std::pair<QString, QString>> &live, const QString &fileName, QWidget *parent = nullptr);
+
+    /// Of the camera that is chosen; nullopt: it has none. It is taken where there is one, unless something else was chosen.
+    void setRecording(const std::optional<std::filesystem::path> &file);
+    void setFile(const QString &file);
+    /// Both empty: nothing is chosen yet.
+    PictureOrigin origin() const;
+    bool isComplete() const;
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void updateChoices();
+
+    std::optional<std::filesystem::path> m_recording;
+    QRadioButton *m_fromRecording, *m_fromLive, *m_fromFile;
+    QComboBox *m_live;
+    PathField *m_file;
+};
+
+} // namespace odo
