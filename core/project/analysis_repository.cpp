@@ -231,7 +231,7 @@ Result<void> readSeries(const ProjectConnection &connection, AnalysisRecord &int
 
 AnalysisRepository::AnalysisRepository(ProjectConnection &connection) : m_connection(connection) {}
 
-Result<AnalysisRecord> AnalysisRepository::add(const AnalysisRecord &analysis)
+Result<AnalysisRecord> AnalysisRepository::add(AnalysisRecord analysis)
 {
     return transact(m_connection, [&]() -> Result<AnalysisRecord> {
         if (auto valid = checkAnalysis(analysis); !valid)
@@ -249,9 +249,8 @@ Result<AnalysisRecord> AnalysisRepository::add(const AnalysisRecord &analysis)
             return tl::unexpected(added.error());
         if (auto added = addSeries(m_connection, *id, analysis.profile); !added)
             return tl::unexpected(added.error());
-        AnalysisRecord stored = analysis;
-        stored.id = *id;
-        return stored;
+        analysis.id = *id;
+        return std::move(analysis);
     });
 }
 

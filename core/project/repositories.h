@@ -125,7 +125,7 @@ class AnalysisRepository
 {
 public:
     explicit AnalysisRepository(ProjectConnection &connection);
-    Result<AnalysisRecord> add(const AnalysisRecord &analysis);
+    Result<AnalysisRecord> add(AnalysisRecord analysis);
     /// The newest analysis of each robot of the trial, with all its series.
     Result<std::vector<AnalysisRecord>> current(RecordId trial) const;
     /// Metrics alone, for lists: the newest of each robot, cheap.

@@ -147,10 +147,12 @@ std::optional<PlacedRobot> placeSolid(const std::vector<ViewTrack> &views,
         return std::nullopt;
     const SolidShape &shape = estimate->shape;
     PlacedRobot placed;
-    const auto seen = placeBody(views, shape, trackAxis(views, shape));
-    for (std::size_t v = 0; v < views.size(); ++v)
+    auto seen = placeBody(views, shape, trackAxis(views, shape));
+    for (std::size_t v = 0; v < views.size(); ++v) {
         placed.views.push_back(views[v].floorView ? sightingsAt(times, seen[v])
                                                   : std::vector<Sighting>(times.size()));
+        seen[v] = {};
+    }
     const double sigmaTopM = estimate->heightEstimated ? estimate->sigmaTopM : toldHeightSigmaM;
     placed.planeSigmaM = sigmaTopM * middleHeightM(shape) / shape.topM;
     placed.heightM = shape.topM;
@@ -233,30 +235,52 @@ AnalysisOptions withTask(AnalysisOptions options, const Task &task)
     return options;
 }
 
-Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &shape,
-                        const AnalysisOptions &options)
+namespace {
+
+/// The views joined, before spikes are looked for.
+struct MeasuredRobot
 {
-    if (const auto checked = checkViews(views); !checked)
-        return tl::unexpected(checked.error());
+    FusedTrack track;
+    MeasurementNoise noise;
+    double heightM = 0;
+    bool heightEstimated = false;
+};
+
+Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotShape &shape,
+                              const AnalysisOptions &options)
+{
     std::vector<Nanoseconds> times;
     std::vector<std::int64_t> frames;
     for (const Observation &observation : views.front().observations) {
         times.push_back(timeOf(views.front(), observation));
         frames.push_back(observation.frame);
     }
-
     const auto placed = place(views, times, shape);
     if (!placed)
         return tl::unexpected(placed.error());
-    const MeasurementNoise measurement = estimateOutlineNoise(placed->views);
     FusionSettings settings;
     settings.planeSigmaM = placed->planeSigmaM;
-    settings.measurement = measurement;
-    FusedTrack track = fuseViews(times, frames, placed->views, settings);
-    chooseByMotion(track, settings, options.longestBridgedGap);
-    alignSingleViews(track, placed->views, views);
-    applyOverrules(track.samples, options.overrules);
-    const SpikeVerdict verdict = flagSpikes(track.samples, options, measurement);
+    settings.measurement = estimateOutlineNoise(placed->views);
+    MeasuredRobot robot{fuseViews(times, frames, placed->views, settings), settings.measurement, placed->heightM,
+                        placed->estimated};
+    chooseByMotion(robot.track, settings, options.longestBridgedGap);
+    alignSingleViews(robot.track, placed->views, views);
+    applyOverrules(robot.track.samples, options.overrules);
+    return robot;
+}
+
+} // namespace
+
+Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &shape,
+                        const AnalysisOptions &options)
+{
+    if (const auto checked = checkViews(views); !checked)
+        return tl::unexpected(checked.error());
+    auto robot = measure(views, shape, options);
+    if (!robot)
+        return tl::unexpected(robot.error());
+    FusedTrack &track = robot->track;
+    const SpikeVerdict verdict = flagSpikes(track.samples, options, robot->noise);
 
     Profile profile;
     profile.points = makePoints(track.samples, verdict.struck, options, verdict.noise);
@@ -277,8 +301,8 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
         profile.passages = std::move(figures.passages);
         profile.metrics.insert(profile.metrics.end(), figures.metrics.begin(), figures.metrics.end());
     }
-    profile.heightM = placed->heightM;
-    profile.heightEstimated = placed->estimated;
+    profile.heightM = robot->heightM;
+    profile.heightEstimated = robot->heightEstimated;
     profile.meanViewDisagreementM = meanDisagreement(track.samples);
     profile.samples = std::move(track.samples);
     return profile;

@@ -2,7 +2,6 @@
 #include "core/trajectory/axis_path.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <numbers>
 
 namespace odo {
@@ -54,25 +53,29 @@ double angleOfBin(std::size_t bin)
     return static_cast<double>(bin) * binRad;
 }
 
-std::vector<std::size_t> likeliestPath(const std::vector<AxisEvidence> &evidence)
+std::vector<std::uint8_t> likeliestPath(std::size_t times,
+                                        const std::function<AxisEvidence(std::size_t)> &evidenceAt)
 {
-    std::vector<Origins> origins(evidence.size());
+    std::vector<Origins> origins(times);
     AxisCosts total{};
-    for (std::size_t i = 0; i < evidence.size(); ++i) {
+    double beforeS = 0;
+    for (std::size_t i = 0; i < times; ++i) {
+        const AxisEvidence evidence = evidenceAt(i);
         if (i > 0)
-            total = step(total, std::max(0.0, evidence[i].timeS - evidence[i - 1].timeS), origins[i]);
-        if (!evidence[i].costs)
+            total = step(total, std::max(0.0, evidence.timeS - beforeS), origins[i]);
+        beforeS = evidence.timeS;
+        if (!evidence.costs)
             continue;
         for (std::size_t bin = 0; bin < axisBins; ++bin)
-            total[bin] += std::min((*evidence[i].costs)[bin], mostCost);
+            total[bin] += std::min((*evidence.costs)[bin], mostCost);
         // Kept small, so that floats stay exact over hours.
         const float least = *std::min_element(total.begin(), total.end());
         for (float &cost : total)
             cost -= least;
     }
-    std::vector<std::size_t> path(evidence.size());
-    auto bin = static_cast<std::size_t>(std::min_element(total.begin(), total.end()) - total.begin());
-    for (std::size_t i = evidence.size(); i-- > 0;) {
+    std::vector<std::uint8_t> path(times);
+    auto bin = static_cast<std::uint8_t>(std::min_element(total.begin(), total.end()) - total.begin());
+    for (std::size_t i = times; i-- > 0;) {
         path[i] = bin;
         bin = origins[i][bin];
     }

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,7 +26,9 @@ struct AxisEvidence
 
 /// The angles of the likeliest turning through all times (Viterbi 1967): an outline seen face on fits two
 /// angles mirrored about it nearly as well, and only what comes before and after tells which. A body turns at
-/// some 4 rad/s (σ); an outline costs at most 25, so that a wrong one is overruled. One bin for each time.
-std::vector<std::size_t> likeliestPath(const std::vector<AxisEvidence> &evidence);
+/// some 4 rad/s (σ); an outline costs at most 25, so that a wrong one is overruled. One bin for each of `times` times,
+/// whose evidence is asked for once each, in their order.
+std::vector<std::uint8_t> likeliestPath(std::size_t times,
+                                        const std::function<AxisEvidence(std::size_t)> &evidenceAt);
 
 } // namespace odo

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 namespace odo {
 
@@ -16,33 +18,74 @@ constexpr double sureScore = 0.3;
 constexpr double longestGapS = 1.0; // an axis that was not seen for longer may be any
 constexpr double commonShare = 0.5; // of an outline's doubt that all frames share
 
-/// One observation in the order of time, with the axis that its outline shows.
-struct AxisNode
+/// Where an observation is among the views'.
+struct Place
 {
-    std::size_t view = 0, observation = 0;
-    std::optional<OutlineMisfit> misfit;
-    TrackNode node;
-    double sigmaRad = 0;
+    std::uint32_t view = 0, observation = 0;
 };
 
-std::vector<AxisNode> look(const std::vector<ViewTrack> &views, const SolidShape &shape)
+/// All views' observations in the order of time, with the axes that their outlines show. A run has a hundred thousand
+/// of them: what an outline says is asked again where it is wanted, not kept.
+class AxisNodes
 {
-    std::vector<AxisNode> nodes;
-    for (std::size_t v = 0; v < views.size(); ++v) {
-        for (std::size_t i = 0; i < views[v].observations.size(); ++i) {
-            const Observation &observation = views[v].observations[i];
-            AxisNode one{v, i, {}, {toSeconds(timeOf(views[v], observation)), false, {}, {}}, 0};
-            const bool clear = views[v].floorView && observation.found && !observation.duplicateFrame &&
-                               !observation.touchesBorder && observation.score >= sureScore;
-            if (clear)
-                one.misfit = OutlineMisfit::create(*views[v].floorView, shape, outlineMoments(observation));
-            nodes.push_back(one);
+public:
+    AxisNodes(const std::vector<ViewTrack> &views, const SolidShape &shape) : m_views(views), m_shape(shape)
+    {
+        const auto timeAt = [&](Place place) { return toSeconds(timeOf(views[place.view], observationAt(place))); };
+        for (std::size_t v = 0; v < views.size(); ++v) {
+            for (std::size_t i = 0; i < views[v].observations.size(); ++i)
+                m_places.push_back({static_cast<std::uint32_t>(v), static_cast<std::uint32_t>(i)});
         }
+        std::stable_sort(m_places.begin(), m_places.end(),
+                         [&](Place a, Place b) { return timeAt(a) < timeAt(b); });
+        m_nodes.reserve(m_places.size());
+        for (const Place place : m_places)
+            m_nodes.push_back({timeAt(place)});
+        m_sigmaRad.resize(m_places.size());
     }
-    std::stable_sort(nodes.begin(), nodes.end(),
-                     [](const AxisNode &a, const AxisNode &b) { return a.node.timeS < b.node.timeS; });
-    return nodes;
-}
+
+    std::size_t size() const { return m_places.size(); }
+    Place place(std::size_t i) const { return m_places[i]; }
+    const TrackNode &node(std::size_t i) const { return m_nodes[i]; }
+    std::span<const TrackNode> nodes() const { return m_nodes; }
+    /// Of the last measured axis up to a node that is not the first of its stretch.
+    double outlineSigmaRad(std::size_t i) const
+    {
+        while (!m_nodes[i].measured)
+            --i;
+        return m_sigmaRad[i];
+    }
+
+    /// nullopt: the outline tells nothing.
+    std::optional<OutlineMisfit> misfit(std::size_t i) const
+    {
+        const ViewTrack &view = m_views[m_places[i].view];
+        const Observation &observation = observationAt(m_places[i]);
+        const bool clear = view.floorView && observation.found && !observation.duplicateFrame &&
+                           !observation.touchesBorder && observation.score >= sureScore;
+        return clear ? OutlineMisfit::create(*view.floorView, m_shape, outlineMoments(observation)) : std::nullopt;
+    }
+
+    void measure(std::size_t i, const BodyAxis &axis)
+    {
+        m_nodes[i].measured = true;
+        m_nodes[i].position = {std::cos(2 * axis.angleRad), std::sin(2 * axis.angleRad)};
+        m_nodes[i].covariance = Eigen::Matrix2d::Identity() * (4 * axis.sigmaRad * axis.sigmaRad);
+        m_sigmaRad[i] = axis.sigmaRad;
+    }
+
+private:
+    const Observation &observationAt(Place place) const
+    {
+        return m_views[place.view].observations[place.observation];
+    }
+
+    const std::vector<ViewTrack> &m_views;
+    const SolidShape &m_shape;
+    std::vector<Place> m_places;
+    std::vector<TrackNode> m_nodes;
+    std::vector<double> m_sigmaRad; ///< of the outline's axis, where it was measured
+};
 
 std::optional<AxisCosts> costsOf(const OutlineMisfit &misfit)
 {
@@ -56,43 +99,37 @@ std::optional<AxisCosts> costsOf(const OutlineMisfit &misfit)
     return costs;
 }
 
-void measure(AxisNode &one, const BodyAxis &axis)
-{
-    one.node.measured = true;
-    one.node.position = {std::cos(2 * axis.angleRad), std::sin(2 * axis.angleRad)};
-    one.node.covariance = Eigen::Matrix2d::Identity() * (4 * axis.sigmaRad * axis.sigmaRad);
-    one.sigmaRad = axis.sigmaRad;
-}
-
 /// Gives each node the axis near the likeliest turning.
-void measureAxes(std::vector<AxisNode> &nodes)
+void measureAxes(AxisNodes &nodes)
 {
-    std::vector<AxisEvidence> evidence;
-    for (const AxisNode &one : nodes)
-        evidence.push_back({one.node.timeS, one.misfit ? costsOf(*one.misfit) : std::nullopt});
-    const std::vector<std::size_t> path = likeliestPath(evidence);
+    std::vector<bool> tells(nodes.size());
+    const auto path = likeliestPath(nodes.size(), [&](std::size_t i) {
+        const auto misfit = nodes.misfit(i);
+        AxisEvidence evidence{nodes.node(i).timeS, misfit ? costsOf(*misfit) : std::nullopt};
+        tells[i] = evidence.costs.has_value();
+        return evidence;
+    });
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (!evidence[i].costs)
+        if (!tells[i])
             continue;
-        const auto axis = axisAbout(*nodes[i].misfit, angleOfBin(path[i]));
-        if (!axis || axis->sigmaRad > unknownAxisSigmaRad)
-            continue;
-        measure(nodes[i], *axis);
+        const auto axis = axisAbout(*nodes.misfit(i), angleOfBin(path[i]));
+        if (axis && axis->sigmaRad <= unknownAxisSigmaRad)
+            nodes.measure(i, *axis);
     }
 }
 
 /// Stretches [first, end) from a measured node to a measured one without a long gap.
-std::vector<std::pair<std::size_t, std::size_t>> stretches(const std::vector<AxisNode> &nodes)
+std::vector<std::pair<std::size_t, std::size_t>> stretches(std::span<const TrackNode> nodes)
 {
     std::vector<std::pair<std::size_t, std::size_t>> found;
     double lastS = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (!nodes[i].node.measured)
+        if (!nodes[i].measured)
             continue;
-        if (found.empty() || nodes[i].node.timeS - lastS > longestGapS)
+        if (found.empty() || nodes[i].timeS - lastS > longestGapS)
             found.emplace_back(i, i + 1);
         found.back().second = i + 1;
-        lastS = nodes[i].node.timeS;
+        lastS = nodes[i].timeS;
     }
     return found;
 }
@@ -111,41 +148,33 @@ BodyAxis axisOf(const MotionEstimate &estimate, double outlineSigmaRad)
 }
 
 /// The axis at every node's time, smoothed; with σ above unknownAxisSigmaRad where there is none.
-std::vector<BodyAxis> smooth(const std::vector<AxisNode> &nodes)
+std::vector<BodyAxis> smooth(const AxisNodes &nodes)
 {
     std::vector<BodyAxis> axes(nodes.size(), BodyAxis{0, 2 * unknownAxisSigmaRad});
-    std::vector<std::vector<TrackNode>> segments;
-    const auto parts = stretches(nodes);
-    for (const auto &[first, end] : parts) {
-        segments.emplace_back();
-        for (std::size_t i = first; i < end; ++i)
-            segments.back().push_back(nodes[i].node);
-    }
-    const std::vector<std::span<const TrackNode>> spans(segments.begin(), segments.end());
-    const MotionNoise noise = estimateMotionNoise(spans, false);
+    const auto parts = stretches(nodes.nodes());
+    std::vector<std::span<const TrackNode>> segments;
+    for (const auto &[first, end] : parts)
+        segments.push_back(nodes.nodes().subspan(first, end - first));
+    const MotionNoise noise = estimateMotionNoise(segments, false);
     for (std::size_t s = 0; s < segments.size(); ++s) {
-        const auto estimates = smoothMotion(segments[s], noise);
-        double sigmaRad = 0;
-        for (std::size_t i = 0; i < estimates.size(); ++i) {
-            const AxisNode &one = nodes[parts[s].first + i];
-            if (one.node.measured)
-                sigmaRad = one.sigmaRad;
-            axes[parts[s].first + i] = axisOf(estimates[i], sigmaRad);
-        }
+        const std::size_t first = parts[s].first;
+        smoothMotion(segments[s], noise, [&](std::size_t i, const MotionEstimate &estimate) {
+            axes[first + i] = axisOf(estimate, nodes.outlineSigmaRad(first + i));
+        });
     }
     return axes;
 }
 
 /// Once the turning is known, the outlines can be asked more finely: each for the fit next to it.
-void refineAxes(std::vector<AxisNode> &nodes, const std::vector<BodyAxis> &smoothed)
+void refineAxes(AxisNodes &nodes, const std::vector<BodyAxis> &smoothed)
 {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (!nodes[i].node.measured || smoothed[i].sigmaRad > unknownAxisSigmaRad)
+        if (!nodes.node(i).measured || smoothed[i].sigmaRad > unknownAxisSigmaRad)
             continue;
-        const auto axis = axisNear(*nodes[i].misfit, smoothed[i].angleRad);
+        const auto axis = axisNear(*nodes.misfit(i), smoothed[i].angleRad);
         if (axis && axis->sigmaRad < unknownAxisSigmaRad &&
             std::abs(axis->angleRad - smoothed[i].angleRad) < 3 * smoothed[i].sigmaRad)
-            measure(nodes[i], *axis);
+            nodes.measure(i, *axis);
     }
 }
 
@@ -158,12 +187,12 @@ std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views
         axes.emplace_back(view.observations.size(), BodyAxis{0, 2 * unknownAxisSigmaRad});
     if (shape.form == SolidShape::Form::Cylinder)
         return axes;
-    std::vector<AxisNode> all = look(views, shape);
+    AxisNodes all(views, shape);
     measureAxes(all);
     refineAxes(all, smooth(all));
     const std::vector<BodyAxis> smoothed = smooth(all);
     for (std::size_t i = 0; i < all.size(); ++i)
-        axes[all[i].view][all[i].observation] = smoothed[i];
+        axes[all.place(i).view][all.place(i).observation] = smoothed[i];
     return axes;
 }
 

@@ -59,13 +59,13 @@ CommonOutlines outlinesAt(const std::vector<ViewTrack> &views, Nanoseconds time)
     return common;
 }
 
-std::vector<CommonOutlines> spread(const std::vector<CommonOutlines> &all, std::size_t most)
+std::vector<CommonOutlines> spread(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
+                                   std::size_t most)
 {
-    if (all.size() <= most)
-        return all;
     std::vector<CommonOutlines> chosen;
-    for (std::size_t i = 0; i < most; ++i)
-        chosen.push_back(all[i * (all.size() - 1) / (most - 1)]);
+    const std::size_t count = std::min(times.size(), most);
+    for (std::size_t i = 0; i < count; ++i)
+        chosen.push_back(outlinesAt(views, times[count > 1 ? i * (times.size() - 1) / (count - 1) : 0]));
     return chosen;
 }
 
@@ -73,24 +73,23 @@ std::vector<CommonOutlines> spread(const std::vector<CommonOutlines> &all, std::
 
 std::vector<CommonOutlines> commonOutlines(const std::vector<ViewTrack> &views, std::size_t most)
 {
-    std::vector<CommonOutlines> several, single;
+    std::vector<Nanoseconds> several, single;
     for (const ViewTrack &view : views) {
         if (!view.floorView)
             continue;
         for (const Observation &observation : view.observations) {
             if (!isClear(observation))
                 continue;
-            CommonOutlines common = outlinesAt(views, timeOf(view, observation));
-            if (common.outlines.size() > 1)
-                several.push_back(std::move(common));
-            else if (!common.outlines.empty())
-                single.push_back(std::move(common));
+            const Nanoseconds time = timeOf(view, observation);
+            const std::size_t seeing = outlinesAt(views, time).outlines.size();
+            if (seeing > 0)
+                (seeing > 1 ? several : single).push_back(time);
         }
         // The other views' times add little to those of the first that saw it together with others.
         if (several.size() >= leastTimes)
-            return spread(several, most);
+            return spread(views, several, most);
     }
-    return spread(single, most);
+    return spread(views, single, most);
 }
 
 } // namespace odo

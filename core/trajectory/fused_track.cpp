@@ -125,20 +125,19 @@ bool decideOnce(FusedTrack &track, const FusionSettings &settings, const std::ve
     for (const TrackSegment &segment : segments) {
         if (segment.measured < 3)
             continue;
-        const auto estimates = smoothMotion(segment.nodes, noise);
-        for (std::size_t i = 0; i < estimates.size(); ++i) {
+        smoothMotion(segment.nodes, noise, [&](std::size_t i, const MotionEstimate &estimate) {
             auto &contenders = track.evidence[segment.first + i].contenders;
             if (contenders.empty())
-                continue;
-            const auto fit = onlyFit(contenders, estimates[i]);
+                return;
+            const auto fit = onlyFit(contenders, estimate);
             if (!fit)
-                continue;
+                return;
             Sample &sample = track.samples[segment.first + i];
             take(sample, {contenders[*fit]}, settings.planeSigmaM);
             sample.flags &= ~flagBit(SampleFlag::Jump);
             contenders.clear();
             decided = true;
-        }
+        });
     }
     return decided;
 }

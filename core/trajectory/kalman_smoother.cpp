@@ -154,33 +154,58 @@ void MotionFilter::update(const TrackNode &measurement)
     m_state.covariance = (joseph + joseph.transpose()) / 2;
 }
 
-std::vector<MotionEstimate> smoothMotion(std::span<const TrackNode> track, MotionNoise noise)
+namespace {
+
+constexpr std::size_t smoothedAtOnce = 1024; // nodes whose filtered states are held
+
+void filterOn(MotionFilter &filter, const TrackNode &node)
 {
-    std::vector<MotionFilter::State> states;
-    states.reserve(track.size());
+    filter.predict(node);
+    if (node.measured)
+        filter.update(node);
+}
+
+/// What is known of a node, given what all nodes from the one behind it on say.
+MotionFilter::State smoothed(MotionFilter::State now, const TrackNode &node, const MotionFilter::State &next,
+                             const TrackNode &nextNode, const MotionNoise &noise)
+{
+    const Step step(nextNode.timeS - node.timeS, nextNode.travelM - node.travelM, nextNode.struck, noise);
+    const Matrix8 predicted = step.predicted(now.covariance);
+    const Matrix8 gain = predicted.ldlt().solve(step.applied(now.covariance)).transpose();
+    now.mean += gain * (next.mean - step.applied(now.mean));
+    const Matrix8 change = gain * (next.covariance - predicted) * gain.transpose();
+    now.covariance += (change + change.transpose()) / 2;
+    return now;
+}
+
+} // namespace
+
+void smoothMotion(std::span<const TrackNode> track, MotionNoise noise, const TakeEstimate &take)
+{
+    std::vector<MotionFilter> starts; // of each block
     MotionFilter filter(noise);
-    for (const TrackNode &node : track) {
-        filter.predict(node);
-        if (node.measured)
-            filter.update(node);
-        states.push_back(filter.state());
+    for (std::size_t i = 0; i < track.size(); ++i) {
+        if (i % smoothedAtOnce == 0)
+            starts.push_back(filter);
+        if (i / smoothedAtOnce < (track.size() - 1) / smoothedAtOnce) // the last block is filtered below
+            filterOn(filter, track[i]);
     }
-    for (std::size_t i = states.size(); i-- > 1;) {
-        const MotionFilter::State &next = states[i];
-        MotionFilter::State &now = states[i - 1];
-        const Step step(track[i].timeS - track[i - 1].timeS, track[i].travelM - track[i - 1].travelM,
-                        track[i].struck, noise);
-        const Matrix8 predicted = step.predicted(now.covariance);
-        const Matrix8 gain = predicted.ldlt().solve(step.applied(now.covariance)).transpose();
-        now.mean += gain * (next.mean - step.applied(now.mean));
-        const Matrix8 change = gain * (next.covariance - predicted) * gain.transpose();
-        now.covariance += (change + change.transpose()) / 2;
+    std::vector<MotionFilter::State> states;
+    MotionFilter::State next;
+    for (std::size_t block = starts.size(); block-- > 0;) {
+        const std::size_t first = block * smoothedAtOnce;
+        const auto nodes = track.subspan(first, std::min(smoothedAtOnce, track.size() - first));
+        states.clear();
+        for (const TrackNode &node : nodes) {
+            filterOn(starts[block], node);
+            states.push_back(starts[block].state());
+        }
+        for (std::size_t i = first + nodes.size(); i-- > first;) {
+            const MotionFilter::State &now = states[i - first];
+            next = i + 1 < track.size() ? smoothed(now, track[i], next, track[i + 1], noise) : now;
+            take(i, {next.mean.head<6>(), next.covariance.topLeftCorner<6, 6>()});
+        }
     }
-    std::vector<MotionEstimate> estimates;
-    estimates.reserve(states.size());
-    for (const MotionFilter::State &state : states)
-        estimates.push_back({state.mean.head<6>(), state.covariance.topLeftCorner<6, 6>()});
-    return estimates;
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -96,10 +97,14 @@ private:
     bool m_started = false;
 };
 
+/// Is given the index of a node and the estimate at its time.
+using TakeEstimate = std::function<void(std::size_t, const MotionEstimate &)>;
+
 /// Rauch–Tung–Striebel smoother (Rauch, Tung, Striebel 1965): one estimate for every time, from all
-/// measurements. The first time must be measured. At a blow the motion before and after are smoothed each by
-/// itself, but for the place, which goes on. Pure.
-std::vector<MotionEstimate> smoothMotion(std::span<const TrackNode> track, MotionNoise noise);
+/// measurements, given from the last to the first. The first time must be measured. At a blow the motion before and after
+/// are smoothed each by itself, but for the place, which goes on. A long track is filtered anew in blocks on the way
+/// back: what is kept of the way there is the filter at the start of each. Pure.
+void smoothMotion(std::span<const TrackNode> track, MotionNoise noise, const TakeEstimate &take);
 
 /// Noise by maximum likelihood of the innovations (prediction error decomposition: Harvey 1989, § 3.4) over
 /// all segments: the measurement scale in closed form, the jerk density by a logarithmic grid and a golden

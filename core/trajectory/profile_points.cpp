@@ -43,23 +43,21 @@ ProfilePoint emptyPoint()
     return point;
 }
 
-std::vector<std::optional<MotionEstimate>> estimatesOf(const TrackSegment &segment, Smoother smoother,
-                                                       MotionNoise noise)
+/// Gives the estimate at each node's time, where there is one.
+void estimate(const TrackSegment &segment, Smoother smoother, MotionNoise noise, const TakeEstimate &take)
 {
-    std::vector<std::optional<MotionEstimate>> estimates(segment.nodes.size());
     if (smoother == Smoother::Rts) {
-        if (segment.measured < 3)
-            return estimates;
-        const auto smoothed = smoothMotion(segment.nodes, noise);
-        std::copy(smoothed.begin(), smoothed.end(), estimates.begin());
-        return estimates;
+        if (segment.measured >= 3)
+            smoothMotion(segment.nodes, noise, take);
+        return;
     }
     const auto derive = smoother == Smoother::SavGol    ? savitzkyGolay
                         : smoother == Smoother::Tracker ? trackerDifferences
                                                         : rawDifferences;
-    for (std::size_t i = 0; i < estimates.size(); ++i)
-        estimates[i] = derive(segment.nodes, i, noise.measurementScale);
-    return estimates;
+    for (std::size_t i = 0; i < segment.nodes.size(); ++i) {
+        if (const auto derived = derive(segment.nodes, i, noise.measurementScale))
+            take(i, *derived);
+    }
 }
 
 /// The calibration's part for a bridged sample is that of the nearest measured one before it.
@@ -82,14 +80,13 @@ std::vector<ProfilePoint> makePoints(std::vector<Sample> &samples, const std::ve
     auto segments = cutIntoSegments(samples, options.longestBridgedGap);
     markBlows(segments, struck);
     for (const TrackSegment &segment : segments) {
-        const auto estimates = estimatesOf(segment, options.smoother, noise);
-        for (std::size_t i = 0; i < estimates.size(); ++i) {
-            if (!estimates[i] || !estimates[i]->mean.allFinite() || !estimates[i]->covariance.allFinite())
-                continue;
-            points[segment.first + i] = makePoint(*estimates[i], commonPart(samples, segment, i));
+        estimate(segment, options.smoother, noise, [&](std::size_t i, const MotionEstimate &one) {
+            if (!one.mean.allFinite() || !one.covariance.allFinite())
+                return;
+            points[segment.first + i] = makePoint(one, commonPart(samples, segment, i));
             if (!segment.nodes[i].measured)
                 samples[segment.first + i].flags |= flagBit(SampleFlag::Interpolated);
-        }
+        });
     }
     return points;
 }

@@ -148,19 +148,18 @@ void flagStandingOut(std::vector<Sample> &samples, const Round &round, MotionNoi
         const auto outliers = hampelSpikes(segment.nodes);
         if (std::none_of(outliers.begin(), outliers.end(), [](HampelSpike one) { return one.any(); }))
             continue;
-        const auto track = smoothMotion(segment.nodes, noise);
-        for (std::size_t i = 0; i < outliers.size(); ++i) {
+        smoothMotion(segment.nodes, noise, [&](std::size_t i, const MotionEstimate &track) {
             const std::size_t at = segment.first + i;
             const bool abrupt = round.abrupt[at] || (at > 0 && round.abrupt[at - 1]) ||
                                 (at + 1 < samples.size() && round.abrupt[at + 1]);
             if (!outliers[i].any() || abrupt || hasFlag(samples[at].flags, SampleFlag::ByHand))
-                continue;
+                return;
             const Eigen::Matrix2d measured = noise.measurementScale * segment.nodes[i].covariance;
-            const Eigen::Matrix2d left = measured - track[i].covariance.topLeftCorner<2, 2>();
+            const Eigen::Matrix2d left = measured - track.covariance.topLeftCorner<2, 2>();
             const double variance = std::max(left.trace(), leastShareOpen * measured.trace()) / 2;
-            if ((segment.nodes[i].position - track[i].position()).squaredNorm() > gate * variance)
+            if ((segment.nodes[i].position - track.position()).squaredNorm() > gate * variance)
                 samples[at].flags |= flagBit(SampleFlag::Jump);
-        }
+        });
     }
 }
 

@@ -37,27 +37,36 @@ std::vector<TrackSegment> cutIntoSegments(const std::vector<Sample> &samples, Na
     const auto used = [&](const Sample &sample) {
         return sample.position && (isUsed ? isUsed(sample) : !isRejected(sample.flags));
     };
-    std::vector<TrackSegment> segments;
-    std::size_t last = 0; // index of the last used sample
+    std::vector<bool> taken(samples.size());
+    std::vector<std::pair<std::size_t, std::size_t>> stretches; // indices of the first and the last taken
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (!used(samples[i]))
             continue;
-        const bool joined = !segments.empty() && samples[i].time - samples[last].time <= longestGap;
-        if (!segments.empty() && samples[i].time <= samples[last].time)
+        const bool first = stretches.empty();
+        const Nanoseconds since = first ? Nanoseconds(0) : samples[i].time - samples[stretches.back().second].time;
+        if (!first && since <= Nanoseconds(0))
             continue;
-        if (!joined) {
-            segments.push_back({i, {}, 0});
-        } else {
-            for (std::size_t gap = last + 1; gap < i; ++gap)
-                segments.back().nodes.push_back({toSeconds(samples[gap].time), false, {}, {}});
-        }
-        segments.back().nodes.push_back(
-            {toSeconds(samples[i].time), true, *samples[i].position, samples[i].covariance});
-        ++segments.back().measured;
-        last = i;
+        if (first || since > longestGap)
+            stretches.emplace_back(i, i);
+        stretches.back().second = i;
+        taken[i] = true;
     }
-    for (TrackSegment &segment : segments)
+    std::vector<TrackSegment> segments;
+    for (const auto &[first, last] : stretches) {
+        TrackSegment &segment = segments.emplace_back(TrackSegment{first, {}, 0});
+        segment.nodes.reserve(last - first + 1);
+        for (std::size_t i = first; i <= last; ++i) {
+            TrackNode node{toSeconds(samples[i].time)};
+            if (taken[i]) {
+                node.measured = true;
+                node.position = *samples[i].position;
+                node.covariance = samples[i].covariance;
+                ++segment.measured;
+            }
+            segment.nodes.push_back(node);
+        }
         measureTravel(segment.nodes);
+    }
     return segments;
 }
 

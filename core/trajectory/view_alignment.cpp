@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <optional>
 
 namespace odo {
@@ -39,25 +40,33 @@ struct Offset
     }
 };
 
-/// For each sample that the view carries alone: the running offset when it was last joined, in the order of
-/// `indices`.
-std::vector<std::optional<Offset>> sweep(const std::vector<Sample> &samples,
-                                         const std::vector<Sighting> &sightings, std::uint32_t bit,
-                                         const std::vector<std::size_t> &indices)
+/// The running offset of a view, sample by sample in one direction of time.
+class Sweep
 {
-    std::vector<std::optional<Offset>> last(samples.size());
-    Offset offset;
-    for (const std::size_t i : indices) {
-        const Sample &sample = samples[i];
-        if (!sample.position || (sample.views & bit) == 0)
-            continue;
-        if (std::popcount(sample.views) > 1 && !isRejected(sample.flags))
-            offset.add(sightings[i].place.pointInWorld - *sample.position, sample);
-        else if (offset.weight > 0)
-            last[i] = offset;
+public:
+    Sweep(const std::vector<Sample> &samples, const std::vector<Sighting> &sightings, std::uint32_t bit)
+        : m_samples(samples), m_sightings(sightings), m_bit(bit)
+    {
     }
-    return last;
-}
+
+    /// Goes on to the next sample; for one that the view carries alone: the offset when it was last joined.
+    std::optional<Offset> next(std::size_t i)
+    {
+        const Sample &sample = m_samples[i];
+        if (!sample.position || (sample.views & m_bit) == 0)
+            return std::nullopt;
+        const bool joined = std::popcount(sample.views) > 1 && !isRejected(sample.flags);
+        if (joined)
+            m_offset.add(m_sightings[i].place.pointInWorld - *sample.position, sample);
+        return !joined && sample.views == m_bit && m_offset.weight > 0 ? std::optional(m_offset) : std::nullopt;
+    }
+
+private:
+    const std::vector<Sample> &m_samples;
+    const std::vector<Sighting> &m_sightings;
+    std::uint32_t m_bit;
+    Offset m_offset;
+};
 
 /// The offset to take from a sample that the view carries alone.
 Eigen::Vector2d offsetOf(const Sample &sample, const std::optional<Offset> &before,
@@ -76,17 +85,21 @@ void alignSingleViews(FusedTrack &track, const std::vector<std::vector<Sighting>
                       const std::vector<ViewTrack> &views)
 {
     std::vector<Sample> &samples = track.samples;
-    std::vector<std::size_t> forward(samples.size());
-    for (std::size_t i = 0; i < forward.size(); ++i)
-        forward[i] = i;
-    const std::vector<std::size_t> backward(forward.rbegin(), forward.rend());
     for (std::size_t v = 0; v < sightings.size(); ++v) {
         const std::uint32_t bit = 1u << v;
-        const auto before = sweep(samples, sightings[v], bit, forward);
-        const auto behind = sweep(samples, sightings[v], bit, backward);
+        std::map<std::size_t, std::optional<Offset>> behind;
+        Sweep backward(samples, sightings[v], bit);
+        for (std::size_t i = samples.size(); i-- > 0;) {
+            if (auto offset = backward.next(i))
+                behind.emplace(i, std::move(offset));
+        }
+        Sweep forward(samples, sightings[v], bit);
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            if (samples[i].views == bit && (before[i] || behind[i]))
-                *samples[i].position -= offsetOf(samples[i], before[i], behind[i], views[v].floorView);
+            const auto before = forward.next(i);
+            const auto after = behind.find(i);
+            const auto its = after != behind.end() ? after->second : std::nullopt;
+            if (before || its)
+                *samples[i].position -= offsetOf(samples[i], before, its, views[v].floorView);
         }
     }
 }

@@ -29,7 +29,7 @@ struct TrackJob::Impl
     TrackOutcome outcome;
 
     Result<void> readOptions(Project &project);
-    Result<void> analyseAll(const std::vector<TrackedView> &tracked);
+    Result<void> analyseAll(std::vector<TrackedView> &tracked);
 };
 
 TrackJob::TrackJob(std::string trial, TrackSettings settings) : m_impl(std::make_unique<Impl>())
@@ -129,7 +129,7 @@ Result<void> TrackJob::run(const JobControl &control)
     return {};
 }
 
-Result<void> TrackJob::Impl::analyseAll(const std::vector<TrackedView> &tracked)
+Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
 {
     for (std::size_t r = 0; r < robots.size(); ++r) {
         const RobotRecord &robot = robots[r];
@@ -137,7 +137,9 @@ Result<void> TrackJob::Impl::analyseAll(const std::vector<TrackedView> &tracked)
         if (floorColour && floorColour->hardlyEverFound)
             return tl::unexpected(floorColour->error);
         AnalysisRecord analysis = newAnalysis(trial, robot, views, options[r]);
-        auto analysed = analyseByTask(viewTracks(views, tracked, r), shapeOf(robot), options[r], task);
+        auto tracks = takeViewTracks(views, tracked, r);
+        auto analysed = analyseByTask(tracks, shapeOf(robot), options[r], task);
+        returnObservations(std::move(tracks), tracked, r);
         if (!analysed) {
             Error error = analysed.error();
             error.what = robotInTrial(robot.name, trialName);
@@ -173,10 +175,10 @@ Result<void> TrackJob::commit(Project &project)
                 return stored;
         }
         for (TrackedRobot &robot : d.outcome.robots) {
-            auto stored = project.analyses().add(robot.analysis);
+            auto stored = project.analyses().add(std::move(robot.analysis));
             if (!stored)
                 return tl::unexpected(stored.error());
-            robot.analysis.id = stored->id;
+            robot.analysis = std::move(*stored);
         }
         std::vector<RecordId> all = d.trial.robots;
         for (const RobotRecord &robot : d.robots) {

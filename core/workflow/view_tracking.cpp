@@ -71,6 +71,8 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     for (const RobotRecord &robot : robots)
         tracked.series.push_back({view.recording.id, robot.id, trackerVersion, {}});
     const std::vector<Nanoseconds> &times = view.recording.frameTimes;
+    for (ObservationSeries &series : tracked.series)
+        series.observations.reserve(times.size());
     for (std::size_t next = 0;;) {
         if (control.isCancelled())
             return cancelled("tracking");
@@ -128,15 +130,21 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
     return tracked;
 }
 
-std::vector<ViewTrack> viewTracks(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked,
-                                  std::size_t robot)
+std::vector<ViewTrack> takeViewTracks(const std::vector<RegisteredView> &views, std::vector<TrackedView> &tracked,
+                                      std::size_t robot)
 {
     std::vector<ViewTrack> tracks;
     for (std::size_t v = 0; v < views.size(); ++v)
         tracks.push_back({views[v].recording.cameraName, views[v].floorView,
-                          fromSeconds(views[v].recording.startOffsetS), tracked[v].series[robot].observations,
-                          views[v].recording.clockRate});
+                          fromSeconds(views[v].recording.startOffsetS),
+                          std::move(tracked[v].series[robot].observations), views[v].recording.clockRate});
     return tracks;
+}
+
+void returnObservations(std::vector<ViewTrack> tracks, std::vector<TrackedView> &tracked, std::size_t robot)
+{
+    for (std::size_t v = 0; v < tracks.size(); ++v)
+        tracked[v].series[robot].observations = std::move(tracks[v].observations);
 }
 
 RobotShape shapeOf(const RobotRecord &robot)

@@ -20,7 +20,9 @@ using namespace odo::test;
 namespace {
 
 constexpr int loopS = 20, framesPerSecond = 30;
-constexpr double mostMegabytes = 500;
+// Measured: 213 MB, 0.57 kB; a third is left for other machines and libraries.
+constexpr double mostMegabytes = 280;
+constexpr double mostPerFrameMegabytes = 0.75e-3; ///< and view
 
 /// Two cameras of 320x180; a robot that drives round and comes to rest where it set out, so that the loop has
 /// no seam.
@@ -168,10 +170,10 @@ void TestLongRecordings::twoHourLongClips()
     const double ofAnHour = track(60, VideoCodec(codec));
     QVERIFY(ofTenMinutes > 0 && ofAnHour > 0);
     QVERIFY2(ofAnHour <= mostMegabytes, qPrintable(QString::number(ofAnHour)));
-    // What is kept of a frame (its observations, the sample and its profile) is what may grow: 1.5 kB a frame
-    // and view.
+    // What is kept of a frame is what may grow: its observations (0.14 kB a view) to the end, beside them while the
+    // views are laid on the floor twice a place (0.13 kB a view each), and the sample with its profile (0.26 kB).
     const double frames = 2.0 * 50 * 60 * framesPerSecond;
-    QVERIFY2(ofAnHour - ofTenMinutes < 1.5e-3 * frames, qPrintable(QString::number(ofAnHour - ofTenMinutes)));
+    QVERIFY2(ofAnHour - ofTenMinutes < mostPerFrameMegabytes * frames, qPrintable(QString::number(ofAnHour - ofTenMinutes)));
 }
 
 QTEST_GUILESS_MAIN(TestLongRecordings)

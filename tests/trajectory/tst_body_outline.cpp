@@ -107,7 +107,7 @@ private Q_SLOTS:
             evidence.push_back({i / 30.0, costs});
         }
         evidence[10].costs.reset();
-        for (const std::size_t bin : likeliestPath(evidence))
+        for (const std::size_t bin : likeliestPath(evidence.size(), [&](std::size_t i) { return evidence[i]; }))
             QVERIFY(std::abs(angleOfBin(bin) - 0.3) < 0.1);
     }
 

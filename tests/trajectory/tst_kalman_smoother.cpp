@@ -2,6 +2,7 @@
 #include "core/trajectory/kalman_smoother.h"
 
 #include <QTest>
+#include <functional>
 #include <random>
 
 using namespace odo;
@@ -54,6 +55,13 @@ Simulated simulate(int count, double dt, double density, double sigmaM, std::mt1
     return simulated;
 }
 
+std::vector<MotionEstimate> smoothed(std::span<const TrackNode> nodes, MotionNoise noise)
+{
+    std::vector<MotionEstimate> estimates(nodes.size());
+    smoothMotion(nodes, noise, [&](std::size_t i, const MotionEstimate &estimate) { estimates[i] = estimate; });
+    return estimates;
+}
+
 } // namespace
 
 class TestKalmanSmoother : public QObject
@@ -67,7 +75,7 @@ private Q_SLOTS:
         for (const double t : {0.0, 0.03, 0.071, 0.1, 0.2, 0.21, 0.5, 0.53})
             nodes.push_back(
                 {t, true, Eigen::Vector2d(1 + 2 * t, 3 - 0.5 * t), Eigen::Matrix2d::Identity() * 1e-10});
-        for (const MotionEstimate &estimate : smoothMotion(nodes, {1.0, 1.0})) {
+        for (const MotionEstimate &estimate : smoothed(nodes, {1.0, 1.0})) {
             QVERIFY((estimate.velocity() - Eigen::Vector2d(2, -0.5)).norm() < 1e-4);
             QVERIFY(estimate.acceleration().norm() < 1e-2);
         }
@@ -130,7 +138,7 @@ private Q_SLOTS:
             node.position = course(node.timeS);
         const auto worstSpeedError = [&] {
             double worst = 0;
-            for (const MotionEstimate &estimate : smoothMotion(nodes, {5, 1})) {
+            for (const MotionEstimate &estimate : smoothed(nodes, {5, 1})) {
                 worst = std::max(worst, std::min((estimate.velocity() - Eigen::Vector2d(1, 0.1)).norm(),
                                                  (estimate.velocity() - Eigen::Vector2d(-0.3, 0.1)).norm()));
             }
@@ -164,7 +172,7 @@ private Q_SLOTS:
                 simulated.nodes[static_cast<std::size_t>(i)].position += shift;
             }
             simulated.nodes[struck].struck = true;
-            const auto estimates = smoothMotion(simulated.nodes, {density, 1});
+            const auto estimates = smoothed(simulated.nodes, {density, 1});
             for (const int i : {struck - 1, struck}) {
                 const auto node = static_cast<std::size_t>(i);
                 const Eigen::Matrix<double, 6, 1> error = estimates[node].mean - simulated.states[node];
@@ -191,7 +199,7 @@ private Q_SLOTS:
         }
         const Eigen::Matrix3d covariance = (powers.transpose() * powers).inverse() * sigma * sigma;
         const Eigen::Vector3d fit = (powers.transpose() * powers).ldlt().solve(powers.transpose() * x);
-        const MotionEstimate estimate = smoothMotion(nodes, {1e-12, 1.0})[7];
+        const MotionEstimate estimate = smoothed(nodes, {1e-12, 1.0})[7];
         for (int k = 0; k < 3; ++k) {
             const double s = std::sqrt(covariance(k, k));
             QVERIFY2(std::abs(estimate.mean[2 * k] - fit[k]) < 0.01 * s, qPrintable(QString::number(k)));
@@ -208,13 +216,13 @@ private Q_SLOTS:
         shape << 9e-6, 4e-6, 4e-6, 3e-6;
         for (TrackNode &node : nodes)
             node.covariance = shape;
-        const auto plain = smoothMotion(nodes, {20, 1});
+        const auto plain = smoothed(nodes, {20, 1});
         const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
         for (TrackNode &node : nodes) {
             node.position = turn * node.position;
             node.covariance = turn * node.covariance * turn.transpose();
         }
-        const auto turned = smoothMotion(nodes, {20, 1});
+        const auto turned = smoothed(nodes, {20, 1});
         for (std::size_t i = 0; i < nodes.size(); ++i)
             QVERIFY((turned[i].velocity() - turn * plain[i].velocity()).norm() < 1e-8);
     }
@@ -225,12 +233,31 @@ private Q_SLOTS:
             60, 1.0 / 30, 0.002, [](double t) { return Eigen::Vector2d(t, 0); }, 7);
         for (std::size_t i = 25; i < 40; ++i)
             nodes[i].measured = false;
-        const auto estimates = smoothMotion(nodes, {10, 1});
+        const auto estimates = smoothed(nodes, {10, 1});
         const auto sigma = [&](std::size_t i) { return std::sqrt(estimates[i].covariance(0, 0)); };
         QVERIFY(sigma(32) > 3 * sigma(15));
         QVERIFY(sigma(32) > sigma(27));
         QVERIFY(sigma(32) > sigma(38));
         QVERIFY(std::abs(estimates[32].mean[0] - nodes[32].timeS) < 3 * sigma(32));
+    }
+
+    void aLongTrackIsSmoothedAsOne()
+    {
+        // Equal steps: far from the ends all covariances are the same, and nodes that far apart tell nothing of one
+        // another. So a long track must show no seam, and its middle must be that of a piece around it, to rounding.
+        std::mt19937 random(21);
+        const Simulated simulated = simulate(4000, 1.0 / 30, 5, 0.002, random);
+        const auto all = smoothed(simulated.nodes, {5, 1});
+        for (std::size_t i = 300; i < 3700; ++i)
+            QVERIFY2((all[i].covariance - all[2000].covariance).norm() < 1e-9 * all[2000].covariance.norm(),
+                     qPrintable(QString::number(i)));
+        for (const std::size_t first : {700, 1500, 2700}) { // each with a whole number of 1024 in it
+            const auto piece = smoothed(std::span(simulated.nodes).subspan(first, 700), {5, 1});
+            for (std::size_t i = 300; i < 400; ++i) {
+                const Eigen::Vector2d apart = piece[i].position() - all[first + i].position();
+                QVERIFY2(apart.norm() < 1e-9, qPrintable(QString::number(apart.norm())));
+            }
+        }
     }
 
     void findsTheNoiseThatMadeTheTrack()
@@ -257,7 +284,7 @@ private Q_SLOTS:
         for (int run = 0; run < 15; ++run) {
             const Simulated simulated = simulate(200, 1.0 / 30, 20, 0.002, random);
             const auto noise = estimateMotionNoise({std::span<const TrackNode>(simulated.nodes)}, false);
-            const auto estimates = smoothMotion(simulated.nodes, noise);
+            const auto estimates = smoothed(simulated.nodes, noise);
             for (std::size_t i = 0; i < estimates.size(); ++i) {
                 for (int k = 0; k < 6; ++k)
                     inside[static_cast<std::size_t>(k / 2)] +=
@@ -277,7 +304,7 @@ private Q_SLOTS:
             300, 1.0 / 30, 0.002, [](double) { return Eigen::Vector2d(1, 1); }, 13);
         const MotionNoise found = estimateMotionNoise({std::span<const TrackNode>(nodes)}, false);
         QVERIFY(found.jerkDensity < 1e-3);
-        const auto estimates = smoothMotion(nodes, found);
+        const auto estimates = smoothed(nodes, found);
         QVERIFY(estimates[150].velocity().norm() < 0.002);
         QVERIFY(estimates[150].covariance.allFinite());
     }
