@@ -106,6 +106,13 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
     lines << stepSentences(*recordings);
     if (analyses->empty())
         lines << QStringLiteral("Not tracked yet; run: odograph track %1 %2").arg(call.positional(0), call.positional(1));
+    std::vector<const RecordingRecord *> used;
+    for (std::size_t v = 0; !analyses->empty() && v < recordings->size(); ++v) {
+        const std::vector<RecordId> &registrations = analyses->front().registrations;
+        if (v < registrations.size() && registrations[v] != 0)
+            used.push_back(&(*recordings)[v]);
+    }
+    warnings = stepWarnings(trial->name, used);
     for (const AnalysisRecord &analysis : *analyses) {
         const auto truth = project.trials().truth(trial->id, analysis.robot);
         if (!truth)

@@ -110,6 +110,7 @@ Result<void> TrackJob::run(const JobControl &control)
         control.report(0.96, "settling which robot is which");
         settleNames(d.views, d.robots, *tracked);
     }
+    d.outcome.warnings = stepWarnings(d.trialName, d.views);
     control.report(0.97, "analysing");
     if (auto analysed = d.analyseAll(*tracked); !analysed)
         return analysed;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double mostOfPicture = 0.10; ///< larger no robot is in a picture that shows its task
 constexpr double hardlyEver = 0.05;    ///< of the frames
+constexpr double doubtfulStepS = 0.005;
 
 double partFound(const std::vector<TrackedView> &tracked, std::size_t robot)
 {
@@ -37,6 +38,40 @@ std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const 
     for (std::string &sentence : sentences)
         sentence = robotInTrial(analysis.robotName, trialName) + ": " + sentence;
     return sentences;
+}
+
+std::vector<std::string> stepWarnings(const std::string &trialName,
+                                      const std::vector<const RecordingRecord *> &used)
+{
+    std::vector<std::string> sentences;
+    for (const RecordingRecord *one : used) {
+        const RecordingRecord &view = *one;
+        if (used.size() < 2 || view.position == 0)
+            continue;
+        const std::string what = "view '" + view.cameraName + "' in trial '" + trialName + "': ";
+        const bool found = view.syncMethod == "auto" || view.syncMethod == "flash";
+        if (!found && view.syncMethod != "told")
+            sentences.push_back(what + "it is not synchronised but taken as begun together with the first "
+                                       "view, so that a moving robot "
+                                       "is not where the two views put it; import the videos again with "
+                                       "--sync auto, or tell the offset");
+        else if (found && view.startOffsetSigmaS > doubtfulStepS)
+            sentences.push_back(
+                what + "it is in step to " + formatNumber(1e3 * view.startOffsetSigmaS, 0) +
+                " ms only, which is " + formatNumber(1e3 * view.startOffsetSigmaS, 0) +
+                " mm at 1 m/s; let the robot turn, or flash the room's light, where both cameras see it");
+    }
+    return sentences;
+}
+
+std::vector<std::string> stepWarnings(const std::string &trialName, const std::vector<RegisteredView> &views)
+{
+    std::vector<const RecordingRecord *> used;
+    for (const RegisteredView &view : views) {
+        if (view.floorView)
+            used.push_back(&view.recording);
+    }
+    return stepWarnings(trialName, used);
 }
 
 std::optional<FloorColour> floorColourOf(const RobotRecord &robot, const std::string &trialName,

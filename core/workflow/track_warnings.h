@@ -17,6 +17,16 @@ std::string robotInTrial(const std::string &robotName, const std::string &trialN
 /// they can be told at any time.
 std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName);
 
+/// Whole sentences on views that are joined although how they lie against one another in time is not known,
+/// or too little: not synchronised, or with a σ of more than 5 ms, which is 5 mm at 1 m/s. `used`: the views
+/// that are measured with (a camera that is not registered is none of them), in their order; for fewer than
+/// two there is nothing to say. From what is stored, so that they can be told at any time.
+std::vector<std::string> stepWarnings(const std::string &trialName,
+                                      const std::vector<const RecordingRecord *> &used);
+
+/// The same for a trial as it would be tracked now. Project's thread.
+std::vector<std::string> stepWarnings(const std::string &trialName, const std::vector<RegisteredView> &views);
+
 /// The told colour of one robot is also the floor's: so much of a view's picture has it as no robot covers.
 /// An error to fail with where the robot was hardly ever found, and else to warn of. nullopt: it is not, or
 /// the views are stored ones, of which the pictures are not known.

@@ -67,6 +67,48 @@ private Q_SLOTS:
                      " % of view A's picture); put a plate of another colour on it, or tell the colour it really has");
     }
 
+    void howViewsAreInStep_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<double>("sigmaS");
+        QTest::addColumn<QString>("said");
+        const QString unknown = QStringLiteral("view 'B' in trial 't': it is not synchronised but taken as "
+                                               "begun together with the first view, so that a moving "
+                                               "robot is not where the two views put it; import the videos "
+                                               "again with --sync auto, or tell the offset");
+        QTest::newRow("none") << "none" << 0.0 << unknown;
+        QTest::newRow("a word of a later program") << "" << 0.0 << unknown;
+        QTest::newRow("by hand") << "told" << 0.0 << "";
+        QTest::newRow("motion") << "auto" << 0.0004 << "";
+        QTest::newRow("flash") << "flash" << 0.003 << "";
+        QTest::newRow("motion that hardly tells")
+            << "auto" << 0.0123
+            << "view 'B' in trial 't': it is in step to 12 ms only, which is 12 mm at 1 m/s; let the robot "
+               "turn, or flash the "
+               "room's light, where both cameras see it";
+    }
+    void howViewsAreInStep()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, sigmaS);
+        QFETCH(QString, said);
+        std::vector<RegisteredView> views(3);
+        const auto registered = [](RegisteredView &view) { view.floorView = demoTestbed(1).cameras[0].view; };
+        registered(views[0]);
+        views[1].recording.position = 1;
+        views[1].recording.cameraName = std::string("B");
+        views[1].recording.syncMethod = method.toStdString();
+        views[1].recording.startOffsetSigmaS = sigmaS;
+        views[2].recording.position = 2;
+        views[2].recording.syncMethod = std::string("none");
+        QVERIFY(stepWarnings("t", views).empty()); // only one view is measured with
+        registered(views[1]);
+        const auto sentences = stepWarnings("t", views);
+        QCOMPARE(sentences.size(), std::size_t(said.isEmpty() ? 0 : 1));
+        if (!said.isEmpty())
+            QCOMPARE(QString::fromStdString(sentences.front()), said);
+    }
+
     void hardlyEverFoundIsAnError()
     {
         RobotRecord robot;

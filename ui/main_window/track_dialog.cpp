@@ -6,13 +6,14 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
+#include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 namespace odo {
 
 TrackDialog::TrackDialog(const QString &trial, const QStringList &robots, const QStringList &expected,
-                         QWidget *parent)
+                         const QStringList &doubts, QWidget *parent)
     : QDialog(parent), m_robots(new CheckList(tr("Robots to follow"))), m_smoother(new QComboBox),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
 {
@@ -31,9 +32,16 @@ TrackDialog::TrackDialog(const QString &trial, const QStringList &robots, const 
     QPushButton *accept = m_buttons->addButton(tr("Track"), QDialogButtonBox::AcceptRole);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
+    for (const QString &sentence : doubts) {
+        auto *doubt = new QLabel(sentence);
+        doubt->setTextFormat(Qt::PlainText);
+        doubt->setWordWrap(true);
+        layout->addWidget(doubt);
+    }
     layout->addWidget(m_buttons);
     accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
-    resize(440, sizeHint().height());
+    constexpr int width = 440;
+    resize(width, layout->totalHeightForWidth(width));
     const auto update = [this, accept] { accept->setEnabled(!m_robots->checkedNames().empty()); };
     connect(m_robots, &QListWidget::itemChanged, this, update);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

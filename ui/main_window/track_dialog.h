@@ -17,9 +17,10 @@ class TrackDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// expected: those that are ticked; none: all are.
+    /// expected: those that are ticked; none: all are. doubts: whole sentences on what will make the figures
+    /// doubtful.
     TrackDialog(const QString &trial, const QStringList &robots, const QStringList &expected,
-                QWidget *parent = nullptr);
+                const QStringList &doubts, QWidget *parent = nullptr);
     TrackSettings settings() const;
 
 private:

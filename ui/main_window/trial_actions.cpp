@@ -4,7 +4,9 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/import_trial_job.h"
+#include "core/workflow/registered_view.h"
 #include "core/workflow/track_job.h"
+#include "core/workflow/track_warnings.h"
 #include "ui/main_window/import_trial_dialog.h"
 #include "ui/main_window/robot_dialog.h"
 #include "ui/main_window/track_dialog.h"
@@ -144,7 +146,12 @@ void TrialActions::askTrack(const QString &trial)
     QStringList expected;
     for (const std::string &name : record->robotNames)
         expected << QString::fromStdString(name);
-    TrackDialog dialog(trial, robots, expected, &m_window);
+    QStringList doubts;
+    if (const auto views = registeredViews(project, *record)) { // what else is wrong, tracking will say
+        for (const std::string &sentence : stepWarnings(record->name, *views))
+            doubts << QString::fromStdString(sentence);
+    }
+    TrackDialog dialog(trial, robots, expected, doubts, &m_window);
     if (dialog.exec() != QDialog::Accepted)
         return;
     const auto job = std::make_shared<TrackJob>(trial.toStdString(), dialog.settings());

@@ -64,7 +64,7 @@ QString stepText(const RecordingRecord &view)
 {
     const QString sigma = millisecondText(view.startOffsetSigmaS), begun = begunText(view.startOffsetS);
     if (view.syncMethod == "told")
-        return Words::tr("%1, as told").arg(begun);
+        return Words::tr("%1, as told by hand").arg(begun);
     QString text;
     if (view.syncMethod == "auto")
         text = Words::tr("in step to %1, found from the motion; %2").arg(sigma, begun);
@@ -83,7 +83,8 @@ Fact stepFact(const SceneView &view)
     Fact fact{Words::tr("In step"),
               Words::tr("%1: %2").arg(QString::fromStdString(view.camera), stepText(view.recording)),
               {}};
-    if (view.recording.syncMethod == "none")
+    const std::string &method = view.recording.syncMethod;
+    if (method != "told" && method != "auto" && method != "flash")
         fact.badge = {Words::tr("not synchronised"), BadgeState::Warning};
     return fact;
 }

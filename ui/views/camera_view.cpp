@@ -26,7 +26,9 @@ QString viewRemark(const TrialScene &scene, std::size_t index)
     if (index > 0 && (method == "auto" || method == "flash"))
         parts += CameraView::tr("in step to %1 ms")
                      .arg(QLocale().toString(recording.startOffsetSigmaS * 1e3, 'f', 1));
-    else if (index > 0 && method == "none")
+    else if (index > 0 && method == "told")
+        parts += CameraView::tr("offset by hand");
+    else if (index > 0)
         parts += CameraView::tr("not synchronised");
     parts += QStringLiteral("%1\u00d7%2").arg(recording.widthPx).arg(recording.heightPx);
     if (recording.framesPerSecond > 0)
