@@ -21,6 +21,8 @@ Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &canc
 Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runReprocess(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runRevisions(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTask(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runImport(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel);

@@ -53,11 +53,23 @@ Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
         return parsed.map([](bool) {});
     if (!call.isSet(camera) || !call.isSet(image))
         return call.wrongCall(QStringLiteral("--camera and --image are needed"));
-    const auto project = call.openProject(0, Project::Access::ReadOnly);
+    // What was found is kept where it can be; where it cannot, it is told all the same.
+    auto project = call.openProject(0, Project::Access::ReadWrite);
+    const bool canKeep = project || project.error().code != ErrorCode::ReadOnly;
+    if (!canKeep)
+        project = call.openProject(0, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
     MovedJob job({call.value(camera), call.value(image), {}});
-    if (auto done = runToEnd(job, **project, call.control()); !done)
+    auto done = job.prepare(**project);
+    if (done)
+        done = job.run(call.control());
+    if (canKeep && done)
+        done = job.commit(**project);
+    else if (canKeep && done.error().code == ErrorCode::Undetermined)
+        if (const auto kept = keepNotTold(**project, call.value(camera), done.error()); !kept)
+            return kept;
+    if (!done)
         return done;
     const MovedCheck &check = job.check();
     call.answer(answerJson(QString::fromStdString(call.value(camera)), check), QString::fromStdString(check.words));

@@ -268,6 +268,23 @@ Result<std::vector<AnalysisRecord>> AnalysisRepository::current(RecordId trial) 
     return analyses;
 }
 
+Result<std::map<RecordId, std::vector<std::string>>> AnalysisRepository::trialsByRegistration() const
+{
+    std::map<RecordId, std::vector<std::string>> trials;
+    Statement select(m_connection,
+                     QStringLiteral("SELECT DISTINCT registration_id, trial.name FROM analysis_view "
+                                    "JOIN analysis ON analysis.id=analysis_id JOIN trial ON trial.id=trial_id "
+                                    "WHERE registration_id IS NOT NULL AND analysis.id IN "
+                                    "(SELECT MAX(id) FROM analysis GROUP BY trial_id, robot_id) ORDER BY trial.name"));
+    auto read = select.eachRow([&trials](const Statement &row) -> Result<void> {
+        trials[row.integer(0)].push_back(row.text(1));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return trials;
+}
+
 Result<std::vector<AnalysisRecord>> AnalysisRepository::currentMetrics(RecordId trial) const
 {
     std::vector<AnalysisRecord> analyses;

@@ -139,6 +139,9 @@ Result<IntrinsicsRecord> CameraRepository::addIntrinsics(const IntrinsicsRecord 
             return tl::unexpected(done.error());
         IntrinsicsRecord stored = intrinsics;
         stored.id = insert.insertedId();
+        Statement newest(m_connection, QStringLiteral("UPDATE camera SET intrinsics_id=NULL WHERE id=?"));
+        if (auto done = newest.bind(intrinsics.camera).run(); !done)
+            return tl::unexpected(done.error());
         if (auto added = addCalibrationPictures(m_connection, stored); !added)
             return tl::unexpected(added.error());
         return stored;
@@ -148,8 +151,9 @@ Result<IntrinsicsRecord> CameraRepository::addIntrinsics(const IntrinsicsRecord 
 Result<std::optional<IntrinsicsRecord>> CameraRepository::currentIntrinsics(RecordId camera) const
 {
     Statement select(m_connection,
-                     intrinsicsColumns + QStringLiteral("WHERE camera_id=? ORDER BY id DESC LIMIT 1"));
-    const auto found = select.bind(camera).firstRow();
+                     intrinsicsColumns + QStringLiteral("WHERE id=COALESCE((SELECT intrinsics_id FROM camera WHERE id=?), "
+                                                        "(SELECT MAX(id) FROM intrinsics WHERE camera_id=?))"));
+    const auto found = select.bind(camera).bind(camera).firstRow();
     if (!found)
         return tl::unexpected(found.error());
     if (!*found)
@@ -174,6 +178,17 @@ Result<std::vector<IntrinsicsRecord>> CameraRepository::allIntrinsics(RecordId c
     if (!read)
         return tl::unexpected(read.error());
     return all;
+}
+
+Result<void> CameraRepository::chooseIntrinsics(RecordId intrinsics)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto chosen = this->intrinsics(intrinsics);
+        if (!chosen)
+            return tl::unexpected(chosen.error());
+        Statement update(m_connection, QStringLiteral("UPDATE camera SET intrinsics_id=? WHERE id=?"));
+        return update.bind(intrinsics).bind(chosen->camera).run();
+    });
 }
 
 Result<IntrinsicsRecord> CameraRepository::intrinsics(RecordId id) const

@@ -38,7 +38,7 @@ struct StoredPicture
     std::int64_t bytes = 0;
 };
 
-/// A revision of a camera's intrinsics; the newest is in force, old ones are kept.
+/// A revision of a camera's intrinsics; the newest is in force unless another was chosen, old ones are kept.
 struct IntrinsicsRecord
 {
     RecordId id = 0;
@@ -54,7 +54,17 @@ struct IntrinsicsRecord
     std::vector<StoredPicture> files; ///< one for each of calibration.pictures, or none at all
 };
 
-/// A revision of a camera's registration to the floor.
+/// Whether a camera still stood where it was registered, by its markers in a newer picture.
+struct RegistrationCheck
+{
+    Instant made;
+    /// NotTold: too few markers were found again.
+    enum class Outcome { Still, CameraMoved, MarkersMoved, NotTold } outcome = Outcome::Still;
+    double shiftPx = 0, shiftM = 0; ///< as MovedCheck
+    std::string words;
+};
+
+/// A revision of a camera's registration to the floor; in force as intrinsics are.
 struct RegistrationRecord
 {
     RecordId id = 0;
@@ -65,6 +75,8 @@ struct RegistrationRecord
     Intrinsics assumedIntrinsics; ///< what was used when intrinsics is 0
     std::vector<MarkerPixel> pixels;
     FloorRegistration registration;
+    std::string softwareVersion; ///< that made it; empty: not known
+    std::optional<RegistrationCheck> lastCheck; ///< read only; added by addCheck
 };
 
 struct LayoutRecord

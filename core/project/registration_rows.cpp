@@ -6,6 +6,7 @@
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 #include "core/project/series_blobs.h"
+#include "core/project/stored_words.h"
 
 namespace odo {
 
@@ -13,15 +14,15 @@ namespace {
 
 const QString registrationColumns = QStringLiteral(
     "SELECT id, camera_id, layout_id, intrinsics_id, assumed_lens_id, made_ms, qw, qx, qy, qz, "
-    "x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict FROM registration ");
+    "x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict, software_version FROM registration ");
 
 Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord &record, RecordId lensId)
 {
     Statement insert(
         connection,
         QStringLiteral("INSERT INTO registration (camera_id, layout_id, intrinsics_id, assumed_lens_id, "
-                       "made_ms, qw, qx, qy, qz, x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict) "
-                       "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
+                       "made_ms, qw, qx, qy, qz, x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict, "
+                       "software_version) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
     const FloorRegistration &registration = record.registration;
     const Eigen::Quaterniond &q = registration.worldFromCamera.rotation;
     const Eigen::Vector3d &t = registration.worldFromCamera.translation;
@@ -29,7 +30,7 @@ Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord 
     insert.bind(static_cast<std::int64_t>(record.made.time_since_epoch().count()));
     insert.bind(q.w()).bind(q.x()).bind(q.y()).bind(q.z()).bind(t.x()).bind(t.y()).bind(t.z());
     insert.bind(packSquare(registration.poseCovariance)).bind(registration.rmsPx).bind(registration.rmsM);
-    insert.bind(registration.verdict);
+    insert.bind(registration.verdict).bind(record.softwareVersion);
     if (auto done = insert.run(); !done)
         return tl::unexpected(done.error());
     return insert.insertedId();
@@ -76,6 +77,24 @@ Result<void> readMarkers(const ProjectConnection &connection, RegistrationRecord
     });
 }
 
+Result<void> readLastCheck(const ProjectConnection &connection, RegistrationRecord &into)
+{
+    Statement select(connection, QStringLiteral("SELECT made_ms, outcome, shift_px, shift_m, words FROM registration_check "
+                                                "WHERE registration_id=? ORDER BY id DESC LIMIT 1"));
+    const auto found = select.bind(into.id).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return {};
+    const auto outcome =
+        fromStoredWord(checkOutcomeWords, select.text(1), "registration " + std::to_string(into.id) + " of the project");
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    into.lastCheck = RegistrationCheck{Instant(std::chrono::milliseconds(select.integer(0))), *outcome, select.real(2),
+                                       select.real(3), select.text(4)};
+    return {};
+}
+
 /// Not stored, since it follows from the rest: registrations made by older versions have it too.
 Result<void> addFloorSigma(const ProjectConnection &connection, RegistrationRecord &record)
 {
@@ -109,6 +128,7 @@ Result<RegistrationRecord> readRegistration(const ProjectConnection &connection,
     registration.rmsPx = row.real(14);
     registration.rmsM = row.real(15);
     registration.verdict = row.text(16);
+    record.softwareVersion = row.text(17);
     const std::string what = "registration " + std::to_string(record.id) + " of the project";
     const auto covariance = unpackSquare(row.blob(13), what);
     if (!covariance)
@@ -122,6 +142,8 @@ Result<RegistrationRecord> readRegistration(const ProjectConnection &connection,
         return tl::unexpected(assumed.error());
     record.assumedIntrinsics = std::move(*assumed);
     if (auto read = readMarkers(connection, record); !read)
+        return tl::unexpected(read.error());
+    if (auto read = readLastCheck(connection, record); !read)
         return tl::unexpected(read.error());
     if (auto added = addFloorSigma(connection, record); !added)
         return tl::unexpected(added.error());
@@ -141,6 +163,9 @@ Result<RegistrationRecord> CameraRepository::addRegistration(const RegistrationR
             return tl::unexpected(id.error());
         if (auto added = addMarkers(m_connection, *id, registration); !added)
             return tl::unexpected(added.error());
+        Statement newest(m_connection, QStringLiteral("UPDATE camera SET registration_id=NULL WHERE id=?"));
+        if (auto done = newest.bind(registration.camera).run(); !done)
+            return tl::unexpected(done.error());
         RegistrationRecord stored = registration;
         stored.id = *id;
         return stored;
@@ -150,8 +175,9 @@ Result<RegistrationRecord> CameraRepository::addRegistration(const RegistrationR
 Result<std::optional<RegistrationRecord>> CameraRepository::currentRegistration(RecordId camera) const
 {
     Statement select(m_connection,
-                     registrationColumns + QStringLiteral("WHERE camera_id=? ORDER BY id DESC LIMIT 1"));
-    const auto found = select.bind(camera).firstRow();
+                     registrationColumns + QStringLiteral("WHERE id=COALESCE((SELECT registration_id FROM camera WHERE id=?), "
+                                                          "(SELECT MAX(id) FROM registration WHERE camera_id=?))"));
+    const auto found = select.bind(camera).bind(camera).firstRow();
     if (!found)
         return tl::unexpected(found.error());
     if (!*found)
@@ -160,6 +186,45 @@ Result<std::optional<RegistrationRecord>> CameraRepository::currentRegistration(
     if (!record)
         return tl::unexpected(record.error());
     return std::optional(std::move(*record));
+}
+
+Result<std::vector<RegistrationRecord>> CameraRepository::allRegistrations(RecordId camera) const
+{
+    std::vector<RegistrationRecord> all;
+    Statement select(m_connection, registrationColumns + QStringLiteral("WHERE camera_id=? ORDER BY id DESC"));
+    auto read = select.bind(camera).eachRow([&](const Statement &row) -> Result<void> {
+        auto record = readRegistration(m_connection, row);
+        if (!record)
+            return tl::unexpected(record.error());
+        all.push_back(std::move(*record));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return all;
+}
+
+Result<void> CameraRepository::chooseRegistration(RecordId registration)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto chosen = this->registration(registration);
+        if (!chosen)
+            return tl::unexpected(chosen.error());
+        Statement update(m_connection, QStringLiteral("UPDATE camera SET registration_id=? WHERE id=?"));
+        return update.bind(registration).bind(chosen->camera).run();
+    });
+}
+
+Result<void> CameraRepository::addCheck(RecordId registration, const RegistrationCheck &check)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        Statement insert(m_connection,
+                         QStringLiteral("INSERT INTO registration_check (registration_id, made_ms, outcome, shift_px, "
+                                        "shift_m, words) VALUES (?,?,?,?,?,?)"));
+        insert.bind(registration).bind(static_cast<std::int64_t>(check.made.time_since_epoch().count()));
+        insert.bind(storedWord(checkOutcomeWords, check.outcome)).bind(check.shiftPx).bind(check.shiftM);
+        return insert.bind(check.words).run();
+    });
 }
 
 Result<RegistrationRecord> CameraRepository::registration(RecordId id) const

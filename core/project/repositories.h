@@ -3,6 +3,7 @@
 
 #include "core/project/records.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,14 +25,20 @@ public:
     Result<CameraRecord> find(const std::string &name) const;
     Result<CameraRecord> get(RecordId id) const;
     Result<IntrinsicsRecord> addIntrinsics(const IntrinsicsRecord &intrinsics);
-    /// The newest; nullopt when the camera was never calibrated.
+    /// The one in force: the newest, unless another was chosen since. nullopt when the camera was never calibrated.
     Result<std::optional<IntrinsicsRecord>> currentIntrinsics(RecordId camera) const;
     /// Every calibration and import, the newest first.
     Result<std::vector<IntrinsicsRecord>> allIntrinsics(RecordId camera) const;
     Result<IntrinsicsRecord> intrinsics(RecordId id) const;
     Result<RegistrationRecord> addRegistration(const RegistrationRecord &registration);
     Result<std::optional<RegistrationRecord>> currentRegistration(RecordId camera) const;
+    /// Every registration, the newest first.
+    Result<std::vector<RegistrationRecord>> allRegistrations(RecordId camera) const;
     Result<RegistrationRecord> registration(RecordId id) const;
+    /// Puts a revision in force again until the next one is added. NotFound for an id that is not there.
+    Result<void> chooseIntrinsics(RecordId intrinsics);
+    Result<void> chooseRegistration(RecordId registration);
+    Result<void> addCheck(RecordId registration, const RegistrationCheck &check);
 
 private:
     ProjectConnection &m_connection;
@@ -130,6 +137,8 @@ public:
     Result<std::vector<AnalysisRecord>> current(RecordId trial) const;
     /// Metrics alone, for lists: the newest of each robot, cheap.
     Result<std::vector<AnalysisRecord>> currentMetrics(RecordId trial) const;
+    /// Names of the trials whose newest analyses were made with a registration, by its id.
+    Result<std::map<RecordId, std::vector<std::string>>> trialsByRegistration() const;
 
 private:
     ProjectConnection &m_connection;

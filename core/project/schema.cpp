@@ -191,6 +191,20 @@ std::vector<std::string> calibrationPictures()
     };
 }
 
+/// Which revision is in force can be chosen, and whether a camera still stands where it was registered is kept.
+std::vector<std::string> chosenRevisions()
+{
+    return {
+        "ALTER TABLE camera ADD COLUMN intrinsics_id INTEGER REFERENCES intrinsics(id)",
+        "ALTER TABLE camera ADD COLUMN registration_id INTEGER REFERENCES registration(id)",
+        "ALTER TABLE registration ADD COLUMN software_version TEXT NOT NULL DEFAULT ''",
+        "CREATE TABLE registration_check (id INTEGER PRIMARY KEY, "
+        "registration_id INTEGER NOT NULL REFERENCES registration(id), made_ms INTEGER NOT NULL, "
+        "outcome TEXT NOT NULL, shift_px REAL NOT NULL, shift_m REAL NOT NULL, words TEXT NOT NULL)",
+        "CREATE INDEX registration_check_by_registration ON registration_check(registration_id)",
+    };
+}
+
 } // namespace
 
 std::vector<Migration> projectMigrations()
@@ -200,7 +214,8 @@ std::vector<Migration> projectMigrations()
             sqlMigration("rates of the cameras' clocks", clockRates()),
             sqlMigration("tasks with gates, a reference path and limits", tasks()),
             sqlMigration("how each view was put in step", viewsInStep()),
-            sqlMigration("calibrations with their boards, corners and pictures", calibrationPictures())};
+            sqlMigration("calibrations with their boards, corners and pictures", calibrationPictures()),
+            sqlMigration("revisions that are chosen, and checks of registrations", chosenRevisions())};
 }
 
 } // namespace odo

@@ -35,6 +35,11 @@ constexpr StoredWords<GateRole, 4> gateRoleWords{{{GateRole::Start, "start"},
                                                   {GateRole::Finish, "finish"},
                                                   {GateRole::StartFinish, "start_finish"},
                                                   {GateRole::Split, "split"}}};
+constexpr StoredWords<RegistrationCheck::Outcome, 4> checkOutcomeWords{
+    {{RegistrationCheck::Outcome::Still, "still"},
+     {RegistrationCheck::Outcome::CameraMoved, "camera"},
+     {RegistrationCheck::Outcome::MarkersMoved, "markers"},
+     {RegistrationCheck::Outcome::NotTold, "not_told"}}};
 
 template <class Words, class Value>
 std::string storedWord(const Words &words, Value value)

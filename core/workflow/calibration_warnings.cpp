@@ -56,7 +56,7 @@ Result<std::vector<std::string>> calibrationWarnings(Project &project, const Cam
     if (*intrinsics && (*registration)->intrinsics != (*intrinsics)->id)
         warnings.push_back("The floor registration of " + name + " was made " +
                            ((*registration)->intrinsics == 0 ? "before its lens was calibrated"
-                                                             : "with an older calibration of its lens") +
+                                                             : "with another calibration of its lens than the one in force") +
                            ": register it again.");
     return warnings;
 }

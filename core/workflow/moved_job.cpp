@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/moved_job.h"
 
+#include "core/capture/camera_source.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/picture_source.h"
@@ -10,6 +11,25 @@
 #include <cmath>
 
 namespace odo {
+
+namespace {
+
+Instant now() { return std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now()); }
+
+RegistrationCheck::Outcome outcomeOf(MovedCheck::Verdict verdict)
+{
+    switch (verdict) {
+    case MovedCheck::Verdict::CameraMoved:
+        return RegistrationCheck::Outcome::CameraMoved;
+    case MovedCheck::Verdict::MarkersMoved:
+        return RegistrationCheck::Outcome::MarkersMoved;
+    case MovedCheck::Verdict::Still:
+        break;
+    }
+    return RegistrationCheck::Outcome::Still;
+}
+
+} // namespace
 
 MovedJob::MovedJob(MovedSettings settings) : m_settings(std::move(settings)) {}
 
@@ -25,6 +45,7 @@ Result<void> MovedJob::prepare(Project &project)
     auto layout = project.layouts().get(record.layout);
     if (!layout)
         return tl::unexpected(layout.error());
+    m_registration = record.id;
     m_view = std::move(*view);
     m_layout = std::move(layout->layout);
     m_stored = record.pixels;
@@ -35,8 +56,15 @@ Result<void> MovedJob::prepare(Project &project)
 
 Result<Frame> MovedJob::picture() const
 {
-    if (m_settings.frame)
-        return *m_settings.frame;
+    if (!m_settings.liveUri.empty()) {
+        auto camera = openCamera(m_settings.liveUri);
+        if (!camera)
+            return tl::unexpected(camera.error());
+        auto captured = (*camera)->next();
+        if (!captured)
+            return tl::unexpected(captured.error());
+        return std::move(captured->frame);
+    }
     std::optional<Frame> first;
     const auto visited = visitPictures(m_settings.pictureFile, 1, [&](const Frame &frame, const std::string &) {
         first = frame;
@@ -65,13 +93,24 @@ Result<void> MovedJob::run(const JobControl &control)
     auto check = checkMoved(m_settings.camera, *m_view, m_stored, findAgain(*frame, m_layout, m_stored, m_view->camera()), m_fitPx);
     if (!check)
         return tl::unexpected(check.error());
+    if (control.isCancelled())
+        return cancelled(name);
     m_check = std::move(*check);
     return {};
 }
 
-Result<void> MovedJob::commit(Project &)
+Result<void> MovedJob::commit(Project &project)
 {
-    return {};
+    return project.cameras().addCheck(m_registration, {now(), outcomeOf(m_check.verdict), m_check.shiftPx, m_check.shiftM, m_check.words});
+}
+
+Result<void> keepNotTold(Project &project, const std::string &camera, const Error &error)
+{
+    const auto registered = registeredCamera(project, camera);
+    if (!registered)
+        return tl::unexpected(registered.error());
+    return project.cameras().addCheck(registered->registration.id,
+                                      {now(), RegistrationCheck::Outcome::NotTold, 0, 0, error.message()});
 }
 
 } // namespace odo

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/calibration/moved_check.h"
+#include "core/project/records.h"
 #include "core/workflow/job.h"
 
 #include <filesystem>
@@ -14,11 +15,12 @@ struct MovedSettings
 {
     std::string camera;
     std::filesystem::path pictureFile; ///< a picture or video of the camera as it stands now; or empty:
-    std::optional<Frame> frame;        ///< the same, from a live camera
+    std::string liveUri;               ///< address of the camera that takes it now
 };
 
-/// Looks whether a camera still stands where it was registered, by its markers in a newer picture. Stores nothing.
-/// NotFound where the camera is not registered, Undetermined where fewer than two markers are found again.
+/// Looks whether a camera still stands where it was registered, by its markers in a newer picture, and keeps the outcome
+/// with the registration. NotFound where the camera is not registered, Undetermined where fewer than two markers are found
+/// again (see keepNotTold).
 class MovedJob : public Job
 {
 public:
@@ -33,11 +35,15 @@ private:
     Result<Frame> picture() const;
 
     MovedSettings m_settings;
+    RecordId m_registration = 0;
     std::optional<FloorView> m_view;
     MarkerLayout m_layout;
     std::vector<MarkerPixel> m_stored;
     double m_fitPx = 0;
     MovedCheck m_check;
 };
+
+/// Keeps with the registration in force of a camera that it could not be told whether it has moved: what MovedJob failed with.
+Result<void> keepNotTold(Project &project, const std::string &camera, const Error &error);
 
 } // namespace odo

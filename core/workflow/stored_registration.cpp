@@ -14,6 +14,7 @@ Result<RegistrationRecord> storeRegistration(Project &project, const std::string
         return tl::unexpected(owner.error());
     record.camera = owner->id;
     record.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+    record.softwareVersion = ODOGRAPH_VERSION;
     return project.cameras().addRegistration(record);
 }
 

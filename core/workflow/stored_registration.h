@@ -10,7 +10,7 @@ namespace odo {
 class Project;
 
 /// Stores a registration as the newest one of a camera, which is made when the project has none of that name, and
-/// stamps it with the time of now. For a job's commit, inside its transaction; gives back what is stored.
+/// stamps it with the time of now and the version of the program. For a job's commit, inside its transaction; gives back what is stored.
 Result<RegistrationRecord> storeRegistration(Project &project, const std::string &camera, RegistrationRecord record);
 
 /// A camera with its registration in force.

@@ -54,7 +54,7 @@ public:
     Result<void> run(const JobControl &control) override;
     Result<void> commit(Project &project) override;
 
-    const TrackOutcome &outcome() const; ///< after commit
+    const TrackOutcome &outcome() const; ///< after run; the analyses have their numbers after commit
 
 private:
     struct Impl;

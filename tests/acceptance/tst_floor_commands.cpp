@@ -117,6 +117,24 @@ private Q_SLOTS:
         QCOMPARE(kicked.json().value(QStringLiteral("moved")).toString(), QStringLiteral("markers"));
         QVERIFY(kicked.json().value(QStringLiteral("verdict")).toString().contains(QStringLiteral("Marker E has moved")));
     }
+    void anOlderRegistrationIsUsedAgain()
+    {
+        // The first registration is put in force again, and the list says so.
+        const QJsonArray revisions = run("revisions %/p.odo B --json").json().value(QStringLiteral("revisions")).toArray();
+        QVERIFY(revisions.size() >= 2);
+        const QJsonObject oldest = revisions.last().toObject();
+        QCOMPARE(oldest.value(QStringLiteral("kind")).toString(), QStringLiteral("registration"));
+        const QByteArray use = "revisions %/p.odo B --json --use registration:" + QByteArray::number(oldest.value(QStringLiteral("id")).toInt());
+        const ProgramRun chosen = run(use.constData());
+        QVERIFY2(chosen.exitStatus == 0, chosen.err);
+        QVERIFY(chosen.json().value(QStringLiteral("revisions")).toArray().last().toObject().value(QStringLiteral("in_force")).toBool());
+        QCOMPARE(run("revisions %/p.odo B --use registration:99").exitStatus, 1);
+        QCOMPARE(run("revisions %/p.odo B --use 7").exitStatus, 2);
+        QCOMPARE(run("reprocess %/p.odo nothing").exitStatus, 1);
+        const QByteArray back = "revisions %/p.odo B --use registration:" +
+                                QByteArray::number(revisions.first().toObject().value(QStringLiteral("id")).toInt());
+        QCOMPARE(run(back.constData()).exitStatus, 0);
+    }
     void theAxesMoveWithTheCameras()
     {
         const ProgramRun moved = run("layout transform %/p.odo floor --origin U --turn 90 --json");

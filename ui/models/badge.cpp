@@ -21,4 +21,24 @@ Badge registrationBadge(const std::optional<FloorRegistration> &registration)
     return {text, worseM < badFromM ? BadgeState::Warning : BadgeState::Bad};
 }
 
+Badge cameraBadge(const std::optional<RegistrationRecord> &registration)
+{
+    if (!registration)
+        return registrationBadge(std::nullopt);
+    if (registration->lastCheck) {
+        const RegistrationCheck &check = *registration->lastCheck;
+        switch (check.outcome) {
+        case RegistrationCheck::Outcome::CameraMoved:
+            return {QCoreApplication::translate("odo::Badge", "moved %1").arg(millimetresText(check.shiftM)), BadgeState::Bad};
+        case RegistrationCheck::Outcome::MarkersMoved:
+            return {QCoreApplication::translate("odo::Badge", "marker moved %1").arg(millimetresText(check.shiftM)), BadgeState::Warning};
+        case RegistrationCheck::Outcome::NotTold:
+            return {QCoreApplication::translate("odo::Badge", "markers not found"), BadgeState::Warning};
+        case RegistrationCheck::Outcome::Still:
+            break;
+        }
+    }
+    return registrationBadge(registration->registration);
+}
+
 } // namespace odo

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/floor_registration.h"
+#include "core/project/records.h"
 
 #include <QString>
 #include <optional>
@@ -19,5 +19,9 @@ struct Badge
 
 /// How well a camera is registered: "±1.6 mm", the larger of the markers' misfit and the floor's σ. Good up to 5 mm, bad from 20 mm on.
 Badge registrationBadge(const std::optional<FloorRegistration> &registration);
+
+/// How far a camera can be relied on now: as registrationBadge, unless the last check says that it has moved ("moved 14 mm"),
+/// that markers have, or that they were not found.
+Badge cameraBadge(const std::optional<RegistrationRecord> &registration);
 
 } // namespace odo

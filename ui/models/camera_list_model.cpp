@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/calibration_warnings.h"
 #include "ui/models/figure_text.h"
 
 namespace odo {
@@ -12,6 +13,7 @@ Result<std::vector<CameraRow>> loadCameraRows(Project &project)
     auto cameras = project.cameras().all();
     if (!cameras)
         return tl::make_unexpected(cameras.error());
+    const Instant now = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
     std::vector<CameraRow> rows;
     rows.reserve(cameras->size());
     for (const CameraRecord &camera : *cameras) {
@@ -21,7 +23,10 @@ Result<std::vector<CameraRow>> loadCameraRows(Project &project)
         auto registration = project.cameras().currentRegistration(camera.id);
         if (!registration)
             return tl::make_unexpected(registration.error());
-        rows.push_back({camera, std::move(*intrinsics), std::move(*registration)});
+        auto warnings = calibrationWarnings(project, camera, now);
+        if (!warnings)
+            return tl::make_unexpected(warnings.error());
+        rows.push_back({camera, std::move(*intrinsics), std::move(*registration), std::move(*warnings)});
     }
     return rows;
 }
@@ -60,8 +65,11 @@ QString CameraListModel::display(const CameraRow &row, int column) const
     case RegistrationColumn:
         if (!row.registration)
             return tr("not registered");
-        return tr("registered, %1").arg(registrationBadge(row.registration->registration).text);
+        return tr("registered, %1").arg(cameraBadge(row.registration).text);
     case VerdictColumn:
+        if (row.registration && row.registration->lastCheck &&
+            row.registration->lastCheck->outcome != RegistrationCheck::Outcome::Still)
+            return QString::fromStdString(row.registration->lastCheck->words);
         if (row.registration)
             return QString::fromStdString(row.registration->registration.verdict);
         if (row.intrinsics)
@@ -77,19 +85,15 @@ QVariant CameraListModel::data(const QModelIndex &index, int role) const
     if (!checkIndex(index, CheckIndexOption::IndexIsValid))
         return {};
     const CameraRow &row = m_rows[static_cast<std::size_t>(index.row())];
-    const auto badge = [&row] {
-        return registrationBadge(row.registration ? std::optional(row.registration->registration)
-                                                  : std::nullopt);
-    };
     switch (role) {
     case Qt::DisplayRole:
         return display(row, index.column());
     case Qt::ToolTipRole:
         return display(row, VerdictColumn).toHtmlEscaped();
     case BadgeTextRole:
-        return badge().text;
+        return cameraBadge(row.registration).text;
     case BadgeStateRole:
-        return static_cast<int>(badge().state);
+        return static_cast<int>(cameraBadge(row.registration).state);
     case NameRole:
         return QString::fromStdString(row.camera.name);
     default:

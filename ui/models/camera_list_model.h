@@ -19,6 +19,7 @@ struct CameraRow
     CameraRecord camera;
     std::optional<IntrinsicsRecord> intrinsics;     ///< in force
     std::optional<RegistrationRecord> registration; ///< in force
+    std::vector<std::string> warnings;              ///< of age and resolution, whole sentences
 };
 
 /// On the project's thread.
@@ -31,7 +32,7 @@ class CameraListModel : public QAbstractTableModel
 public:
     enum Columns { NameColumn, CalibrationColumn, RegistrationColumn, VerdictColumn, ColumnCount };
     enum Roles {
-        BadgeTextRole = Qt::UserRole, ///< QString, "±1.6 mm", "not registered"
+        BadgeTextRole = Qt::UserRole, ///< QString, "±1.6 mm", "moved 14 mm", "not registered"
         BadgeStateRole,               ///< int, BadgeState
         NameRole,                     ///< QString
     };

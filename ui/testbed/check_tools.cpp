@@ -5,6 +5,8 @@
 #include "core/project/repositories.h"
 #include "ui/testbed/check/accuracy_dialog.h"
 #include "ui/testbed/check/length_wizard.h"
+#include "ui/testbed/check/moved_dialog.h"
+#include "ui/testbed/check/revisions_dialog.h"
 #include "ui/testbed/known_cameras.h"
 #include "ui/views/theme_icon.h"
 
@@ -14,11 +16,15 @@ namespace odo {
 
 CheckTools::CheckTools(Project &project, QWidget &window) : QObject(&window), m_project(project), m_window(window)
 {
+    add(Moved, QStringLiteral("moved"), tr("&Check the cameras…"), tr("Moved?"),
+        tr("Look whether each camera still stands where it was registered, before the robots run"), &CheckTools::checkMoved);
     add(Length, QStringLiteral("length"), tr("Check a known &length…"), tr("Length…"),
         tr("Measure something of known length in a camera's picture, and see whether the camera is as good as it promises"),
         &CheckTools::checkLength);
     add(Accuracy, QStringLiteral("accuracy"), tr("&Expected accuracy…"), tr("Accuracy…"),
         tr("See how well each place of the floor will be known, also with cameras that are only planned"), &CheckTools::showAccuracy);
+    add(Revisions, QStringLiteral("revisions"), tr("&Older calibrations…"), tr("Revisions…"),
+        tr("See every calibration and registration of a camera, put an older one in force, measure trials again"), &CheckTools::showRevisions);
 }
 
 void CheckTools::add(Tool tool, const QString &icon, const QString &text, const QString &shortText, const QString &tip,
@@ -36,7 +42,9 @@ void CheckTools::setCurrent(const QString &camera, const std::optional<LayoutRec
 {
     m_camera = camera;
     m_layout = layout;
+    m_actions.at(Moved)->setEnabled(isRegistered);
     m_actions.at(Length)->setEnabled(isRegistered);
+    m_actions.at(Revisions)->setEnabled(!camera.isEmpty());
     m_actions.at(Accuracy)->setEnabled(layout.has_value());
 }
 
@@ -64,6 +72,32 @@ void CheckTools::showAccuracy()
     for (const RobotRecord &robot : *robots)
         heightM = std::max(heightM, robot.heightM.value_or(0));
     AccuracyDialog(m_layout->layout, *cameras, heightM, &m_window).exec();
+}
+
+void CheckTools::checkMoved()
+{
+    auto cameras = checkCameras(m_project);
+    if (!cameras) {
+        Q_EMIT failed(cameras.error());
+        return;
+    }
+    MovedDialog dialog(m_project, std::move(*cameras), liveCameras(), &m_window);
+    dialog.exec();
+    if (dialog.hasChecked())
+        Q_EMIT changed(tr("The cameras are checked: see their badges."));
+    if (!dialog.toRegister().isEmpty())
+        Q_EMIT registerRequested(dialog.toRegister());
+}
+
+void CheckTools::showRevisions()
+{
+    QStringList names;
+    for (const CameraRecord &camera : m_project.cameras().all().value_or(std::vector<CameraRecord>()))
+        names << QString::fromStdString(camera.name);
+    RevisionsDialog dialog(m_project, names, m_camera, &m_window);
+    dialog.exec();
+    if (dialog.hasChanged())
+        Q_EMIT changed(tr("Calibrations and trials are as they were chosen."));
 }
 
 } // namespace odo

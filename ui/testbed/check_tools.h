@@ -16,12 +16,13 @@ namespace odo {
 
 class Project;
 
-/// How a testbed is checked: by a known length, and by what accuracy is to be expected. Owns the actions and asks in dialogs. Uses the project on its own thread.
+/// How a testbed is checked: whether cameras have moved, by a known length, by what accuracy is to be expected, and through
+/// the revisions of what it was made from. Owns the actions and asks in dialogs. Uses the project on its own thread.
 class CheckTools : public QObject
 {
     Q_OBJECT
 public:
-    enum Tool { Length, Accuracy, ToolCount };
+    enum Tool { Moved, Length, Accuracy, Revisions, ToolCount };
 
     /// window: parent of the dialogs.
     CheckTools(Project &project, QWidget &window);
@@ -32,6 +33,8 @@ public:
     void setCurrent(const QString &camera, const std::optional<LayoutRecord> &layout, bool isRegistered);
 
 Q_SIGNALS:
+    void changed(const QString &words);
+    void registerRequested(const QString &camera); ///< it has moved
     void failed(const odo::Error &error);
 
 private:
@@ -39,6 +42,8 @@ private:
              void (CheckTools::*slot)());
     void checkLength();
     void showAccuracy();
+    void checkMoved();
+    void showRevisions();
 
     Project &m_project;
     QWidget &m_window;

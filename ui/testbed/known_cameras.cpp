@@ -54,7 +54,8 @@ Result<std::vector<CheckCamera>> checkCameras(Project &project)
         const auto recording = newestFile(project, row.camera.id);
         if (!recording)
             return tl::unexpected(recording.error());
-        cameras.push_back({QString::fromStdString(row.camera.name), *view, layout->layout, *recording});
+        cameras.push_back({QString::fromStdString(row.camera.name), *view, layout->layout, *recording, row.camera.deviceUri,
+                           cameraBadge(row.registration)});
     }
     return cameras;
 }

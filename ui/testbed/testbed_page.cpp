@@ -4,15 +4,19 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/models/timeline.h"
+#include "core/workflow/registered_view.h"
+#include "ui/testbed/check/expected_accuracy.h"
 #include "ui/testbed/check_tools.h"
 #include "ui/testbed/testbed_state.h"
 #include "ui/testbed/testbed_tools.h"
 #include "ui/views/action_button.h"
+#include "ui/views/badge_delegate.h"
 #include "ui/views/camera_view.h"
 #include "ui/views/card.h"
 #include "ui/views/empty_state.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QListWidget>
@@ -44,6 +48,7 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
     : QWidget(parent), m_project(project), m_tools(new TestbedTools(project, *this)), m_checks(new CheckTools(project, *this)), m_timeline(new Timeline(this)),
       m_cameras(new CameraListModel(this)), m_table(new QTableView), m_layoutList(new QListWidget),
       m_view(new CameraView(*m_timeline)), m_facts(new FactList), m_sketch(new FloorSketch),
+      m_sketchCard(new Card(tr("From above"))), m_showAccuracy(new QCheckBox(tr("expected &accuracy"))), m_accuracy(new AccuracyMaker(this)),
       m_empty(
           new EmptyState(QStringLiteral("testbed"), tr("No cameras yet"),
                          tr("A testbed is a floor with markers and the cameras that watch it. Begin with the "
@@ -57,10 +62,11 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
     left->addWidget(makeLayoutCard());
     left->setSizes({640, 200});
     auto *right = new QSplitter(Qt::Vertical);
-    auto *sketchCard = new Card(tr("From above"));
-    sketchCard->setContent(m_sketch);
+    m_sketchCard->setContent(m_sketch);
+    m_sketchCard->addToHeader(m_showAccuracy);
+    m_showAccuracy->setChecked(true);
     right->addWidget(m_view);
-    right->addWidget(sketchCard);
+    right->addWidget(m_sketchCard);
     right->setSizes({520, 380});
     auto *splitter = new QSplitter;
     splitter->addWidget(left);
@@ -86,6 +92,13 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_stack);
     connect(m_view, &CameraView::settled, this, &TestbedPage::settled);
+    connect(m_accuracy, &AccuracyMaker::ready, this, &TestbedPage::showAccuracy);
+    connect(m_showAccuracy, &QCheckBox::toggled, this, &TestbedPage::showLayout);
+    connect(m_checks, &CheckTools::registerRequested, m_tools, &TestbedTools::registerAgain);
+    connect(m_checks, &CheckTools::changed, this, [this](const QString &words) {
+        refresh();
+        Q_EMIT changed(words);
+    });
     connect(m_tools, &TestbedTools::failed, this, &TestbedPage::failed);
     connect(m_checks, &CheckTools::failed, this, &TestbedPage::failed);
     connect(m_tools, &TestbedTools::changed, this, [this](const QString &words) {
@@ -105,6 +118,8 @@ QWidget *TestbedPage::makeCameraCard()
     m_table->setTabKeyNavigation(false);
     m_table->setShowGrid(false);
     m_table->setColumnHidden(CameraListModel::VerdictColumn, true);
+    m_table->setItemDelegateForColumn(CameraListModel::RegistrationColumn,
+                                      new BadgeDelegate(CameraListModel::BadgeTextRole, CameraListModel::BadgeStateRole, this));
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -228,6 +243,7 @@ void TestbedPage::showCamera()
     if (!scene)
         Q_EMIT failed(scene.error());
     m_view->setScene(scene.value_or(nullptr), 0);
+    m_view->setBadge(cameraBadge(camera.registration)); // how it stands now
     if (scene && *scene)
         m_timeline->setFrameTimes((*scene)->frameTimes());
 }
@@ -238,6 +254,8 @@ void TestbedPage::showLayout()
     const int row = m_layoutList->currentRow();
     if (row < 0) {
         m_sketch->setTestbed(std::nullopt, {});
+        m_sketch->setAccuracy(std::nullopt);
+        m_sketchCard->setRemark({});
         return;
     }
     const LayoutRecord &record = m_layouts.at(static_cast<std::size_t>(row));
@@ -248,11 +266,28 @@ void TestbedPage::showLayout()
     if (!sketched)
         Q_EMIT failed(sketched.error());
     m_sketch->setTestbed(record.layout, sketched.value_or(std::vector<SketchedCamera>()));
+    AccuracyRequest request{record.layout, {}, std::nullopt, 0};
+    for (const CameraRow &camera : cameras) {
+        if (!camera.registration || camera.registration->layout != record.id)
+            continue;
+        if (const auto view = floorViewOf(m_project, *camera.registration))
+            request.cameras.emplace_back(*view);
+    }
+    m_accuracy->make(std::move(request));
+}
+
+void TestbedPage::showAccuracy(const ExpectedAccuracy &accuracy)
+{
+    const bool isShown = m_showAccuracy->isChecked() && m_layoutList->currentRow() >= 0 && accuracy.summary.seenPart > 0;
+    m_sketch->setAccuracy(isShown ? std::optional(accuracy.map) : std::nullopt);
+    m_sketchCard->setRemark(isShown ? QString::fromStdString(accuracy.summary.words) : QString());
+    if (isSettled())
+        Q_EMIT settled();
 }
 
 bool TestbedPage::isSettled() const
 {
-    return m_stack->currentIndex() == 1 || m_view->isSettled();
+    return m_stack->currentIndex() == 1 || (m_view->isSettled() && !m_accuracy->isRunning());
 }
 
 } // namespace odo

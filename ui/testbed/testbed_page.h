@@ -10,17 +10,20 @@
 #include <vector>
 
 class QAction;
+class QCheckBox;
 class QListWidget;
 class QStackedWidget;
 class QTableView;
 
 namespace odo {
 
+class AccuracyMaker;
 class CameraListModel;
 class CameraView;
 class Card;
 class CheckTools;
 class EmptyState;
+struct ExpectedAccuracy;
 class FactList;
 class FloorSketch;
 class Project;
@@ -53,6 +56,7 @@ private:
     QWidget *makeLayoutCard();
     void showCamera();
     void showLayout();
+    void showAccuracy(const ExpectedAccuracy &accuracy);
     void tellTools();
     QStringList cameraNames() const;
     QString currentCamera() const;
@@ -69,6 +73,9 @@ private:
     FactList *m_facts;
     Card *m_factCard;
     FloorSketch *m_sketch;
+    Card *m_sketchCard;
+    QCheckBox *m_showAccuracy;
+    AccuracyMaker *m_accuracy;
     EmptyState *m_empty;
     QStackedWidget *m_stack;
 };

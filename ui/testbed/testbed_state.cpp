@@ -67,7 +67,11 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
     const QLocale locale;
     const FloorRegistration &registration = record.registration;
     facts.append({Words::tr("On the floor"), Words::tr("registered %1").arg(dateText(record.made)),
-                  registrationBadge(registration)});
+                  cameraBadge(record)});
+    if (record.lastCheck)
+        facts.append({Words::tr("Last check"),
+                      QStringLiteral("%1: %2").arg(dateText(record.lastCheck->made), QString::fromStdString(record.lastCheck->words)),
+                      {}});
     const Eigen::Vector3d place = registration.worldFromCamera.translation;
     facts.append({Words::tr("Place"),
                   Words::tr("x %1 m, y %2 m, %3 m high")
@@ -119,6 +123,8 @@ Result<TrialScenePtr> newestPicture(Project &project, const CameraRow &camera)
 QList<Fact> cameraFacts(const CameraRow &camera)
 {
     QList<Fact> facts;
+    for (const std::string &warning : camera.warnings) // first, so that nobody has to scroll for them
+        facts.append({Words::tr("Attention"), QString::fromStdString(warning), {}});
     if (camera.intrinsics)
         addIntrinsics(facts, *camera.intrinsics);
     else

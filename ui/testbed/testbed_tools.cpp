@@ -61,6 +61,12 @@ void TestbedTools::setCurrent(const QString &camera, const std::optional<LayoutR
     m_actions.at(Register)->setEnabled(layout.has_value());
 }
 
+void TestbedTools::registerAgain(const QString &camera)
+{
+    m_camera = camera;
+    registerCamera();
+}
+
 QStringList TestbedTools::cameraNames() const
 {
     QStringList names;

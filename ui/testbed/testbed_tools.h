@@ -30,6 +30,8 @@ public:
     QList<QAction *> actions() const { return m_actions; }
     /// What the dialogs begin with. layout: empty where there is none.
     void setCurrent(const QString &camera, const std::optional<LayoutRecord> &layout);
+    /// As the action, for another camera than the current one.
+    void registerAgain(const QString &camera);
 
 Q_SIGNALS:
     void changed(const QString &words);

@@ -7,6 +7,8 @@
 #include "ui/testbed/testbed_tools.h"
 
 #include <QAction>
+#include <QCheckBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStackedWidget>
@@ -23,6 +25,8 @@ private Q_SLOTS:
     void initTestCase();
     void showsCamerasAndTheirState();
     void drawsCamerasWhereTheyStand();
+    void warnsAndShowsWhatHasMoved();
+    void mapsTheAccuracyToExpect();
     void beginsEmpty();
 
 private:
@@ -66,6 +70,48 @@ void TestTestbedPage::drawsCamerasWhereTheyStand()
         QVERIFY((camera.lookAtInWorld - Eigen::Vector2d(1.5, 1.1)).norm() < 0.02);
     QVERIFY(std::abs(cameras->front().pointInWorld.z() - 2.0) < 1e-9);
     QVERIFY(sketchedCameras(*m_project, *rows, layout->id + 1)->empty());
+}
+
+void TestTestbedPage::warnsAndShowsWhatHasMoved()
+{
+    QTemporaryDir folder; // the others keep theirs as it is
+    const auto project = std::move(*Project::open(*storeExample(folder.path().toStdString()), Project::Access::ReadWrite));
+    const auto camera = project->cameras().find("B");
+    const RecordId registration = project->cameras().currentRegistration(camera->id).value()->id;
+    QVERIFY(project->cameras().addCheck(
+        registration, {Instant(std::chrono::milliseconds(1'762'952'400'000)), RegistrationCheck::Outcome::CameraMoved, 6, 0.014, "B has moved 6 px = 14 mm."}));
+    TestbedPage page(*project);
+    page.refresh();
+    auto *table = page.findChild<QTableView *>();
+    QCOMPARE(table->model()->index(1, 2).data(CameraListModel::BadgeTextRole).toString(), QStringLiteral("moved 14.0\u00a0mm"));
+    QCOMPARE(table->model()->index(1, 2).data(CameraListModel::BadgeStateRole).toInt(), int(BadgeState::Bad));
+    QVERIFY(table->model()->index(1, 2).data(Qt::ToolTipRole).toString().contains(QStringLiteral("B has moved")));
+    QCOMPARE(table->model()->index(0, 2).data(CameraListModel::BadgeStateRole).toInt(), int(BadgeState::Good));
+    // The example was calibrated in 2025 at a picture size of its own.
+    const auto rows = loadCameraRows(*project);
+    QVERIFY(!rows->at(1).warnings.empty());
+    const QList<Fact> facts = cameraFacts(rows->at(1));
+    QVERIFY2(facts.front().name == QLatin1String("Attention") && facts.front().value.contains(QLatin1String("days old")),
+             qPrintable(facts.front().value));
+    QVERIFY(std::ranges::any_of(facts, [](const Fact &fact) { return fact.value.contains(QLatin1String("B has moved 6 px = 14 mm.")); }));
+}
+
+void TestTestbedPage::mapsTheAccuracyToExpect()
+{
+    TestbedPage page(*m_project);
+    page.refresh();
+    page.resize(1200, 700);
+    page.show();
+    QTRY_VERIFY(page.isSettled());
+    const auto told = [&page] {
+        for (const QLabel *label : page.findChildren<QLabel *>())
+            if (label->text().contains(QLatin1String("mm in the middle")) || label->toolTip().contains(QLatin1String("mm in the middle")))
+                return true;
+        return false;
+    };
+    QTRY_VERIFY(told());
+    page.findChild<QCheckBox *>()->click();
+    QTRY_VERIFY(!told());
 }
 
 void TestTestbedPage::beginsEmpty()

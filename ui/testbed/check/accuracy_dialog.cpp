@@ -9,7 +9,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -55,7 +54,7 @@ AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<Che
 {
     setWindowTitle(tr("Expected accuracy"));
     for (const CheckCamera &camera : cameras)
-        m_entries.push_back({camera.name, camera.view});
+        m_entries.push_back({camera.name, camera.view, camera.badge.text});
     for (QLabel *label : {m_summary, m_problem}) {
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
@@ -64,7 +63,10 @@ AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<Che
     m_summary->setStyleSheet(QStringLiteral("font-weight: 600"));
     m_summary->setAccessibleName(tr("Expected accuracy in words"));
     m_problem->setAccessibleName(tr("What is wrong"));
-    auto *close = new QDialogButtonBox(QDialogButtonBox::Close);
+    QPushButton *close = plainButton(tr("Close"));
+    auto *buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(close);
     auto *row = new QHBoxLayout;
     row->addWidget(m_sketch, 1);
     row->addWidget(makeSide());
@@ -72,10 +74,10 @@ AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<Che
     layoutOfAll->addLayout(row, 1);
     layoutOfAll->addWidget(m_summary);
     layoutOfAll->addWidget(m_problem);
-    layoutOfAll->addWidget(close);
+    layoutOfAll->addLayout(buttons);
     resize(1160, 740);
     m_robotHeight->setValue(toMillimetres(robotHeightM));
-    connect(close, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_add, &QPushButton::clicked, this, &AccuracyDialog::addPlanned);
     connect(m_remove, &QPushButton::clicked, this, &AccuracyDialog::removePlanned);
     connect(m_best, &QPushButton::clicked, this, &AccuracyDialog::findBestPlace);
@@ -193,7 +195,7 @@ void AccuracyDialog::showList()
     m_list->clear();
     for (const Entry &entry : m_entries) {
         const bool isPlanned = std::holds_alternative<PlannedCamera>(entry.camera);
-        auto *item = new QListWidgetItem(isPlanned ? entry.name : tr("%1, registered").arg(entry.name), m_list);
+        auto *item = new QListWidgetItem(isPlanned ? entry.name : tr("%1, registered %2").arg(entry.name, entry.remark), m_list);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         item->setCheckState(entry.isCounted ? Qt::Checked : Qt::Unchecked);
     }
@@ -220,7 +222,7 @@ void AccuracyDialog::addPlanned()
     PlannedCamera camera;
     camera.aimM = floor.center();
     camera.standAt({floor.center().x(), floor.min().y() - 1});
-    m_entries.push_back({tr("Planned %1").arg(++m_plannedSoFar), camera});
+    m_entries.push_back({tr("Planned %1").arg(++m_plannedSoFar), camera, {}});
     showList();
     m_list->setCurrentRow(m_list->count() - 1);
 }

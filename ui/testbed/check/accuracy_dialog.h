@@ -43,6 +43,7 @@ private:
     {
         QString name;
         MappedCamera camera;
+        QString remark; ///< of a registered one
         bool isCounted = true;
     };
 

@@ -94,8 +94,13 @@ void drawLevel(QPainter &painter, const SketchedAccuracy &accuracy, double level
     painter.setPen(QPen(QColor(255, 255, 255, 220), 1.2));
     for (const auto &[from, to] : lines)
         painter.drawLine(toScreen(from), toScreen(to));
-    if (!lines.empty())
-        drawHaloText(painter, toScreen(lines[lines.size() / 2].first) + QPointF(3, -3), levelText(levelM), Qt::white);
+    if (lines.empty())
+        return;
+    // Nearest to the middle, since markers and borders lie outside.
+    const FloorGrid &grid = accuracy.grid;
+    const Eigen::Vector2d middle = 0.5 * (grid.lowerM + grid.at(grid.columns - 1, grid.rows - 1));
+    const auto nearest = std::ranges::min_element(lines, {}, [&](const auto &line) { return (line.first - middle).norm(); });
+    drawHaloText(painter, toScreen(nearest->first) + QPointF(3, -4), levelText(levelM), Qt::white);
 }
 
 QRectF placeOf(const FloorGrid &grid, const ToScreen &toScreen)
@@ -137,6 +142,8 @@ void drawAccuracy(QPainter &painter, const SketchedAccuracy &accuracy, const ToS
     painter.restore();
 }
 
+int accuracyKeyHeight(const QFontMetrics &metrics) { return keyHeight + 2 * metrics.height() + 10; }
+
 void drawAccuracyKey(QPainter &painter, const SketchedAccuracy &accuracy, const QRect &area, const QPalette &palette)
 {
     const auto range = rangeOf(accuracy);
@@ -148,7 +155,8 @@ void drawAccuracyKey(QPainter &painter, const SketchedAccuracy &accuracy, const 
     const int width = std::max(keyWidth, metrics.horizontalAdvance(title));
     QColor ground = colours.card;
     ground.setAlpha(215);
-    const QRect box(area.left() + 8, area.bottom() - 8 - (keyHeight + 2 * metrics.height() + 10), width + 16, keyHeight + 2 * metrics.height() + 10);
+    const int height = accuracyKeyHeight(metrics);
+    const QRect box(area.left() + 8, area.bottom() - 8 - height, width + 16, height);
     painter.fillRect(box, ground);
     const QRect bar(box.left() + 8, box.top() + metrics.height() + 4, width, keyHeight);
     for (int x = 0; x < bar.width(); ++x)

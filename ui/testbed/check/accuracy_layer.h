@@ -3,6 +3,7 @@
 
 #include "core/calibration/accuracy_map.h"
 
+#include <QFontMetrics>
 #include <QPalette>
 #include <QPointF>
 #include <QRect>
@@ -29,6 +30,9 @@ std::vector<double> accuracyLevelsM(const SketchedAccuracy &accuracy);
 /// Paints σ in the colours of cividis (the darker the better known), hatched where nothing is seen, with lines of equal σ
 /// and their millimetres.
 void drawAccuracy(QPainter &painter, const SketchedAccuracy &accuracy, const ToScreen &toScreen, const QPalette &palette);
+
+/// How high the key is.
+int accuracyKeyHeight(const QFontMetrics &metrics);
 
 /// What the colours mean, as a bar in the lower left corner of the area.
 void drawAccuracyKey(QPainter &painter, const SketchedAccuracy &accuracy, const QRect &area, const QPalette &palette);

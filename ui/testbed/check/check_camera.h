@@ -3,10 +3,12 @@
 
 #include "core/calibration/marker_layout.h"
 #include "core/geometry/floor_view.h"
+#include "ui/models/badge.h"
 
 #include <QString>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace odo {
 
@@ -17,6 +19,8 @@ struct CheckCamera
     FloorView view;
     MarkerLayout layout;                                  ///< it is registered by
     std::optional<std::filesystem::path> newestRecording;
+    std::string deviceUri;                                ///< may be empty
+    Badge badge;                                          ///< how far it can be relied on
 };
 
 } // namespace odo

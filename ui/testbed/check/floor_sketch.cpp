@@ -67,8 +67,9 @@ void FloorSketch::fit()
         return;
     const Eigen::AlignedBox2d box = boundsOf(m_layout, m_cameras, m_accuracy);
     const Eigen::Vector2d extent = box.sizes().cwiseMax(0.1), centre = box.center();
-    m_pixelsPerMetre = std::max(1.0, std::min((width() - 2 * borderPx) / extent.x(), (height() - 2 * borderPx) / extent.y()));
-    m_origin = {width() / 2.0 - centre.x() * m_pixelsPerMetre, height() / 2.0 + centre.y() * m_pixelsPerMetre};
+    const double room = height() - (m_accuracy ? accuracyKeyHeight(fontMetrics()) : 0); // the key must not hide a camera
+    m_pixelsPerMetre = std::max(1.0, std::min((width() - 2 * borderPx) / extent.x(), (room - 2 * borderPx) / extent.y()));
+    m_origin = {width() / 2.0 - centre.x() * m_pixelsPerMetre, room / 2.0 + centre.y() * m_pixelsPerMetre};
 }
 
 QPointF FloorSketch::fromWorld(const Eigen::Vector2d &point) const

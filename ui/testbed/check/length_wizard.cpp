@@ -3,6 +3,7 @@
 
 #include "ui/testbed/check/length_page.h"
 #include "ui/testbed/floor/picture_choice.h"
+#include "ui/views/badge_label.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -18,14 +19,14 @@ enum Page { SourcePage, EndsPage };
 
 LengthWizard::LengthWizard(std::vector<CheckCamera> cameras, const QString &current,
                            const std::vector<std::pair<QString, QString>> &live, QWidget *parent)
-    : StepDialog(tr("Check a known length"), tr("&Done"), parent), m_cameras(std::move(cameras)), m_camera(new QComboBox),
+    : StepDialog(tr("Check a known length"), tr("&Done"), parent), m_cameras(std::move(cameras)), m_camera(new QComboBox), m_badge(new BadgeLabel({})),
       m_choice(new PictureChoice(live, tr("Picture or video of the length"))), m_page(new LengthPage)
 {
     addStep(tr("The camera and its picture"), makeSource(current));
     addStep(tr("Both ends of the length"), m_page);
     resize(1120, 680);
     connect(m_choice, &PictureChoice::changed, this, &LengthWizard::updateButtons);
-    connect(m_camera, &QComboBox::currentIndexChanged, this, [this] { m_choice->setRecording(camera().newestRecording); });
+    connect(m_camera, &QComboBox::currentIndexChanged, this, &LengthWizard::showCamera);
     connect(&m_task, &BackgroundTask::finished, this, [this](const std::optional<Error> &error) {
         if (step() == EndsPage && error)
             m_page->showFailure(*error);
@@ -43,12 +44,13 @@ QWidget *LengthWizard::makeSource(const QString &current)
     for (const CheckCamera &camera : m_cameras)
         m_camera->addItem(camera.name);
     m_camera->setCurrentIndex(std::max(0, m_camera->findText(current)));
-    m_choice->setRecording(camera().newestRecording);
+    showCamera();
     auto *intro = new QLabel(tr("Lay something of known length on the floor, away from the markers, and see whether the camera measures it as "
                                 "well as it promises. Nothing is changed by it."));
     intro->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("C&amera"), m_camera);
+    form->addRow(QString(), m_badge);
     auto *where = new QLabel(tr("Where the length is seen"));
     where->setStyleSheet(QStringLiteral("font-weight: 600"));
     auto *page = new QWidget;
@@ -62,6 +64,12 @@ QWidget *LengthWizard::makeSource(const QString &current)
     layout->addWidget(m_choice);
     layout->addStretch(1);
     return page;
+}
+
+void LengthWizard::showCamera()
+{
+    m_choice->setRecording(camera().newestRecording);
+    m_badge->setBadge(camera().badge);
 }
 
 const CheckCamera &LengthWizard::camera() const { return m_cameras.at(std::size_t(m_camera->currentIndex())); }

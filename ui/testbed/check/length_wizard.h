@@ -13,6 +13,7 @@ class QComboBox;
 
 namespace odo {
 
+class BadgeLabel;
 class LengthPage;
 class PictureChoice;
 
@@ -39,10 +40,12 @@ protected:
 private:
     QWidget *makeSource(const QString &current);
     const CheckCamera &camera() const;
+    void showCamera();
     void takePicture();
 
     const std::vector<CheckCamera> m_cameras;
     QComboBox *m_camera;
+    BadgeLabel *m_badge;
     PictureChoice *m_choice;
     LengthPage *m_page;
     std::shared_ptr<StillPicture> m_picture; ///< that is being got

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/revisions.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace odo {
+
+namespace {
+
+using TrialsById = std::map<RecordId, std::vector<std::string>>;
+
+void addName(std::vector<std::string> &names, const std::string &name)
+{
+    if (std::ranges::find(names, name) == names.end())
+        names.push_back(name);
+}
+
+Revision revisionOf(const IntrinsicsRecord &record)
+{
+    return {Revision::Kind::Calibration, record.id, record.made, record.softwareVersion, record.origin,
+            record.calibration.picturesUsed(), record.calibration.rmsPx, record.calibration.verdict, false, {}};
+}
+
+Result<Revision> revisionOf(Project &project, const RegistrationRecord &record)
+{
+    const auto layout = project.layouts().get(record.layout);
+    if (!layout)
+        return tl::unexpected(layout.error());
+    std::string origin = "layout '" + layout->layout.name + "', ";
+    origin += record.intrinsics == 0 ? "lens not calibrated" : "lens of calibration " + std::to_string(record.intrinsics);
+    return Revision{Revision::Kind::Registration, record.id, record.made, record.softwareVersion, origin,
+                    static_cast<int>(record.registration.markers.size()), record.registration.rmsPx, record.registration.verdict, false, {}};
+}
+
+} // namespace
+
+Result<std::vector<Revision>> revisionsOf(Project &project, const std::string &camera)
+{
+    const auto found = project.cameras().find(camera);
+    if (!found)
+        return tl::unexpected(found.error());
+    const auto intrinsics = project.cameras().allIntrinsics(found->id);
+    if (!intrinsics)
+        return tl::unexpected(intrinsics.error());
+    const auto registrations = project.cameras().allRegistrations(found->id);
+    if (!registrations)
+        return tl::unexpected(registrations.error());
+    const auto currentIntrinsics = project.cameras().currentIntrinsics(found->id);
+    if (!currentIntrinsics)
+        return tl::unexpected(currentIntrinsics.error());
+    const auto currentRegistration = project.cameras().currentRegistration(found->id);
+    if (!currentRegistration)
+        return tl::unexpected(currentRegistration.error());
+    const auto trials = project.analyses().trialsByRegistration();
+    if (!trials)
+        return tl::unexpected(trials.error());
+
+    TrialsById byIntrinsics;
+    std::vector<Revision> made;
+    for (const RegistrationRecord &record : *registrations) {
+        auto revision = revisionOf(project, record);
+        if (!revision)
+            return tl::unexpected(revision.error());
+        revision->isCurrent = (*currentRegistration)->id == record.id;
+        if (const auto its = trials->find(record.id); its != trials->end())
+            revision->trials = its->second;
+        for (const std::string &trial : revision->trials)
+            addName(byIntrinsics[record.intrinsics], trial);
+        made.push_back(std::move(*revision));
+    }
+    std::vector<Revision> all;
+    for (const IntrinsicsRecord &record : *intrinsics) {
+        all.push_back(revisionOf(record));
+        all.back().isCurrent = (*currentIntrinsics)->id == record.id;
+        all.back().trials = byIntrinsics[record.id];
+    }
+    all.insert(all.end(), std::make_move_iterator(made.begin()), std::make_move_iterator(made.end()));
+    return all;
+}
+
+Result<void> chooseRevision(Project &project, const std::string &camera, Revision::Kind kind, RecordId id)
+{
+    const auto revisions = revisionsOf(project, camera);
+    if (!revisions)
+        return tl::unexpected(revisions.error());
+    const bool isThere = std::ranges::any_of(*revisions, [&](const Revision &each) { return each.kind == kind && each.id == id; });
+    const bool isCalibration = kind == Revision::Kind::Calibration;
+    if (!isThere)
+        return fail(ErrorCode::NotFound, std::string(isCalibration ? "calibration " : "registration ") + std::to_string(id),
+                    "camera '" + camera + "' has none of that number", "see its revisions for those there are");
+    return isCalibration ? project.cameras().chooseIntrinsics(id) : project.cameras().chooseRegistration(id);
+}
+
+Result<std::vector<std::string>> outdatedTrials(Project &project)
+{
+    const auto cameras = project.cameras().all();
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    std::set<RecordId> inForce;
+    for (const CameraRecord &camera : *cameras) {
+        const auto registration = project.cameras().currentRegistration(camera.id);
+        if (!registration)
+            return tl::unexpected(registration.error());
+        if (*registration)
+            inForce.insert((*registration)->id);
+    }
+    const auto trials = project.analyses().trialsByRegistration();
+    if (!trials)
+        return tl::unexpected(trials.error());
+    std::set<std::string> outdated;
+    for (const auto &[registration, names] : *trials) {
+        if (!inForce.contains(registration))
+            outdated.insert(names.begin(), names.end());
+    }
+    return std::vector<std::string>(outdated.begin(), outdated.end());
+}
+
+} // namespace odo

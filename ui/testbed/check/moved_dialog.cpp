@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/check/moved_dialog.h"
+
+#include "ui/models/figure_text.h"
+#include "ui/views/badge_delegate.h"
+#include "ui/views/path_field.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace odo {
+namespace {
+
+enum Column { CameraColumn, PictureColumn, ResultColumn, ColumnCount };
+constexpr int badgeTextRole = Qt::UserRole, badgeStateRole = Qt::UserRole + 1;
+constexpr int fileRole = Qt::UserRole, uriRole = Qt::UserRole + 1;
+
+/// "sim:A" is camera A, as is the one whose address the project knows.
+bool isTheCamera(const QString &uri, const CheckCamera &camera)
+{
+    return uri == QString::fromStdString(camera.deviceUri) || uri.section(QLatin1Char(':'), 1) == camera.name;
+}
+
+Badge badgeOf(const MovedCheck &check)
+{
+    switch (check.verdict) {
+    case MovedCheck::Verdict::CameraMoved:
+        return {MovedDialog::tr("moved %1").arg(millimetresText(check.shiftM)), BadgeState::Bad};
+    case MovedCheck::Verdict::MarkersMoved:
+        return {MovedDialog::tr("marker moved %1").arg(millimetresText(check.shiftM)), BadgeState::Warning};
+    case MovedCheck::Verdict::Still:
+        break;
+    }
+    return {MovedDialog::tr("has not moved"), BadgeState::Good};
+}
+
+} // namespace
+
+MovedDialog::MovedDialog(Project &project, std::vector<CheckCamera> cameras, const std::vector<std::pair<QString, QString>> &live,
+                         QWidget *parent)
+    : QDialog(parent), m_project(project), m_table(new QTableWidget(int(cameras.size()), ColumnCount)), m_words(new QLabel),
+      m_check(new QPushButton(tr("&Check"))), m_register(new QPushButton(tr("&Register again…"))), m_runner(project)
+{
+    setWindowTitle(tr("Check the cameras"));
+    for (CheckCamera &camera : cameras)
+        m_rows.push_back({std::move(camera), {}, {}, {}});
+    m_table->setHorizontalHeaderLabels({tr("Camera"), tr("New picture"), tr("Result")});
+    m_table->setAccessibleName(tr("Registered cameras"));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setShowGrid(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->horizontalHeader()->setSectionResizeMode(CameraColumn, QHeaderView::ResizeToContents);
+    m_table->setColumnWidth(PictureColumn, 260);
+    m_table->setItemDelegateForColumn(ResultColumn, new BadgeDelegate(badgeTextRole, badgeStateRole, this));
+    for (int row = 0; row < int(m_rows.size()); ++row)
+        addRow(row, live);
+    auto *intro = new QLabel(tr("A camera that was pushed measures wrongly and nothing shows it. Before the robots run, each camera's markers "
+                                "are looked for again in a new picture."));
+    intro->setWordWrap(true);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 12, 16, 12);
+    layout->addWidget(intro);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(makeDetail());
+    auto *buttons = new QHBoxLayout;
+    auto *close = new QPushButton(tr("Close"));
+    buttons->addWidget(m_register);
+    buttons->addStretch(1);
+    buttons->addWidget(m_check);
+    buttons->addWidget(close);
+    for (QPushButton *button : {m_register, m_check, close})
+        button->setAutoDefault(false);
+    m_check->setDefault(true);
+    m_check->setProperty("primary", true);
+    layout->addLayout(buttons);
+    resize(760, 420);
+    connect(m_check, &QPushButton::clicked, this, &MovedDialog::checkAll);
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_register, &QPushButton::clicked, this, [this] {
+        m_toRegister = m_rows.at(std::size_t(m_table->currentRow())).camera.name;
+        accept();
+    });
+    connect(m_table, &QTableWidget::currentCellChanged, this, &MovedDialog::showCurrent);
+    connect(&m_runner, &JobRunner::finished, this, &MovedDialog::finishOne);
+    m_table->selectRow(0);
+    showCurrent();
+}
+
+MovedDialog::~MovedDialog() = default;
+
+QWidget *MovedDialog::makeDetail()
+{
+    m_words->setWordWrap(true);
+    m_words->setTextFormat(Qt::PlainText);
+    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_words->setAccessibleName(tr("What was found"));
+    m_words->setMinimumHeight(4 * m_words->fontMetrics().lineSpacing()); // so that the table does not jump
+    m_words->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    return m_words;
+}
+
+void MovedDialog::addRow(int row, const std::vector<std::pair<QString, QString>> &live)
+{
+    const CheckCamera &camera = m_rows[std::size_t(row)].camera;
+    auto *choice = new QComboBox;
+    choice->setAccessibleName(tr("New picture of camera %1").arg(camera.name));
+    int chosen = -1;
+    for (const auto &[name, uri] : live) {
+        choice->addItem(name);
+        choice->setItemData(choice->count() - 1, uri, uriRole);
+        if (chosen < 0 && isTheCamera(uri, camera))
+            chosen = choice->count() - 1;
+    }
+    if (camera.newestRecording) {
+        choice->addItem(tr("Its newest recording"));
+        choice->setItemData(choice->count() - 1, textOf(*camera.newestRecording), fileRole);
+        chosen = chosen < 0 ? choice->count() - 1 : chosen;
+    }
+    choice->addItem(tr("Not checked"));
+    choice->addItem(tr("A picture or video…"));
+    choice->setCurrentIndex(chosen < 0 ? choice->count() - 2 : chosen);
+    m_rows[std::size_t(row)].origin = {choice->currentData(fileRole).toString(), choice->currentData(uriRole).toString()};
+    m_table->setItem(row, CameraColumn, new QTableWidgetItem(camera.name));
+    m_table->setCellWidget(row, PictureColumn, choice);
+    m_table->setItem(row, ResultColumn, new QTableWidgetItem);
+    m_table->setRowHeight(row, choice->sizeHint().height() + 6);
+    connect(choice, &QComboBox::activated, this, [this, row](int index) { choosePicture(row, index); });
+    showRow(row);
+}
+
+void MovedDialog::choosePicture(int row, int index)
+{
+    auto *choice = qobject_cast<QComboBox *>(m_table->cellWidget(row, PictureColumn));
+    m_table->selectRow(row);
+    if (index + 1 < choice->count()) {
+        m_rows[std::size_t(row)].origin = {choice->itemData(index, fileRole).toString(), choice->itemData(index, uriRole).toString()};
+        return;
+    }
+    const QString file = QFileDialog::getOpenFileName(this, tr("New picture of camera %1").arg(m_rows[std::size_t(row)].camera.name), {},
+                                                      tr("Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi "
+                                                         "*.mov *.webm);;All files (*)"));
+    setPicture(row, file.isEmpty() ? PictureOrigin() : PictureOrigin{file, {}});
+}
+
+void MovedDialog::setPicture(int row, const PictureOrigin &origin)
+{
+    auto *choice = qobject_cast<QComboBox *>(m_table->cellWidget(row, PictureColumn));
+    m_rows[std::size_t(row)].origin = origin;
+    const int notChecked = choice->count() - 2;
+    if (origin.file.isEmpty() && origin.liveUri.isEmpty())
+        return choice->setCurrentIndex(notChecked);
+    choice->insertItem(notChecked, origin.file.isEmpty() ? origin.liveUri : QFileInfo(origin.file).fileName());
+    choice->setItemData(notChecked, origin.file, fileRole);
+    choice->setItemData(notChecked, origin.liveUri, uriRole);
+    choice->setCurrentIndex(notChecked);
+}
+
+void MovedDialog::checkAll()
+{
+    m_waiting.clear();
+    for (int row = 0; row < int(m_rows.size()); ++row) {
+        const PictureOrigin &origin = m_rows[std::size_t(row)].origin;
+        m_rows[std::size_t(row)].badge = {};
+        m_rows[std::size_t(row)].words.clear();
+        if (!origin.file.isEmpty() || !origin.liveUri.isEmpty())
+            m_waiting.push_back(row);
+        showRow(row);
+    }
+    m_check->setEnabled(m_waiting.empty());
+    checkNext();
+}
+
+void MovedDialog::checkNext()
+{
+    if (m_waiting.empty()) {
+        m_check->setEnabled(true);
+        return;
+    }
+    Row &row = m_rows[std::size_t(m_waiting.front())];
+    row.badge = {tr("looking…"), BadgeState::Neutral};
+    showRow(m_waiting.front());
+    m_runner.start(std::make_shared<MovedJob>(
+        MovedSettings{row.camera.name.toStdString(), pathOf(row.origin.file), row.origin.liveUri.toStdString()}));
+}
+
+void MovedDialog::finishOne(const std::shared_ptr<Job> &job, const std::optional<Error> &error)
+{
+    if (m_waiting.empty())
+        return;
+    Row &row = m_rows[std::size_t(m_waiting.front())];
+    if (!error) {
+        const MovedCheck &check = std::static_pointer_cast<MovedJob>(job)->check();
+        row.badge = badgeOf(check);
+        row.words = QString::fromStdString(check.words);
+        m_hasChecked = true;
+    } else {
+        row.badge = {tr("not told"), BadgeState::Warning};
+        row.words = QString::fromStdString(error->message());
+        if (error->code == ErrorCode::Undetermined) // where a camera looks quite elsewhere, the list must not go on praising it
+            m_hasChecked = keepNotTold(m_project, row.camera.name.toStdString(), *error).has_value() || m_hasChecked;
+    }
+    showRow(m_waiting.front());
+    // To what is wrong, so that nobody has to look for it.
+    if (row.badge.state != BadgeState::Good)
+        m_table->selectRow(m_waiting.front());
+    m_waiting.pop_front();
+    showCurrent();
+    checkNext();
+}
+
+void MovedDialog::showRow(int row)
+{
+    const Badge badge = m_rows[std::size_t(row)].badge.text.isEmpty() ? m_rows[std::size_t(row)].camera.badge : m_rows[std::size_t(row)].badge;
+    QTableWidgetItem *item = m_table->item(row, ResultColumn);
+    item->setText(badge.text); // for the screen reader
+    item->setData(badgeTextRole, badge.text);
+    item->setData(badgeStateRole, int(badge.state));
+}
+
+void MovedDialog::showCurrent()
+{
+    const int row = m_table->currentRow();
+    const bool isThere = row >= 0 && row < int(m_rows.size());
+    const QString words = isThere ? m_rows[std::size_t(row)].words : QString();
+    m_words->setText(words.isEmpty() ? tr("Two markers at least must be seen. Nothing is moved or changed by the check.") : words);
+    m_register->setEnabled(isThere);
+    m_register->setText(isThere ? tr("&Register %1 again…").arg(m_rows[std::size_t(row)].camera.name) : tr("&Register again…"));
+}
+
+void MovedDialog::done(int result)
+{
+    m_waiting.clear();
+    m_runner.cancel();
+    QDialog::done(result);
+}
+
+} // namespace odo

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/workflow/job_runner.h"
+#include "core/workflow/moved_job.h"
+#include "ui/testbed/check/check_camera.h"
+#include "ui/testbed/floor/still_picture.h"
+
+#include <QDialog>
+#include <deque>
+#include <utility>
+#include <vector>
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace odo {
+
+/// Before a trial: looks in a new picture of each registered camera whether it still stands where it was registered. What is
+/// found is kept with the registrations as soon as it is found; a check that is given up keeps nothing.
+class MovedDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// live: name and address of the cameras that are connected. A camera begins with the connected one that it is, or else
+    /// with its newest recording. The project must outlive the dialog; used on its own thread.
+    MovedDialog(Project &project, std::vector<CheckCamera> cameras, const std::vector<std::pair<QString, QString>> &live,
+                QWidget *parent = nullptr);
+    ~MovedDialog() override;
+
+    /// Where the new picture of a camera comes from; both empty: it is not checked.
+    void setPicture(int row, const PictureOrigin &origin);
+    bool isRunning() const { return m_runner.isRunning(); }
+    /// Something was found out and kept.
+    bool hasChecked() const { return m_hasChecked; }
+    /// The camera that is to be registered again, which the dialog was left for; or empty.
+    QString toRegister() const { return m_toRegister; }
+
+    void done(int result) override;
+
+private:
+    struct Row
+    {
+        CheckCamera camera;
+        PictureOrigin origin;
+        Badge badge;
+        QString words;
+    };
+
+    QWidget *makeDetail();
+    void addRow(int row, const std::vector<std::pair<QString, QString>> &live);
+    void choosePicture(int row, int choice);
+    void checkAll();
+    void checkNext();
+    void finishOne(const std::shared_ptr<Job> &job, const std::optional<Error> &error);
+    void showRow(int row);
+    void showCurrent();
+
+    Project &m_project;
+    std::vector<Row> m_rows;
+    std::deque<int> m_waiting; ///< rows to be checked; the first is being checked
+    bool m_hasChecked = false;
+    QString m_toRegister;
+    QTableWidget *m_table;
+    QLabel *m_words;
+    QPushButton *m_check, *m_register;
+    JobRunner m_runner;
+};
+
+} // namespace odo

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/check/revisions_dialog.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "ui/models/badge.h"
+#include "ui/testbed/check/reprocess_dialog.h"
+#include "ui/views/badge_delegate.h"
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace odo {
+namespace {
+
+enum Column { KindColumn, DateColumn, VersionColumn, OriginColumn, RmsColumn, TrialsColumn, StateColumn, ColumnCount };
+constexpr int badgeTextRole = Qt::UserRole, badgeStateRole = Qt::UserRole + 1;
+
+QString namesText(const std::vector<std::string> &names)
+{
+    QStringList texts;
+    for (const std::string &name : names)
+        texts << QString::fromStdString(name);
+    return texts.join(QStringLiteral(", "));
+}
+
+QString dateText(Instant instant)
+{
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()), QLocale::ShortFormat);
+}
+
+} // namespace
+
+RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, const QString &current, QWidget *parent)
+    : QDialog(parent), m_project(project), m_camera(new QComboBox), m_table(new QTableWidget(0, ColumnCount)), m_words(new QLabel),
+      m_choose(new QPushButton(tr("&Use this one"))), m_reprocess(new QPushButton(tr("&Measure trials again…")))
+{
+    setWindowTitle(tr("Calibrations and registrations"));
+    m_camera->addItems(cameras);
+    m_camera->setCurrentText(current);
+    m_table->setHorizontalHeaderLabels({tr("What"), tr("Made"), tr("Odograph"), tr("From"), tr("RMS"), tr("Trials"), tr("In force")});
+    m_table->setAccessibleName(tr("Revisions"));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setShowGrid(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->setItemDelegateForColumn(StateColumn, new BadgeDelegate(badgeTextRole, badgeStateRole, this));
+    m_choose->setToolTip(tr("Puts the chosen revision in force for what is measured from now on; trials keep theirs"));
+    m_words->setWordWrap(true);
+    m_words->setTextFormat(Qt::PlainText);
+    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_words->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_words->setMinimumHeight(4 * m_words->fontMetrics().lineSpacing());
+    m_words->setAccessibleName(tr("Verdict"));
+    auto *form = new QFormLayout;
+    form->addRow(tr("C&amera"), m_camera);
+    auto *close = new QPushButton(tr("Close"));
+    auto *buttons = new QHBoxLayout;
+    buttons->addWidget(m_choose);
+    buttons->addWidget(m_reprocess);
+    buttons->addStretch(1);
+    buttons->addWidget(close);
+    for (QPushButton *button : {m_choose, m_reprocess, close})
+        button->setAutoDefault(false);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 12, 16, 12);
+    layout->addLayout(form);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(m_words);
+    layout->addLayout(buttons);
+    resize(1080, 460);
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_choose, &QPushButton::clicked, this, &RevisionsDialog::choose);
+    connect(m_reprocess, &QPushButton::clicked, this, &RevisionsDialog::reprocess);
+    connect(m_camera, &QComboBox::currentIndexChanged, this, &RevisionsDialog::refresh);
+    connect(m_table, &QTableWidget::currentCellChanged, this, &RevisionsDialog::showCurrent);
+    refresh();
+    m_table->setFocus();
+}
+
+RevisionsDialog::~RevisionsDialog() = default;
+
+void RevisionsDialog::refresh()
+{
+    const int row = m_table->currentRow();
+    auto revisions = revisionsOf(m_project, m_camera->currentText().toStdString());
+    m_revisions = revisions.value_or(std::vector<Revision>());
+    {
+        const QSignalBlocker quiet(m_table);
+        m_table->setRowCount(int(m_revisions.size()));
+        for (int i = 0; i < m_table->rowCount(); ++i)
+            showRow(i);
+        m_table->resizeColumnsToContents();
+        m_table->setColumnWidth(TrialsColumn, std::min(190, m_table->columnWidth(TrialsColumn)));
+        m_table->selectRow(std::clamp(row, 0, std::max(0, m_table->rowCount() - 1)));
+    }
+    showCurrent();
+    if (!revisions)
+        tell(QString::fromStdString(revisions.error().message()));
+    else if (m_revisions.empty())
+        tell(tr("The camera is neither calibrated nor registered yet."));
+}
+
+void RevisionsDialog::showRow(int row)
+{
+    const Revision &revision = m_revisions[std::size_t(row)];
+    const bool isCalibration = revision.kind == Revision::Kind::Calibration;
+    const QString rms = revision.rmsPx > 0 ? tr("%1 px").arg(QLocale().toString(revision.rmsPx, 'f', 2)) : QString();
+    const QString texts[] = {(isCalibration ? tr("Calibration %1") : tr("Registration %1")).arg(revision.id),
+                             dateText(revision.made),
+                             QString::fromStdString(revision.softwareVersion),
+                             QString::fromStdString(revision.origin),
+                             rms,
+                             namesText(revision.trials),
+                             revision.isCurrent ? tr("in force") : QString()};
+    for (int column = 0; column < ColumnCount; ++column)
+        m_table->setItem(row, column, new QTableWidgetItem(texts[column]));
+    m_table->item(row, TrialsColumn)->setToolTip(texts[TrialsColumn].toHtmlEscaped());
+    m_table->item(row, StateColumn)->setData(badgeTextRole, texts[StateColumn]);
+    m_table->item(row, StateColumn)->setData(badgeStateRole, int(BadgeState::Good));
+}
+
+void RevisionsDialog::showCurrent()
+{
+    const int row = m_table->currentRow();
+    const bool isThere = row >= 0 && row < int(m_revisions.size());
+    m_choose->setEnabled(isThere && !m_revisions[std::size_t(row)].isCurrent);
+    m_reprocess->setEnabled(!m_project.trials().all().value_or(std::vector<TrialRecord>()).empty());
+    if (!isThere)
+        return tell({});
+    const Revision &revision = m_revisions[std::size_t(row)];
+    QStringList sentences{QString::fromStdString(revision.verdict)};
+    sentences << (revision.trials.empty() ? tr("No trial was measured with it.") : tr("Trials measured with it: %1.").arg(namesText(revision.trials)));
+    sentences.removeAll(QString());
+    tell(sentences.join(QLatin1Char(' ')));
+}
+
+void RevisionsDialog::choose()
+{
+    const int row = m_table->currentRow();
+    if (row < 0 || row >= int(m_revisions.size()))
+        return;
+    const Revision revision = m_revisions[std::size_t(row)];
+    const auto chosen = chooseRevision(m_project, m_camera->currentText().toStdString(), revision.kind, revision.id);
+    m_hasChanged = m_hasChanged || chosen.has_value();
+    refresh();
+    const QString name = m_table->item(row, KindColumn)->text();
+    if (!chosen)
+        tell(QString::fromStdString(chosen.error().message()));
+    else if (revision.kind == Revision::Kind::Calibration)
+        tell(tr("%1 is in force. The registrations keep the lens that they were made with: register the camera again.").arg(name));
+    else
+        tell(tr("%1 is in force. Trials keep theirs until they are measured again.").arg(name));
+}
+
+void RevisionsDialog::reprocess()
+{
+    ReprocessDialog dialog(m_project, this);
+    dialog.exec();
+    if (!dialog.hasKept())
+        return;
+    m_hasChanged = true;
+    refresh();
+}
+
+void RevisionsDialog::tell(const QString &words) { m_words->setText(words); }
+
+} // namespace odo
