@@ -2,23 +2,78 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "core/project/repositories.h"
+#include "core/tracking/picked_colour.h"
+#include "core/workflow/picture_source.h"
+
+#include <array>
+#include <cmath>
 
 namespace odo {
 
 namespace {
 
 const QString colourOption = QStringLiteral("colour"), heightOption = QStringLiteral("height"),
-              sizeOption = QStringLiteral("size");
+              sizeOption = QStringLiteral("size"), pickOption = QStringLiteral("pick"),
+              boxOption = QStringLiteral("box"), frameOption = QStringLiteral("frame");
+
+/// "x,y,w,h" in whole pixels.
+Result<PixelRect> boxFrom(const CommandCall &call)
+{
+    const QStringList texts = QString::fromStdString(call.value(boxOption)).split(u',');
+    std::array<int, 4> numbers{};
+    bool good = texts.size() == qsizetype(numbers.size());
+    for (std::size_t i = 0; good && i < numbers.size(); ++i)
+        numbers[i] = texts[qsizetype(i)].trimmed().toInt(&good);
+    const auto [x, y, width, height] = numbers;
+    constexpr int most = 1 << 20; // wider than any picture, and far from overflowing
+    if (!good || width <= 0 || height <= 0 || std::max({std::abs(x), std::abs(y), width, height}) > most)
+        return call.wrongCall(QStringLiteral("--box '%1' is not of the form x,y,w,h in pixels")
+                                  .arg(QString::fromStdString(call.value(boxOption))));
+    return PixelRect{x, y, x + width, y + height};
+}
+
+/// The colour of what is in a box of a picture.
+Result<RgbColour> pickedColour(const CommandCall &call)
+{
+    if (!call.isSet(boxOption))
+        return call.wrongCall(QStringLiteral("--pick needs --box x,y,w,h round the robot"));
+    const auto box = boxFrom(call);
+    if (!box)
+        return tl::unexpected(box.error());
+    bool isWhole = true;
+    const qint64 frame =
+        call.isSet(frameOption) ? QString::fromStdString(call.value(frameOption)).toLongLong(&isWhole) : 0;
+    if (!isWhole || frame < 0)
+        return call.wrongCall(QStringLiteral("--frame '%1' is not a whole number")
+                                  .arg(QString::fromStdString(call.value(frameOption))));
+    const auto picture = pictureOf(call.value(pickOption), frame);
+    if (!picture)
+        return tl::unexpected(picture.error());
+    const auto picked = pickColour(*picture, *box);
+    return picked ? Result<RgbColour>(picked->colour) : tl::unexpected(picked.error());
+}
+
+Result<RgbColour> colourFrom(const CommandCall &call)
+{
+    if (call.isSet(colourOption) && call.isSet(pickOption))
+        return call.wrongCall(QStringLiteral("--colour and --pick are two colours"));
+    if (call.isSet(pickOption))
+        return pickedColour(call);
+    if (!call.isSet(colourOption))
+        return call.wrongCall(QStringLiteral("--colour is missing, or --pick and --box in its place"));
+    const auto colour = parseColour(call.value(colourOption));
+    if (!colour)
+        return call.wrongCall(QString::fromStdString(colour.error().what + " is " + colour.error().why));
+    return *colour;
+}
 
 Result<RobotRecord> robotFrom(const CommandCall &call)
 {
     RobotRecord robot;
     robot.name = call.text(2);
-    if (!call.isSet(colourOption))
-        return call.wrongCall(QStringLiteral("--colour is missing"));
-    const auto colour = parseColour(call.value(colourOption));
+    const auto colour = colourFrom(call);
     if (!colour)
-        return call.wrongCall(QString::fromStdString(colour.error().what + " is " + colour.error().why));
+        return tl::unexpected(colour.error());
     robot.colour = *colour;
     const std::string height = call.isSet(heightOption) ? call.value(heightOption) : "auto";
     if (height == "free") {
@@ -45,10 +100,20 @@ Result<RobotRecord> robotFrom(const CommandCall &call)
 Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call(
-        {QStringLiteral("robot"), QStringLiteral("add P.odo NAME --colour #rrggbb [--height 60mm|auto|free] [--size 260x190]"),
-         3, 3,
+        {QStringLiteral("robot"),
+         QStringLiteral("add P.odo NAME --colour #rrggbb|--pick FILE --box x,y,w,h [--frame N] [--height "
+                        "60mm|auto|free] "
+                        "[--size 260x190]"),
+         3,
+         3,
          {{colourOption, QStringLiteral("The robot's colour."), QStringLiteral("#rrggbb")},
-          {heightOption, QStringLiteral("Height of its top; auto estimates it from the views; free triangulates every frame."),
+          {pickOption, QStringLiteral("A video or picture to take the colour from."), QStringLiteral("FILE")},
+          {boxOption, QStringLiteral("A box closely round the robot in it, in pixels from the top left."),
+           QStringLiteral("x,y,w,h")},
+          {frameOption, QStringLiteral("Which frame of the video; the first is 0."), QStringLiteral("N")},
+          {heightOption,
+           QStringLiteral(
+               "Height of its top; auto estimates it from the views; free triangulates every frame."),
            QStringLiteral("LENGTH")},
           {sizeOption, QStringLiteral("Length and width in mm."), QStringLiteral("LxW")}}},
         cancel);
@@ -67,7 +132,8 @@ Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
         return tl::unexpected(added.error());
     call.answer({{QStringLiteral("robot"), call.positional(2)},
                  {QStringLiteral("colour"), QString::fromStdString(robot->colour.toString())}},
-                QStringLiteral("Robot %1 added.").arg(call.positional(2)));
+                QStringLiteral("Robot %1 added, colour %2.")
+                    .arg(call.positional(2), QString::fromStdString(robot->colour.toString())));
     return {};
 }
 

@@ -16,6 +16,9 @@ using Chroma = Eigen::Vector2d;
 /// limited range). Formula: ITU-T H.273 §8.3.
 Chroma chromaOf(RgbColour colour, const FrameFormat &format);
 
+/// The way back: the sRGB colour nearest to what was coded so. Luma as coded, 0 to 255.
+RgbColour colourOf(double luma, const Chroma &chroma, const FrameFormat &format);
+
 /// A rectangle of chroma samples: right and bottom are outside.
 struct ChromaRect
 {

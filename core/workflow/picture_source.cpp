@@ -18,6 +18,29 @@ bool isStillPicture(const std::filesystem::path &file)
     return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
+Result<Frame> pictureOf(const std::filesystem::path &file, std::int64_t frame)
+{
+    const auto missing = [&](std::size_t frames) {
+        return fail(
+            ErrorCode::NotFound, "frame " + std::to_string(frame) + " of '" + file.filename().string() + "'",
+            "there is no such frame",
+            frames > 1 ? "choose one from 0 to " + std::to_string(frames - 1) : "its only one is frame 0");
+    };
+    if (isStillPicture(file)) {
+        if (frame != 0)
+            return missing(1);
+        return readPicture(file);
+    }
+    auto reader = VideoReader::open(file);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    const std::size_t frames = (*reader)->info().frameTimes.size();
+    if (frame < 0 || frame >= static_cast<std::int64_t>(frames))
+        return missing(frames);
+    auto found = (*reader)->frameAt(frame);
+    return found ? wholeFrame(*found) : found;
+}
+
 Result<void> visitPictures(const std::filesystem::path &file, int videoStep,
                            const std::function<bool(const Frame &, const std::string &)> &visit)
 {

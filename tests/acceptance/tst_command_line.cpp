@@ -132,6 +132,15 @@ private Q_SLOTS:
     {
         QCOMPARE(good("new %P --title Lesson").exitStatus, 0);
         QCOMPARE(good("robot add %P red --colour #d72328 --height 60mm --size 260x190").exitStatus, 0);
+        // The same robot, its colour taken from the picture: the camera shows it dimmer, of the same hue.
+        const auto pixel = demoTestbed(3).cameras[0].view.pixelFromWorld({2.0, 1.1, 0.03});
+        const QString box = QStringLiteral("%1,%2,90,60").arg(int(pixel->x()) - 45).arg(int(pixel->y()) - 30);
+        const ProgramRun picked = runProgram(
+            filled(QStringLiteral("robot add %P picked --pick %/a.mkv --frame 3 --json --box ")) << box);
+        QVERIFY2(picked.exitStatus == 0, picked.err);
+        const auto colour =
+            parseColour(picked.json().value(QStringLiteral("colour")).toString().toStdString());
+        QVERIFY(colour && colour->red > 170 && colour->red <= 220 && colour->green < 60 && colour->blue < 60);
         QCOMPARE(good("camera add %P A --device file:a.mkv").exitStatus, 0);
         QCOMPARE(good("layout add %P floor %/layout.csv").exitStatus, 0);
         const ProgramRun registered = good("register %P --camera A --layout floor --video %/a.mkv --json");
@@ -223,6 +232,15 @@ private Q_SLOTS:
         row("robot add %P blue --colour red", 2, "#rrggbb");
         row("robot add %P blue --colour #0000ff --height tall", 2, "not a length");
         row("robot add %P blue --colour #0000ff --size 26", 2, "AxB");
+        row("robot add %P blue --colour #0000ff --pick %/a.mkv", 2, "two colours");
+        row("robot add %P blue --pick %/a.mkv", 2, "--pick needs --box");
+        row("robot add %P blue --pick %/a.mkv --box 1,2,3", 2, "not of the form x,y,w,h");
+        row("robot add %P blue --pick %/a.mkv --box 1,2,3,-4", 2, "not of the form x,y,w,h");
+        row("robot add %P blue --pick %/a.mkv --box 600,400,60,60 --frame one", 2, "not a whole number");
+        row("robot add %P blue --pick %/a.mkv --box 600,400,60,60 --frame 60", 1, "choose one from 0 to 59");
+        row("robot add %P blue --pick %/a.mkv --box 40,40,60,60", 1,
+            "no colour that differs from the floor around it");
+        row("robot add %P blue --pick %/nofile.mkv --box 600,400,60,60", 1, "no such file");
         row("robot add %P red --colour #0000ff", 1, "red");
         row("robot drop %P red", 2, "not known");
         row("robot add %/missing.odo red --colour #0000ff", 1, "missing.odo");

@@ -6,6 +6,7 @@
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -17,9 +18,9 @@ constexpr double usualHeightMm = 60;
 constexpr int swatchSide = 16;
 } // namespace
 
-RobotDialog::RobotDialog(QWidget *parent)
-    : QDialog(parent), m_name(new QLineEdit), m_colourButton(new QPushButton), m_heightMode(new QComboBox),
-      m_height(new QDoubleSpinBox),
+RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
+    : QDialog(parent), m_videos(std::move(videos)), m_name(new QLineEdit), m_colourButton(new QPushButton),
+      m_heightMode(new QComboBox), m_height(new QDoubleSpinBox),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Add robot"));
@@ -32,13 +33,19 @@ RobotDialog::RobotDialog(QWidget *parent)
     m_height->setAccessibleName(tr("Height of the robot's top"));
     auto *form = new QFormLayout;
     form->addRow(tr("&Name"), m_name);
-    form->addRow(tr("&Colour of its top"), m_colourButton);
+    auto *pick = new QPushButton(tr("From a &picture…"));
+    auto *colour = new QHBoxLayout;
+    colour->addWidget(m_colourButton);
+    colour->addWidget(pick);
+    form->addRow(tr("&Colour of its top"), colour);
+    qobject_cast<QLabel *>(form->labelForField(colour))->setBuddy(m_colourButton);
     form->addRow(tr("&Height of its top"), m_heightMode);
     form->addRow(QString(), m_height);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
     layout->addWidget(m_buttons);
     connect(m_colourButton, &QPushButton::clicked, this, &RobotDialog::chooseColour);
+    connect(pick, &QPushButton::clicked, this, &RobotDialog::pickColour);
     connect(m_name, &QLineEdit::textChanged, this, &RobotDialog::updateButtons);
     connect(m_heightMode, &QComboBox::currentIndexChanged, this, &RobotDialog::updateButtons);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -55,6 +62,15 @@ void RobotDialog::chooseColour()
         return;
     m_colour = {static_cast<std::uint8_t>(chosen.red()), static_cast<std::uint8_t>(chosen.green()),
                 static_cast<std::uint8_t>(chosen.blue())};
+    showColour();
+}
+
+void RobotDialog::pickColour()
+{
+    PickColourDialog dialog(m_videos, this);
+    if (dialog.exec() != QDialog::Accepted || !dialog.colour())
+        return;
+    m_colour = *dialog.colour();
     showColour();
 }
 

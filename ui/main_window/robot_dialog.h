@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "ui/main_window/pick_colour_dialog.h"
 
 #include <QDialog>
 
@@ -18,14 +19,17 @@ class RobotDialog : public QDialog
 {
     Q_OBJECT
 public:
-    explicit RobotDialog(QWidget *parent = nullptr);
+    /// videos: in which a robot may be seen, to take its colour from.
+    explicit RobotDialog(QList<PickableVideo> videos, QWidget *parent = nullptr);
     RobotRecord robot() const;
 
 private:
     void chooseColour();
+    void pickColour();
     void showColour();
     void updateButtons();
 
+    QList<PickableVideo> m_videos;
     QLineEdit *m_name;
     QPushButton *m_colourButton;
     RgbColour m_colour{0xd7, 0x23, 0x28};
