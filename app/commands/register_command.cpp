@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "core/exchange/shared_points_csv.h"
 #include "core/workflow/register_job.h"
 #include "core/workflow/register_joint_job.h"
 #include "core/workflow/register_through_job.h"
@@ -68,7 +69,10 @@ Result<void> registerByMarkers(CommandCall &call)
 
 Result<void> registerThroughCamera(CommandCall &call)
 {
-    const RegisterThroughSettings settings{call.value(camera), call.value(through), call.value(pixels)};
+    const auto points = readSharedPointsCsv(call.value(pixels));
+    if (!points)
+        return tl::unexpected(points.error());
+    const RegisterThroughSettings settings{call.value(camera), call.value(through), *points};
     const auto project = call.openProject(0, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());

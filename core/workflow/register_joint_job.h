@@ -28,6 +28,8 @@ public:
     Result<void> commit(Project &project) override;
 
     const std::vector<std::string> &cameras() const { return m_names; } ///< after prepare
+    /// The registrations in force, in the order of cameras(); after prepare and until commit.
+    const std::vector<RegistrationRecord> &before() const { return m_records; }
     const JointRegistration &joint() const { return m_joint; }          ///< after run, in the order of cameras()
 
 private:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/register_through_job.h"
 
-#include "core/exchange/shared_points_csv.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/cameras.h"
@@ -89,10 +88,7 @@ Result<void> RegisterThroughJob::findCamera(Project &project)
 
 Result<void> RegisterThroughJob::run(const JobControl &)
 {
-    const auto points = readSharedPointsCsv(m_settings.pointsFile);
-    if (!points)
-        return tl::unexpected(points.error());
-    auto chained = registerThrough(*m_through, "camera '" + m_settings.through + "'", *points, *m_camera,
+    auto chained = registerThrough(*m_through, "camera '" + m_settings.through + "'", m_settings.points, *m_camera,
                                    m_intrinsicsKnown);
     if (!chained) {
         Error error = chained.error();

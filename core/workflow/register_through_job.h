@@ -5,7 +5,6 @@
 #include "core/project/records.h"
 #include "core/workflow/job.h"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,8 +14,8 @@ namespace odo {
 struct RegisterThroughSettings
 {
     std::string camera;
-    std::string through;              ///< a camera that is registered
-    std::filesystem::path pointsFile; ///< label,u,v,through_u,through_v
+    std::string through; ///< a camera that is registered
+    std::vector<SharedPoint> points;
 };
 
 /// Registers a camera by points of the floor that a registered camera sees as well. Stores it as the camera's

@@ -139,6 +139,7 @@ QWidget *TestbedPage::makeCameraCard()
     contentLayout->setSpacing(0);
     contentLayout->addWidget(m_table);
     contentLayout->addLayout(buttonRow({m_tools->action(TestbedTools::Calibrate), m_tools->action(TestbedTools::Register),
+                                        m_tools->action(TestbedTools::RegisterThrough), m_tools->action(TestbedTools::RegisterJointly),
                                         m_tools->action(TestbedTools::ImportLens)}));
     contentLayout->addLayout(buttonRow(m_checks->actions()));
     auto *card = new Card(tr("Cameras"));

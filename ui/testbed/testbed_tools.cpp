@@ -5,12 +5,15 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/cameras.h"
+#include "core/workflow/register_through_job.h"
 #include "core/workflow/stored_registration.h"
 #include "ui/testbed/floor/floor_wizard.h"
 #include "ui/testbed/floor/layout_dialog.h"
 #include "ui/testbed/known_cameras.h"
 #include "ui/testbed/lens/lens_wizard.h"
 #include "ui/testbed/targets/target_dialog.h"
+#include "ui/testbed/together/joint_dialog.h"
+#include "ui/testbed/together/through_wizard.h"
 #include "ui/views/path_field.h"
 #include "ui/views/theme_icon.h"
 
@@ -33,6 +36,12 @@ TestbedTools::TestbedTools(Project &project, QWidget &window) : QObject(&window)
         tr("Measure a camera's lens from pictures of a board"), &TestbedTools::calibrate);
     add(Register, QStringLiteral("register"), tr("&Register camera…"), tr("Register…"),
         tr("Find where a camera stands from the floor markers"), &TestbedTools::registerCamera);
+    add(RegisterThrough, QStringLiteral("register"), tr("Register t&hrough another camera…"), tr("Through another…"),
+        tr("Find where a camera stands that sees no markers, from points of the floor that another camera sees as well"),
+        &TestbedTools::registerThroughCamera);
+    add(RegisterJointly, QStringLiteral("register"), tr("Register all cameras to&gether…"), tr("All together…"),
+        tr("Fit the cameras of the chosen layout at once, so that they agree, and find markers that were measured wrongly"),
+        &TestbedTools::registerTogether);
     add(ImportLens, QStringLiteral("import"), tr("Import &intrinsics…"), tr("Import lens…"),
         tr("Take a camera's lens from a ROS or OpenCV YAML file"), &TestbedTools::importLens);
     add(NewLayout, QStringLiteral("add"), tr("New marker &layout…"), tr("New layout…"),
@@ -59,6 +68,8 @@ void TestbedTools::setCurrent(const QString &camera, const std::optional<LayoutR
     m_camera = camera;
     m_layout = layout;
     m_actions.at(Register)->setEnabled(layout.has_value());
+    m_actions.at(RegisterThrough)->setEnabled(layout.has_value());
+    m_actions.at(RegisterJointly)->setEnabled(layout.has_value());
 }
 
 void TestbedTools::registerAgain(const QString &camera)
@@ -130,6 +141,52 @@ void TestbedTools::registerCamera()
         Q_EMIT failed(stored.error());
     else
         Q_EMIT changed(tr("Camera %1 is registered. %2").arg(wizard.camera(), QString::fromStdString(verdict)));
+}
+
+void TestbedTools::registerThroughCamera()
+{
+    const auto cameras = floorCameras(m_project);
+    const auto registered = checkCameras(m_project);
+    if (!cameras || !registered) {
+        Q_EMIT failed(cameras ? registered.error() : cameras.error());
+        return;
+    }
+    if (registered->empty() || cameras->size() < 2) {
+        Q_EMIT failed(fail(ErrorCode::NotFound, "registration through another camera",
+                           registered->empty() ? "no camera is registered yet" : "there is only one camera",
+                           registered->empty() ? "register one that sees the markers first" : "calibrate the other one, or import a trial with it, first")
+                          .value());
+        return;
+    }
+    ThroughWizard wizard(*cameras, m_camera, *registered, liveCameras(), &m_window);
+    if (wizard.exec() != QDialog::Accepted)
+        return;
+    RegisterThroughJob job({wizard.camera().toStdString(), wizard.through().toStdString(), wizard.page().points()});
+    if (const auto done = runToEnd(job, m_project, {}); !done)
+        Q_EMIT failed(done.error());
+    else
+        Q_EMIT changed(tr("Camera %1 is registered through camera %2. %3")
+                           .arg(wizard.camera(), wizard.through(), QString::fromStdString(job.record().registration.verdict)));
+}
+
+void TestbedTools::registerTogether()
+{
+    const std::string layout = m_layout->layout.name;
+    JointDialog dialog(QString::fromStdString(layout),
+                       [&](double tapeSigmaM) -> Result<std::shared_ptr<RegisterJointJob>> {
+                           auto job = std::make_shared<RegisterJointJob>(RegisterJointSettings{layout, tapeSigmaM});
+                           if (const auto prepared = job->prepare(m_project); !prepared)
+                               return tl::unexpected(prepared.error());
+                           return job;
+                       },
+                       &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    if (const auto stored = dialog.job()->commit(m_project); !stored)
+        Q_EMIT failed(stored.error());
+    else
+        Q_EMIT changed(tr("The cameras of layout %1 are registered together. %2")
+                           .arg(QString::fromStdString(layout), QString::fromStdString(dialog.job()->joint().verdict)));
 }
 
 void TestbedTools::importLens()

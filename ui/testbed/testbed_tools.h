@@ -21,7 +21,7 @@ class TestbedTools : public QObject
 {
     Q_OBJECT
 public:
-    enum Tool { Calibrate, Register, ImportLens, NewLayout, ImportLayout, PrintTargets, ToolCount };
+    enum Tool { Calibrate, Register, RegisterThrough, RegisterJointly, ImportLens, NewLayout, ImportLayout, PrintTargets, ToolCount };
 
     /// window: parent of the dialogs.
     TestbedTools(Project &project, QWidget &window);
@@ -42,6 +42,8 @@ private:
              void (TestbedTools::*slot)());
     void calibrate();
     void registerCamera();
+    void registerThroughCamera();
+    void registerTogether();
     void importLens();
     void newLayout();
     void importLayout();
