@@ -17,6 +17,7 @@ constexpr double mostStraying = 0.08;       ///< of the outline without being ca
 constexpr double mostStrayingAtOnce = 0.04; ///< of it, centre upon centre
 constexpr double leastAgreeing = 0.5;       ///< of the outline, to repair it
 constexpr double mostDrawnPx = 0.35, mostDrawnPerRadius = 0.01;
+constexpr double wholeAreaSpan = 0.1; ///< of the area of a robot that comes out from behind something
 constexpr int passes = 4;
 
 } // namespace
@@ -174,7 +175,7 @@ OutlineVerdict OutlineMemory::replaceBy(const Overlay &overlay, double timeS)
     return verdict;
 }
 
-OutlineVerdict OutlineMemory::judge(const Outline &outline, double timeS)
+OutlineVerdict OutlineMemory::judge(const Outline &outline, double timeS, double wholeAreaPx)
 {
     OutlineVerdict verdict;
     verdict.moments = outline.moments;
@@ -187,7 +188,10 @@ OutlineVerdict OutlineMemory::judge(const Outline &outline, double timeS)
     const Overlay overlay = lay(outline, timeS);
     const double straying = overlay.strayingOut + overlay.strayingIn;
     const double drawn = (outline.moments.centrePx - m_moments.centrePx - overlay.shift).norm();
-    if (straying <= mostStraying || drawn < mostDrawnPx + mostDrawnPerRadius * m_meanRadius) {
+    const bool comesOut = overlay.strayingOut > overlay.strayingIn &&
+                          outline.moments.areaPx2 < (1 + wholeAreaSpan) * wholeAreaPx &&
+                          m_moments.areaPx2 < (1 - wholeAreaSpan) * wholeAreaPx;
+    if (comesOut || straying <= mostStraying || drawn < mostDrawnPx + mostDrawnPerRadius * m_meanRadius) {
         keep(outline, radii, timeS);
         return verdict;
     }

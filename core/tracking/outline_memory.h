@@ -28,12 +28,14 @@ struct OutlineVerdict
 /// it, it is no longer the robot's alone. Then the remembered shape, moved as the rest has moved, stands in
 /// its place, with less trust; or, when less than a good half agrees, the outline is called unreliable. A
 /// change that stays is believed in the end: growth after half a second, for a robot may have been partly
-/// hidden; loss only after two, for what hides it may stay.
+/// hidden; loss only after two, for what hides it may stay. Growth back to a size that the robot had lately is
+/// believed at once: it comes out from behind something.
 class OutlineMemory
 {
 public:
     void forget() { m_known = false; }
-    OutlineVerdict judge(const Outline &outline, double timeS);
+    /// wholeAreaPx: that the robot had before it shrank; what it has where it did not.
+    OutlineVerdict judge(const Outline &outline, double timeS, double wholeAreaPx);
 
 private:
     static constexpr int directions = 64;

@@ -79,7 +79,7 @@ std::optional<PixelRect> RobotFollower::neededRegion(const FrameFormat &format, 
 
 double RobotFollower::rankInWindow(const TrackedFrame &frame, const Blob &blob) const
 {
-    const double ratio = blob.area() * frame.lumaPerSample() / m_area.px();
+    const double ratio = m_area.ratioToLikely(blob.area() * frame.lumaPerSample());
     if (ratio > 4 || ratio < (m_atBorder ? 0.02 : 0.25))
         return 0;
     const Eigen::Vector2d centre = frame.grid().toLuma(blob.centre());
@@ -99,10 +99,10 @@ double RobotFollower::rankUnseen(const TrackedFrame &frame, const Blob &blob) co
 
 double RobotFollower::rankLost(const TrackedFrame &frame, const Blob &blob) const
 {
-    const double ratio = blob.area() * frame.lumaPerSample() / m_area.px();
+    const double ratio = m_area.ratioToLikely(blob.area() * frame.lumaPerSample());
     const Eigen::Vector2d centre = frame.grid().toLuma(blob.centre());
     const double lostS = std::max(0.0, frame.timeS() - m_predictor.lastTimeS());
-    const double reach = m_radiusPx * (3.0 + 25.0 * lostS);
+    const double reach = std::sqrt(m_area.wholePx() / std::numbers::pi) * (3.0 + 25.0 * lostS);
     return bellOf((centre - m_predictor.at(frame.timeS())).norm() / reach) * bellOf(std::log(ratio) / 0.6) *
            blob.meanWeight() * compactness(blob.covariance(), blob.area());
 }
@@ -286,7 +286,11 @@ bool RobotFollower::acceptFound(const TrackedFrame &frame, const Candidate &cand
     const bool known = candidate.by == Candidate::By::LearnedColour;
     if (!(known ? lookAgain(frame, candidate, blob) : learnFrom(frame, candidate, background, blob)))
         return false;
-    m_area.start(blob.area() * frame.lumaPerSample());
+    const double areaPx = blob.area() * frame.lumaPerSample();
+    if (known)
+        m_area.startAgain(areaPx);
+    else
+        m_area.start(areaPx);
     m_predictor.start(frame.grid().toLuma(blob.centre()), frame.timeS());
     m_outline.reset();
     observe(frame, blob, observation);
@@ -316,7 +320,7 @@ void RobotFollower::observe(const TrackedFrame &frame, const Blob &blob, Observa
     observation.touchesBorder = m_atBorder;
     RegionShape shape = m_measure.look(frame.grid(), blob, m_mask, m_model.expected());
     const Eigen::Vector2d motionPx = m_predictor.velocity() * (frame.timeS() - m_predictor.lastTimeS());
-    const auto trust = m_atBorder ? std::nullopt : m_outline.refine(frame, m_mask, motionPx, shape);
+    const auto trust = m_atBorder ? std::nullopt : m_outline.refine(frame, m_mask, {motionPx, m_area.wholePx()}, shape);
     if (!trust)
         shape = m_measure.measure(frame.grid(), blob, m_mask, m_model.expected());
     const Eigen::Vector2d &scale = frame.grid().scale;
@@ -345,8 +349,8 @@ double RobotFollower::scoreOf(const TrackedFrame &frame, const Blob &blob, const
 {
     const double colour = std::min(1.0, blob.meanWeight() / 0.9) * likeness(shape.colour, m_model.expected());
     const double form = compactness(shape.covariance, shape.area);
-    const double sizeRatio = shape.area * frame.lumaPerSample() / m_area.px();
-    const double size = m_atBorder ? 1.0 : bellOf(std::log(sizeRatio) / sizeSigma);
+    const double size =
+        m_atBorder ? 1.0 : bellOf(m_area.offInLn(shape.area * frame.lumaPerSample()) / sizeSigma);
     const double away = (frame.grid().toLuma(shape.centre) - m_predictor.at(frame.timeS())).norm();
     return std::clamp(colour * form * size * bellOf(away / (m_radiusPx + 4.0)), 0.0, 1.0);
 }
@@ -376,8 +380,10 @@ void RobotFollower::update(const TrackedFrame &frame, const Blob &blob, const Re
 void RobotFollower::miss(bool hidden)
 {
     ++m_missed;
-    if (m_phase == Phase::Following && m_missed >= (hidden ? missesWhileHidden : missesUntilLost))
+    if (m_phase == Phase::Following && m_missed >= (hidden ? missesWhileHidden : missesUntilLost)) {
         m_phase = Phase::Lost;
+        m_area.lose();
+    }
 }
 
 void RobotFollower::buildTable(const ChromaDensity &background)

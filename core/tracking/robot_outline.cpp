@@ -25,11 +25,11 @@ bool RobotOutline::fit(const TrackedFrame &frame, const RegionMask &mask, const 
 }
 
 std::optional<double> RobotOutline::refine(const TrackedFrame &frame, const RegionMask &mask,
-                                           const Eigen::Vector2d &motionPx, RegionShape &shape)
+                                           const ExpectedOutline &expected, RegionShape &shape)
 {
-    if (!fit(frame, mask, {shape.colour, motionPx}))
+    if (!fit(frame, mask, {shape.colour, expected.motionPx}))
         return std::nullopt;
-    const OutlineVerdict verdict = m_memory.judge(m_outline, frame.timeS());
+    const OutlineVerdict verdict = m_memory.judge(m_outline, frame.timeS(), expected.wholeAreaPx);
     const Eigen::Vector2d perLuma = frame.grid().scale.cwiseInverse();
     shape.area = verdict.moments.areaPx2 / frame.lumaPerSample();
     shape.centre = frame.grid().fromLuma(verdict.moments.centrePx);

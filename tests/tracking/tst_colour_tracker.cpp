@@ -60,6 +60,8 @@ private Q_SLOTS:
     void distractorDoesNotCapture();
     void hiddenRobotIsNotReplacedByAReflection();
     void hiddenRobotIsNotReplacedByWhatStoodThere();
+    void comesOutWholeWhereItWentInBitByBit_data();
+    void comesOutWholeWhereItWentInBitByBit();
     void twoRobots();
     void cutByTheBorder();
     void doubledFrames();
@@ -298,6 +300,36 @@ void TestColourTracker::hiddenRobotIsNotReplacedByWhatStoodThere()
         QVERIFY2(seen.found == !hidden, qPrintable(QStringLiteral("frame %1").arg(i)));
         if (!hidden)
             QVERIFY((seen.ellipse.centrePx - truth).norm() < 0.5);
+    }
+}
+
+void TestColourTracker::comesOutWholeWhereItWentInBitByBit_data()
+{
+    QTest::addColumn<double>("speed"); // px a frame, once it has begun to move
+    QTest::newRow("slowly") << 1.5;
+    QTest::newRow("quickly") << 4.0;
+}
+
+void TestColourTracker::comesOutWholeWhereItWentInBitByBit()
+{
+    // It goes behind a post until only a sliver is seen, then nothing, and comes out of the other side faster.
+    QFETCH(double, speed);
+    constexpr double left = 150, right = 190, radius = 16;
+    const auto tracker = trackerOf({{"r", red}});
+    std::mt19937 random(17);
+    double x = left - 2 * radius;
+    for (int i = 0; i < 200 && x < 280; ++i) {
+        Painter painter(testFormat(320, 240));
+        painter.disc({x, 120}, radius, red);
+        painter.rectangle({left, 60}, {right, 180}, {120, 96, 70});
+        const Observation seen = tracker->track(painter.frame(i, i / 30.0, 2, random)).front();
+        if (x - radius > right) {
+            QVERIFY2(seen.found, qPrintable(QStringLiteral("frame %1, x %2").arg(i).arg(x)));
+            QVERIFY((seen.ellipse.centrePx - Vector2d(x, 120)).norm() < 0.6);
+            if (x - radius > right + radius / 2)
+                QVERIFY2(seen.score > 0.5, qPrintable(QStringLiteral("frame %1: %2").arg(i).arg(seen.score)));
+        }
+        x += x < (left + right) / 2 ? speed : 3 * speed;
     }
 }
 
