@@ -3,6 +3,7 @@
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
 #include "core/exchange/shared_points_csv.h"
+#include "core/project/repositories.h"
 #include "core/workflow/register_job.h"
 #include "core/workflow/register_joint_job.h"
 #include "core/workflow/register_through_job.h"
@@ -11,7 +12,7 @@ namespace odo {
 
 namespace {
 
-const QString joint = QStringLiteral("joint"), tape = QStringLiteral("tape"), hint = QStringLiteral("hint"), camera = QStringLiteral("camera"), layout = QStringLiteral("layout"), pixels = QStringLiteral("pixels"),
+const QString again = QStringLiteral("again"), joint = QStringLiteral("joint"), tape = QStringLiteral("tape"), hint = QStringLiteral("hint"), camera = QStringLiteral("camera"), layout = QStringLiteral("layout"), pixels = QStringLiteral("pixels"),
               through = QStringLiteral("through"), image = QStringLiteral("image"), video = QStringLiteral("video");
 
 QJsonObject answerJson(const std::string &cameraName, const std::string &layoutName, const FloorRegistration &registration)
@@ -86,6 +87,21 @@ Result<void> registerThroughCamera(CommandCall &call)
     return {};
 }
 
+Result<void> registerAgain(CommandCall &call)
+{
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto record = registerWithLensInForce(**project, call.value(camera));
+    if (!record)
+        return tl::unexpected(record.error());
+    const auto used = (*project)->layouts().get(record->layout);
+    if (!used)
+        return tl::unexpected(used.error());
+    call.answer(answerJson(call.value(camera), used->layout.name, record->registration), QString::fromStdString(record->registration.verdict));
+    return {};
+}
+
 Result<void> registerTogether(CommandCall &call)
 {
     RegisterJointSettings settings{call.value(layout)};
@@ -136,7 +152,7 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
     CommandCall call(
         {QStringLiteral("register"),
          QStringLiteral("P.odo --camera CAMERA (--layout NAME [--pixels pixels.csv | --image F.png | --video F.mp4 [--hint LABEL=U,V]...] | "
-                        "--through CAMERA --pixels pairs.csv) [--json], or P.odo --joint --layout NAME [--tape 2mm] [--json]"),
+                        "--through CAMERA --pixels pairs.csv | --again) [--json], or P.odo --joint --layout NAME [--tape 2mm] [--json]"),
          1, 1,
          {{camera, QStringLiteral("The camera to register."), QStringLiteral("CAMERA")},
           {layout, QStringLiteral("The marker layout it sees."), QStringLiteral("NAME")},
@@ -145,6 +161,7 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
            QStringLiteral("FILE")},
           {image, QStringLiteral("A picture to find them in."), QStringLiteral("FILE")},
           {video, QStringLiteral("A video to find them in."), QStringLiteral("FILE")},
+          {again, QStringLiteral("By the markers it was registered with before, with the lens in force now.")},
           {joint, QStringLiteral("Registers all cameras of the layout together, by the pixels they were registered with.")},
           {tape, QStringLiteral("With --joint: how well the markers' places were measured (2mm)."), QStringLiteral("LENGTH")},
           {hint, QStringLiteral("A marker told by hand, where rings look the same from several sides."),
@@ -153,7 +170,7 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (call.isSet(joint)) {
-        for (const QString &other : {camera, through, pixels, image, video, hint}) {
+        for (const QString &other : {again, camera, through, pixels, image, video, hint}) {
             if (call.isSet(other))
                 return call.wrongCall(QStringLiteral("--joint and --%1 exclude each other").arg(other));
         }
@@ -163,6 +180,13 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
     }
     if (!call.isSet(camera))
         return call.wrongCall(QStringLiteral("--camera is missing"));
+    if (call.isSet(again)) {
+        for (const QString &other : {layout, through, pixels, image, video, hint}) {
+            if (call.isSet(other))
+                return call.wrongCall(QStringLiteral("--again and --%1 exclude each other").arg(other));
+        }
+        return registerAgain(call);
+    }
     if (call.isSet(through)) {
         for (const QString &other : {layout, image, video}) {
             if (call.isSet(other))

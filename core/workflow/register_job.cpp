@@ -7,7 +7,10 @@
 #include "core/project/repositories.h"
 #include "core/workflow/cameras.h"
 #include "core/workflow/picture_source.h"
+#include "core/workflow/register_through_job.h"
 #include "core/workflow/stored_registration.h"
+
+#include <algorithm>
 
 namespace odo {
 
@@ -132,6 +135,32 @@ Result<CameraModel> RegisterJob::cameraModel() const
     return fail(ErrorCode::NotFound, "registration of camera '" + m_settings.camera + "'",
                 "the size of its pictures is not known: it has no intrinsics and no recording",
                 "calibrate it, import its intrinsics, or give --image or --video as well");
+}
+
+Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::string &camera)
+{
+    const std::string what = "registration of camera '" + camera + "' with the lens in force";
+    const auto registered = registeredCamera(project, camera);
+    if (!registered)
+        return tl::unexpected(registered.error());
+    const auto intrinsics = project.cameras().currentIntrinsics(registered->camera.id);
+    if (!intrinsics)
+        return tl::unexpected(intrinsics.error());
+    if (!*intrinsics || (*intrinsics)->id == registered->registration.intrinsics)
+        return fail(ErrorCode::InvalidInput, what, "it was made with it already", "calibrate the lens first, or put another calibration in force");
+    const auto layout = project.layouts().get(registered->registration.layout);
+    if (!layout)
+        return tl::unexpected(layout.error());
+    const auto cameras = project.cameras().all();
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    if (std::ranges::any_of(*cameras, [&](const CameraRecord &each) { return isLayoutThrough(layout->layout.name, each.name); }))
+        return fail(ErrorCode::InvalidInput, what, "it was registered through another camera", "register it through that camera again");
+    RegisterSettings settings{camera, layout->layout.name, {}, {}, registered->registration.pixels, {}};
+    RegisterJob job(std::move(settings));
+    if (auto done = runToEnd(job, project, {}); !done)
+        return tl::unexpected(done.error());
+    return job.record();
 }
 
 Result<void> RegisterJob::commit(Project &project)

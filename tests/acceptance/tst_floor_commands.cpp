@@ -131,6 +131,10 @@ private Q_SLOTS:
         QCOMPARE(run("revisions %/p.odo B --use registration:99").exitStatus, 1);
         QCOMPARE(run("revisions %/p.odo B --use 7").exitStatus, 2);
         QCOMPARE(run("reprocess %/p.odo nothing").exitStatus, 1);
+        const ProgramRun same = run("register %/p.odo --camera B --again");
+        QCOMPARE(same.exitStatus, 1);
+        QVERIFY2(same.err.contains("it was made with it already"), same.err);
+        QCOMPARE(run("register %/p.odo --camera B --again --joint --layout floor").exitStatus, 2);
         const QByteArray back = "revisions %/p.odo B --use registration:" +
                                 QByteArray::number(revisions.first().toObject().value(QStringLiteral("id")).toInt());
         QCOMPARE(run(back.constData()).exitStatus, 0);

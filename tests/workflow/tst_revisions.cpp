@@ -4,6 +4,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/calibration_warnings.h"
 #include "core/workflow/moved_job.h"
+#include "core/workflow/register_job.h"
 #include "core/workflow/reprocess_job.h"
 #include "core/workflow/revisions.h"
 #include "tests/ui/support/stored_example.h"
@@ -115,6 +116,27 @@ private Q_SLOTS:
         QVERIFY(chooseRevision(*m_project, "A", Revision::Kind::Calibration, first));
         QCOMPARE(m_project->cameras().currentIntrinsics(camera).value()->id, first);
         QVERIFY(calibrationWarnings(*m_project, cameraRecord, record.made)->size() < warnings.size());
+    }
+
+    void aNewerLensIsTakenWithTheSameMarkers()
+    {
+        QVERIFY(contains(registerWithLensInForce(*m_project, "A").error().message(), "it was made with it already"));
+        const RecordId camera = m_project->cameras().find("A")->id, before = current("A");
+        const RegistrationRecord old = *m_project->cameras().registration(before);
+        IntrinsicsRecord lens = *m_project->cameras().currentIntrinsics(camera).value();
+        lens.calibration.intrinsics.fxPx *= 1.01; // a camera of a longer lens stands farther away
+        lens.calibration.intrinsics.fyPx *= 1.01;
+        const auto newer = m_project->cameras().addIntrinsics(lens);
+        const auto registered = registerWithLensInForce(*m_project, "A");
+        QVERIFY2(registered.has_value(), registered ? "" : registered.error().message().c_str());
+        QCOMPARE(current("A"), registered->id);
+        QCOMPARE(registered->intrinsics, newer->id);
+        QCOMPARE(registered->layout, old.layout);
+        QCOMPARE(registered->pixels.size(), old.pixels.size());
+        const auto heightOf = [](const RegistrationRecord &record) { return record.registration.worldFromCamera.translation.z(); };
+        QVERIFY2(heightOf(*registered) > heightOf(old), qPrintable(QString::number(heightOf(*registered))));
+        QCOMPARE(*outdatedTrials(*m_project), (std::vector<std::string>{"Trial 1", "Trial 2"}));
+        QVERIFY(!registerWithLensInForce(*m_project, "Q"));
     }
 
     void trialsKnowThatTheyAreOutdated()

@@ -124,7 +124,7 @@ QList<Fact> cameraFacts(const CameraRow &camera)
 {
     QList<Fact> facts;
     for (const std::string &warning : camera.warnings) // first, so that nobody has to scroll for them
-        facts.append({Words::tr("Attention"), QString::fromStdString(warning), {}});
+        facts.append({Words::tr("Attention"), QString::fromStdString(warning), {Words::tr("look"), BadgeState::Warning}});
     if (camera.intrinsics)
         addIntrinsics(facts, *camera.intrinsics);
     else

@@ -21,6 +21,7 @@ namespace odo {
 namespace {
 
 constexpr int sideWidth = 400;
+constexpr double nearestPlannedM = 1, farthestPlannedM = 6; // from the floor, to begin with
 enum Show { Together, Alone };
 
 QPushButton *plainButton(const QString &text)
@@ -215,13 +216,17 @@ void AccuracyDialog::showChosen()
 
 void AccuracyDialog::addPlanned()
 {
-    // Before the middle of the floor's lower edge, as a person would put the first one.
+    // Before the middle of the floor's lower edge, as a person would put the first one, as far away as it must be.
     Eigen::AlignedBox2d floor;
     for (const Marker &marker : m_layout.markers)
         floor.extend(marker.pointInWorld);
     PlannedCamera camera;
     camera.aimM = floor.center();
-    camera.standAt({floor.center().x(), floor.min().y() - 1});
+    double awayM = nearestPlannedM;
+    do {
+        camera.standAt({floor.center().x(), floor.min().y() - awayM});
+        awayM += 0.25;
+    } while (!plannedView(camera, m_layout) && awayM < farthestPlannedM);
     m_entries.push_back({tr("Planned %1").arg(++m_plannedSoFar), camera, {}});
     showList();
     m_list->setCurrentRow(m_list->count() - 1);

@@ -175,6 +175,7 @@ void LengthPage::evaluate()
 {
     m_check.reset();
     m_length->clear();
+    m_length->hide();
     m_badge->setBadge({});
     showEnds();
     if (!m_picture)
@@ -188,7 +189,9 @@ void LengthPage::evaluate()
     if (!check)
         return m_words->setText(QString::fromStdString(check.error().message()));
     m_check = *check;
-    const QLocale locale;
+    QLocale locale; // as the sentence below it has it
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    m_length->show();
     m_length->setText(tr("%1 ± %2 mm").arg(locale.toString(toMillimetres(check->lengthM), 'f', 1),
                                           locale.toString(toMillimetres(check->sigmaM), 'f', 1)));
     if (check->differenceM)
@@ -201,7 +204,8 @@ void LengthPage::evaluate()
 void LengthPage::showEnds()
 {
     const double heightM = fromMillimetres(m_height->value());
-    const QLocale locale;
+    QLocale locale; // two numbers beside one another: 3,666, 548 could be read as three
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
     std::vector<MarkerPixel> shown;
     for (int end = 0; end < 2; ++end) {
         const auto &put = m_ends[std::size_t(end)];
@@ -217,7 +221,8 @@ void LengthPage::showEnds()
         for (int column = 0; column < ColumnCount; ++column)
             m_table->setItem(end, column, new QTableWidgetItem(texts[column]));
     }
-    m_table->resizeColumnsToContents();
+    for (int column = 0; column + 1 < ColumnCount; ++column) // the last takes what is left
+        m_table->resizeColumnToContents(column);
     m_canvas->setMarkers(std::move(shown));
     m_canvas->setCurrent(labelOf(currentEnd()));
 }

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/register_job.h"
 #include "ui/models/badge.h"
 #include "ui/testbed/check/reprocess_dialog.h"
 #include "ui/views/badge_delegate.h"
@@ -41,7 +42,8 @@ QString dateText(Instant instant)
 
 RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, const QString &current, QWidget *parent)
     : QDialog(parent), m_project(project), m_camera(new QComboBox), m_table(new QTableWidget(0, ColumnCount)), m_words(new QLabel),
-      m_choose(new QPushButton(tr("&Use this one"))), m_reprocess(new QPushButton(tr("&Measure trials again…")))
+      m_choose(new QPushButton(tr("&Use this one"))), m_register(new QPushButton(tr("&Register with this lens"))),
+      m_reprocess(new QPushButton(tr("&Measure trials again…")))
 {
     setWindowTitle(tr("Calibrations and registrations"));
     m_camera->addItems(cameras);
@@ -60,6 +62,7 @@ RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, c
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->setItemDelegateForColumn(StateColumn, new BadgeDelegate(badgeTextRole, badgeStateRole, this));
     m_choose->setToolTip(tr("Puts the chosen revision in force for what is measured from now on; trials keep theirs"));
+    m_register->setToolTip(tr("Computes the registration in force anew from the same markers, with the lens in force"));
     m_words->setWordWrap(true);
     m_words->setTextFormat(Qt::PlainText);
     m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -71,10 +74,11 @@ RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, c
     auto *close = new QPushButton(tr("Close"));
     auto *buttons = new QHBoxLayout;
     buttons->addWidget(m_choose);
+    buttons->addWidget(m_register);
     buttons->addWidget(m_reprocess);
     buttons->addStretch(1);
     buttons->addWidget(close);
-    for (QPushButton *button : {m_choose, m_reprocess, close})
+    for (QPushButton *button : {m_choose, m_register, m_reprocess, close})
         button->setAutoDefault(false);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 12, 16, 12);
@@ -85,6 +89,7 @@ RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, c
     resize(1080, 460);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_choose, &QPushButton::clicked, this, &RevisionsDialog::choose);
+    connect(m_register, &QPushButton::clicked, this, &RevisionsDialog::registerAnew);
     connect(m_reprocess, &QPushButton::clicked, this, &RevisionsDialog::reprocess);
     connect(m_camera, &QComboBox::currentIndexChanged, this, &RevisionsDialog::refresh);
     connect(m_table, &QTableWidget::currentCellChanged, this, &RevisionsDialog::showCurrent);
@@ -139,6 +144,7 @@ void RevisionsDialog::showCurrent()
     const int row = m_table->currentRow();
     const bool isThere = row >= 0 && row < int(m_revisions.size());
     m_choose->setEnabled(isThere && !m_revisions[std::size_t(row)].isCurrent);
+    m_register->setEnabled(isThere && m_revisions[std::size_t(row)].isCurrent && m_revisions[std::size_t(row)].kind == Revision::Kind::Calibration);
     m_reprocess->setEnabled(!m_project.trials().all().value_or(std::vector<TrialRecord>()).empty());
     if (!isThere)
         return tell({});
@@ -162,9 +168,20 @@ void RevisionsDialog::choose()
     if (!chosen)
         tell(QString::fromStdString(chosen.error().message()));
     else if (revision.kind == Revision::Kind::Calibration)
-        tell(tr("%1 is in force. The registrations keep the lens that they were made with: register the camera again.").arg(name));
+        tell(tr("%1 is in force. The registrations keep the lens that they were made with: register the camera with this one.").arg(name));
     else
         tell(tr("%1 is in force. Trials keep theirs until they are measured again.").arg(name));
+}
+
+void RevisionsDialog::registerAnew()
+{
+    const auto registered = registerWithLensInForce(m_project, m_camera->currentText().toStdString());
+    m_hasChanged = m_hasChanged || registered.has_value();
+    refresh();
+    tell(registered ? tr("Registration %1 is in force: the same markers, with this lens. %2")
+                          .arg(registered->id)
+                          .arg(QString::fromStdString(registered->registration.verdict))
+                    : QString::fromStdString(registered.error().message()));
 }
 
 void RevisionsDialog::reprocess()

@@ -34,6 +34,7 @@ private:
     void showRow(int row);
     void showCurrent();
     void choose();
+    void registerAnew();
     void reprocess();
     void tell(const QString &words);
 
@@ -43,7 +44,7 @@ private:
     QComboBox *m_camera;
     QTableWidget *m_table;
     QLabel *m_words;
-    QPushButton *m_choose, *m_reprocess;
+    QPushButton *m_choose, *m_register, *m_reprocess;
 };
 
 } // namespace odo

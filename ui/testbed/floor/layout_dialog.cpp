@@ -8,7 +8,6 @@
 #include "ui/views/path_field.h"
 #include "ui/views/theme.h"
 
-#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -76,18 +75,23 @@ LayoutDialog::LayoutDialog(const MarkerLayout &start, const QStringList &taken, 
     auto *row = new QHBoxLayout;
     row->addWidget(makeTable());
     row->addWidget(m_drawing, 1);
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-    m_save = buttons->addButton(tr("&Save"), QDialogButtonBox::AcceptRole);
+    QPushButton *cancel = plainButton(tr("Cancel"));
+    m_save = plainButton(tr("&Save"));
+    m_save->setProperty("primary", true);
+    auto *buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(m_save);
+    buttons->addWidget(cancel);
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(intro);
     layout->addLayout(form);
     layout->addLayout(row, 1);
     layout->addWidget(m_message);
-    layout->addWidget(buttons);
+    layout->addLayout(buttons);
     m_save->setDefault(true);
     resize(860, 560);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_save, &QPushButton::clicked, this, &QDialog::accept);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_name, &QLineEdit::textChanged, this, [this] { check(); });
     connect(m_table, &QTableWidget::cellChanged, this, &LayoutDialog::readRow);
     connect(m_table, &QTableWidget::currentCellChanged, this, [this](int current) { m_drawing->setLayout(m_layout, current); });
@@ -108,6 +112,8 @@ QWidget *LayoutDialog::makeTable()
     m_table->verticalHeader()->hide();
     m_table->setTabKeyNavigation(false);
     m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     auto *box = new QWidget;
     box->setFixedWidth(330);
     auto *layout = new QVBoxLayout(box);

@@ -215,7 +215,8 @@ void MarkerPage::showTable()
     const int row = m_table->currentRow();
     const QSignalBlocker quiet(m_table);
     m_table->setRowCount(int(m_layout.markers.size()));
-    const QLocale locale;
+    QLocale locale; // two numbers beside one another: 3,000, 0 could be read as three
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
     for (int i = 0; i < m_table->rowCount(); ++i) {
         const Marker &marker = m_layout.markers[std::size_t(i)];
         const bool seen = std::ranges::find(m_pixels, marker.label, &MarkerPixel::label) != m_pixels.end();
@@ -233,7 +234,8 @@ void MarkerPage::showTable()
         for (int column = 0; column < ColumnCount; ++column)
             m_table->setItem(i, column, new QTableWidgetItem(texts[column]));
     }
-    m_table->resizeColumnsToContents();
+    for (int column = 0; column + 1 < ColumnCount; ++column) // the last takes what is left
+        m_table->resizeColumnToContents(column);
     if (row >= 0 && row < m_table->rowCount())
         m_table->selectRow(row);
     m_canvas->setCurrent(currentLabel());

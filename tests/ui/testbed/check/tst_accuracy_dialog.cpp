@@ -112,7 +112,7 @@ void TestAccuracyDialog::plansByMouse()
 {
     const auto dialog = makeDialog(0); // with none, one is planned to begin with
     QVERIFY(dialog->planned(0));
-    summary(*dialog);
+    QVERIFY2(summary(*dialog).contains(QStringLiteral("mm in the middle")), "it sees the markers from where it begins");
     FloorSketch &sketch = dialog->sketch();
     const Eigen::Vector2d foot = dialog->planned(0)->footM(), aim = dialog->planned(0)->aimM;
     const QPoint from = sketch.fromWorld(foot).toPoint(), by(60, -20);

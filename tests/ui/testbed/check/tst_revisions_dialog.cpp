@@ -32,6 +32,7 @@ private Q_SLOTS:
     void listsRevisions();
     void usesAnOlderOneByMouse();
     void usesAnOlderOneByKeysAlone();
+    void registersWithANewerLens();
     void measuresAgainAndKeeps();
     void whatIsNotKeptLeavesNothing();
     void tellsWhatCannotBeMeasuredAgain();
@@ -119,6 +120,29 @@ void TestRevisionsDialog::usesAnOlderOneByKeysAlone()
     QTest::keyClick(&dialog, Qt::Key_Escape);
     QVERIFY(!dialog.isVisible());
     QCOMPARE(currentRegistration(), m_first);
+}
+
+void TestRevisionsDialog::registersWithANewerLens()
+{
+    RevisionsDialog dialog(*m_project, {QStringLiteral("A")}, QStringLiteral("A"));
+    dialog.open();
+    auto *table = named<QTableWidget>(dialog, "Revisions");
+    table->selectRow(0); // the only calibration
+    QTest::mouseClick(button(dialog, "Register with this lens"), Qt::LeftButton);
+    QVERIFY(says(dialog, "it was made with it already"));
+    QVERIFY(!dialog.hasChanged());
+    dialog.close();
+    IntrinsicsRecord lens = *m_project->cameras().currentIntrinsics(m_project->cameras().find("A")->id).value();
+    QVERIFY(m_project->cameras().addIntrinsics(lens));
+    RevisionsDialog next(*m_project, {QStringLiteral("A")}, QStringLiteral("A"));
+    next.open();
+    QVERIFY(QTest::qWaitForWindowActive(&next));
+    named<QTableWidget>(next, "Revisions")->selectRow(0);
+    QTest::keyClick(&next, Qt::Key_R, Qt::AltModifier);
+    QTRY_VERIFY(currentRegistration() > m_second);
+    QVERIFY(says(next, "the same markers, with this lens."));
+    named<QTableWidget>(next, "Revisions")->selectRow(2);
+    QVERIFY2(!button(next, "Register with this lens")->isEnabled(), "a registration is no lens");
 }
 
 void TestRevisionsDialog::measure(ReprocessDialog &dialog, const char *trial)
