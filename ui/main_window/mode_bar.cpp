@@ -32,6 +32,7 @@ void ModeBar::addMode(const QString &icon, const QString &name)
     const int mode = static_cast<int>(m_group->actions().size());
     auto *action = new QAction(themeIcon(icon, iconColour), name, m_group);
     action->setCheckable(true);
+    action->setIconVisibleInMenu(false); // it is drawn for the dark bar
     action->setData(mode);
     action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + mode)));
     action->setToolTip(

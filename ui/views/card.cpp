@@ -35,6 +35,7 @@ Card::Card(const QString &title, QWidget *parent)
     QFont bold = m_title->font();
     bold.setBold(true);
     m_title->setFont(bold);
+    m_remark->setObjectName(QStringLiteral("quiet")); // the style sheet colours it
     m_remark->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_remark->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_badge->setContentsMargins(7, 1, 7, 1);
@@ -114,10 +115,6 @@ void Card::changeEvent(QEvent *event)
 
 void Card::applyColours()
 {
-    const ThemeColours colours = ThemeColours::of(palette());
-    QPalette muted;
-    muted.setColor(QPalette::WindowText, colours.muted);
-    m_remark->setPalette(muted);
     // A style sheet would break the inheritance of fonts and palettes of the children; the badge has none.
     const BadgeColours badge = badgeColours(m_badgeShown.state, palette());
     m_badge->setStyleSheet(QStringLiteral("QLabel { background: %1; color: %2; border-radius: 8px; }")

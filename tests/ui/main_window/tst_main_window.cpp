@@ -14,6 +14,7 @@
 #include "ui/review/review_desk.h"
 #include "ui/review/review_page.h"
 #include "ui/testbed/testbed_page.h"
+#include "ui/views/card.h"
 
 #include <QAbstractButton>
 #include <QAccessible>
@@ -105,6 +106,7 @@ private Q_SLOTS:
     void paintsThePicture_data();
     void paintsThePicture();
     void remembersAndResetsTheDocks();
+    void headersFollowAChangeOfTheme();
 
 private:
     QTemporaryDir m_folder;
@@ -296,6 +298,32 @@ void TestMainWindow::remembersAndResetsTheDocks()
     QVERIFY(dock->isHidden());
     window.findChild<ReviewDesk *>()->resetLayout();
     QVERIFY(!dock->isHidden());
+}
+
+void TestMainWindow::headersFollowAChangeOfTheme()
+{
+    Card card(QStringLiteral("Title"));
+    card.setRemark(QStringLiteral("a remark of some length"));
+    card.setContent(new QWidget);
+    card.resize(400, 100);
+    card.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&card));
+    // The contrast of text and ground, as the lightness of what is lightest and darkest in the header's right part.
+    const auto contrast = [&card] {
+        const QImage header = card.grab(QRect(150, 3, 240, 20)).toImage();
+        int darkest = 255, lightest = 0;
+        for (int y = 0; y < header.height(); ++y)
+            for (int x = 0; x < header.width(); ++x) {
+                darkest = std::min(darkest, qGray(header.pixel(x, y)));
+                lightest = std::max(lightest, qGray(header.pixel(x, y)));
+            }
+        return lightest - darkest;
+    };
+    const int light = contrast();
+    applyAppearance(*qApp, Theme::Dark);
+    const int dark = contrast();
+    applyAppearance(*qApp, Theme::Light);
+    QVERIFY2(light > 100 && dark > 100, qPrintable(QStringLiteral("%1, %2").arg(light).arg(dark)));
 }
 
 QTEST_MAIN(TestMainWindow)
