@@ -69,9 +69,11 @@ DemoTrial spikes()
     SimulatedScene scene =
         sceneWith(15, "Blue 1", blue, makeFigureEightMotion({1.5, 1.1}, 0.95, 0.6, 6.0, 1.2), 10.0);
     scene.cameras[1].startOffsetS = 0.014;
-    scene.reflections = {besideRobot(scene, 3.25, 0.09, {0.05, 0.24}, 0.11, 0),
+    // The first and the third join the robot's outline in both pictures, and no view is left to trust; the
+    // second one is seen by one camera alone, and the last lies where no robot is.
+    scene.reflections = {besideRobot(scene, 3.25, 0.09, {0.05, 0.16}, 0.13, -1),
                          besideRobot(scene, 5.10, 0.12, {-0.24, -0.02}, 0.12, 1),
-                         besideRobot(scene, 7.88, 0.08, {0.22, -0.10}, 0.13, 0),
+                         besideRobot(scene, 7.88, 0.08, {0.16, -0.10}, 0.15, -1),
                          {blue, {2.75, 0.25}, 0.09, 6.4, 0.25, 1}};
     return {"figure-eight with reflections", "Otter", "Blue 1", "Figure eight", std::move(scene)};
 }

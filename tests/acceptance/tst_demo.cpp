@@ -118,6 +118,30 @@ private Q_SLOTS:
         }
     }
 
+    void reflectionsThatJoinTheOutlineAreFlagged()
+    {
+        // Seen by both cameras from 3.25 to 3.34 s and from 7.88 to 7.96 s: two to four frames each. Nothing
+        // else is a spike.
+        const QJsonObject robots =
+            runProgram({QStringLiteral("show"), m_project, QStringLiteral("figure-eight with reflections"),
+                        QStringLiteral("--json")})
+                .json()
+                .value(QStringLiteral("robots"))
+                .toObject();
+        const QJsonArray spikes = robots.begin().value().toObject().value(QStringLiteral("spikes")).toArray();
+        int first = 0, second = 0;
+        for (const QJsonValue &spike : spikes) {
+            const double timeS = spike.toObject().value(QStringLiteral("t_s")).toDouble();
+            const QString reason = spike.toObject().value(QStringLiteral("reason")).toString();
+            qInfo("spike at %.3f s: %s", timeS, qPrintable(reason));
+            QVERIFY(!reason.isEmpty());
+            first += timeS > 3.2 && timeS < 3.4;
+            second += timeS > 7.83 && timeS < 8.0;
+        }
+        QVERIFY(first >= 2 && second >= 2);
+        QCOMPARE(first + second, int(spikes.size()));
+    }
+
     void timesAtTheGatesAreThoseOfTheTruth()
     {
         const QJsonArray tasks =
