@@ -138,10 +138,13 @@ QWidget *TestbedPage::makeCameraCard()
     contentLayout->setContentsMargins(0, 0, 0, 0);
     contentLayout->setSpacing(0);
     contentLayout->addWidget(m_table);
-    contentLayout->addLayout(buttonRow({m_tools->action(TestbedTools::Calibrate), m_tools->action(TestbedTools::Register),
-                                        m_tools->action(TestbedTools::RegisterThrough), m_tools->action(TestbedTools::RegisterJointly),
-                                        m_tools->action(TestbedTools::ImportLens)}));
-    contentLayout->addLayout(buttonRow(m_checks->actions()));
+    // Few beside one another: the column must leave room to the picture.
+    const QList<QAction *> rows[] = {
+        {m_tools->action(TestbedTools::Calibrate), m_tools->action(TestbedTools::Register), m_tools->action(TestbedTools::ImportLens)},
+        {m_tools->action(TestbedTools::RegisterThrough), m_tools->action(TestbedTools::RegisterJointly), m_checks->action(CheckTools::Revisions)},
+        {m_checks->action(CheckTools::Moved), m_checks->action(CheckTools::Length), m_checks->action(CheckTools::Accuracy)}};
+    for (const QList<QAction *> &row : rows)
+        contentLayout->addLayout(buttonRow(row));
     auto *card = new Card(tr("Cameras"));
     card->setContent(content);
 
@@ -150,7 +153,7 @@ QWidget *TestbedPage::makeCameraCard()
     both->setChildrenCollapsible(false);
     both->addWidget(card);
     both->addWidget(m_factCard);
-    both->setSizes({200, 400});
+    both->setSizes({260, 380});
     return both;
 }
 

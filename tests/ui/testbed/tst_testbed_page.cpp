@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/ui/support/stored_example.h"
+#include "ui/testbed/check_tools.h"
 #include "ui/testbed/testbed_page.h"
 #include "ui/testbed/testbed_state.h"
 #include "ui/testbed/testbed_tools.h"
@@ -123,6 +124,14 @@ void TestTestbedPage::beginsEmpty()
     QVERIFY(page.isSettled());
     QCOMPARE(page.findChild<QStackedWidget *>()->currentIndex(), 1);
     QVERIFY2(!page.toolActions().at(TestbedTools::Register)->isEnabled(), "nothing to register yet");
+    const QList<QAction *> checks = page.toolActions().mid(TestbedTools::ToolCount);
+    QCOMPARE(checks.size(), qsizetype(CheckTools::ToolCount));
+    for (const QAction *check : checks)
+        QVERIFY2(!check->isEnabled(), qPrintable(check->text()));
+    TestbedPage full(*m_project);
+    full.refresh();
+    for (const QAction *check : full.toolActions().mid(TestbedTools::ToolCount))
+        QVERIFY2(check->isEnabled(), qPrintable(check->text()));
 }
 
 QTEST_MAIN(TestTestbedPage)

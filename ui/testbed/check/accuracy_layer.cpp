@@ -18,12 +18,15 @@ namespace odo {
 namespace {
 
 constexpr int keyWidth = 150, keyHeight = 10;
+constexpr double farOut = 0.8;     // of the way from the middle to the border
 constexpr double leastRatio = 1.2; // a map of one value has colours too
 
 class Words
 {
     Q_DECLARE_TR_FUNCTIONS(AccuracyLayer)
 };
+
+QString keyTitle() { return Words::tr("expected ±, hatched: not seen"); }
 
 struct Range
 {
@@ -100,7 +103,9 @@ void drawLevel(QPainter &painter, const SketchedAccuracy &accuracy, double level
     const FloorGrid &grid = accuracy.grid;
     const Eigen::Vector2d middle = 0.5 * (grid.lowerM + grid.at(grid.columns - 1, grid.rows - 1));
     const auto nearest = std::ranges::min_element(lines, {}, [&](const auto &line) { return (line.first - middle).norm(); });
-    drawHaloText(painter, toScreen(nearest->first) + QPointF(3, -4), levelText(levelM), Qt::white);
+    const Eigen::Vector2d reach = (nearest->first - middle).cwiseAbs().cwiseQuotient(middle - grid.lowerM);
+    if (reach.minCoeff() < farOut) // a line that only cuts off a corner says enough by its colour, and a marker is there
+        drawHaloText(painter, toScreen(nearest->first) + QPointF(3, -4), levelText(levelM), Qt::white);
 }
 
 QRectF placeOf(const FloorGrid &grid, const ToScreen &toScreen)
@@ -142,7 +147,10 @@ void drawAccuracy(QPainter &painter, const SketchedAccuracy &accuracy, const ToS
     painter.restore();
 }
 
-int accuracyKeyHeight(const QFontMetrics &metrics) { return keyHeight + 2 * metrics.height() + 10; }
+QSize accuracyKeySize(const QFontMetrics &metrics)
+{
+    return {std::max(keyWidth, metrics.horizontalAdvance(keyTitle())) + 16, keyHeight + 2 * metrics.height() + 10};
+}
 
 void drawAccuracyKey(QPainter &painter, const SketchedAccuracy &accuracy, const QRect &area, const QPalette &palette)
 {
@@ -151,18 +159,16 @@ void drawAccuracyKey(QPainter &painter, const SketchedAccuracy &accuracy, const 
         return;
     const ThemeColours colours = ThemeColours::of(palette);
     const QFontMetrics metrics = painter.fontMetrics();
-    const QString title = Words::tr("expected ±, hatched: not seen");
-    const int width = std::max(keyWidth, metrics.horizontalAdvance(title));
     QColor ground = colours.card;
     ground.setAlpha(215);
-    const int height = accuracyKeyHeight(metrics);
-    const QRect box(area.left() + 8, area.bottom() - 8 - height, width + 16, height);
+    const QSize size = accuracyKeySize(metrics);
+    const QRect box(QPoint(area.left() + 8, area.bottom() - 8 - size.height()), size);
     painter.fillRect(box, ground);
-    const QRect bar(box.left() + 8, box.top() + metrics.height() + 4, width, keyHeight);
+    const QRect bar(box.left() + 8, box.top() + metrics.height() + 4, box.width() - 16, keyHeight);
     for (int x = 0; x < bar.width(); ++x)
         painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), cividis(double(x) / (bar.width() - 1)));
     painter.setPen(colours.text);
-    painter.drawText(QPoint(bar.left(), box.top() + metrics.ascent() + 2), title);
+    painter.drawText(QPoint(bar.left(), box.top() + metrics.ascent() + 2), keyTitle());
     const int base = bar.bottom() + metrics.ascent() + 2;
     const QString low = levelText(range->lowM), high = levelText(range->highM), middle = levelText(range->at(0.5));
     painter.drawText(QPoint(bar.left(), base), low);

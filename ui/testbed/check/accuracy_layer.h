@@ -7,6 +7,7 @@
 #include <QPalette>
 #include <QPointF>
 #include <QRect>
+#include <QSize>
 #include <functional>
 #include <vector>
 
@@ -31,8 +32,8 @@ std::vector<double> accuracyLevelsM(const SketchedAccuracy &accuracy);
 /// and their millimetres.
 void drawAccuracy(QPainter &painter, const SketchedAccuracy &accuracy, const ToScreen &toScreen, const QPalette &palette);
 
-/// How high the key is.
-int accuracyKeyHeight(const QFontMetrics &metrics);
+/// How large the key is.
+QSize accuracyKeySize(const QFontMetrics &metrics);
 
 /// What the colours mean, as a bar in the lower left corner of the area.
 void drawAccuracyKey(QPainter &painter, const SketchedAccuracy &accuracy, const QRect &area, const QPalette &palette);

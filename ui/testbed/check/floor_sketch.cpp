@@ -67,9 +67,17 @@ void FloorSketch::fit()
         return;
     const Eigen::AlignedBox2d box = boundsOf(m_layout, m_cameras, m_accuracy);
     const Eigen::Vector2d extent = box.sizes().cwiseMax(0.1), centre = box.center();
-    const double room = height() - (m_accuracy ? accuracyKeyHeight(fontMetrics()) : 0); // the key must not hide a camera
-    m_pixelsPerMetre = std::max(1.0, std::min((width() - 2 * borderPx) / extent.x(), (room - 2 * borderPx) / extent.y()));
-    m_origin = {width() / 2.0 - centre.x() * m_pixelsPerMetre, room / 2.0 + centre.y() * m_pixelsPerMetre};
+    // The key must not hide a camera: it has a strip of its own, beneath or on the left, wherever that leaves more room.
+    const QSizeF all(width(), height()), key = m_accuracy ? accuracyKeySize(fontMetrics()) : QSize(0, 0);
+    const auto scaleIn = [&](const QSizeF &room) {
+        return std::max(1.0, std::min((room.width() - 2 * borderPx) / extent.x(), (room.height() - 2 * borderPx) / extent.y()));
+    };
+    const QSizeF above(all.width(), all.height() - key.height()), beside(all.width() - key.width(), all.height());
+    const bool isBeside = scaleIn(beside) > scaleIn(above);
+    const QSizeF room = isBeside ? beside : above;
+    m_pixelsPerMetre = scaleIn(room);
+    const double left = isBeside ? key.width() : 0;
+    m_origin = {left + room.width() / 2 - centre.x() * m_pixelsPerMetre, room.height() / 2 + centre.y() * m_pixelsPerMetre};
 }
 
 QPointF FloorSketch::fromWorld(const Eigen::Vector2d &point) const
