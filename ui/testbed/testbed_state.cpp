@@ -123,8 +123,12 @@ Result<TrialScenePtr> newestPicture(Project &project, const CameraRow &camera)
 QList<Fact> cameraFacts(const CameraRow &camera)
 {
     QList<Fact> facts;
-    for (const std::string &warning : camera.warnings) // first, so that nobody has to scroll for them
-        facts.append({Words::tr("Attention"), QString::fromStdString(warning), {Words::tr("look"), BadgeState::Warning}});
+    // What is wrong comes first, so that nobody has to scroll for it.
+    const auto check = camera.registration ? camera.registration->lastCheck : std::nullopt;
+    if (check && check->outcome != RegistrationCheck::Outcome::Still)
+        facts.append({Words::tr("Attention"), QString::fromStdString(check->words), {}});
+    for (const std::string &warning : camera.warnings)
+        facts.append({Words::tr("Attention"), QString::fromStdString(warning), {}});
     if (camera.intrinsics)
         addIntrinsics(facts, *camera.intrinsics);
     else
