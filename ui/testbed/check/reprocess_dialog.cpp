@@ -11,6 +11,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -22,17 +23,20 @@ enum Column { RobotColumn, MetricColumn, BeforeColumn, AfterColumn, ChangeColumn
 
 QString figure(const std::optional<double> &value, const MetricChange &metric)
 {
-    return value ? figureText(*value, metric.sigma, QString::fromStdString(metric.unit)).text() : QStringLiteral("–");
+    return value ? metricFigure({metric.name, metric.unit, *value, metric.sigma}).text() : QStringLiteral("–");
 }
 
-/// With its sign; no more digits than the figures have.
+/// With its sign; no more digits than the figures have, and a word where none of them changes.
 QString difference(const MetricChange &metric)
 {
     if (!metric.before || !metric.after)
         return {};
     const double change = *metric.after - *metric.before;
-    FigureText text = figureText(std::abs(change), metric.sigma, QString::fromStdString(metric.unit));
+    FigureText text = metricFigure({metric.name, metric.unit, std::abs(change), metric.sigma});
     text.sigma.clear();
+    static const QRegularExpression anyDigit(QStringLiteral("[1-9]"));
+    if (!text.value.contains(anyDigit))
+        return ReprocessDialog::tr("none");
     return (change < 0 ? QStringLiteral("−") : QStringLiteral("+")) + text.text();
 }
 

@@ -10,6 +10,7 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QRegularExpression>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -164,6 +165,13 @@ void TestRevisionsDialog::measuresAgainAndKeeps()
     measure(dialog, "Trial 1");
     QVERIFY(says(dialog, "Positions change by"));
     QVERIFY(named<QTableWidget>(dialog, "What changes")->rowCount() > 3);
+    auto *changes = named<QTableWidget>(dialog, "What changes");
+    for (int row = 0; row < changes->rowCount(); ++row) {
+        QVERIFY2(!changes->item(row, 2)->text().endsWith(QStringLiteral(" 1")), "a bare number has no unit");
+        const QString change = changes->item(row, 4)->text();
+        QVERIFY2(change.isEmpty() || change == QStringLiteral("none") || change.contains(QRegularExpression(QStringLiteral("^[+−].*[1-9]"))),
+                 qPrintable(change));
+    }
     QCOMPARE(currentAnalysis(), before);
     QVERIFY(button(dialog, "Keep")->isEnabled());
     QTest::keyClick(&dialog, Qt::Key_K, Qt::AltModifier);
