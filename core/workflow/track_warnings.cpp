@@ -53,8 +53,8 @@ std::vector<std::string> stepWarnings(const std::string &trialName,
         if (!found && view.syncMethod != "told")
             sentences.push_back(what + "it is not synchronised but taken as begun together with the first "
                                        "view, so that a moving robot "
-                                       "is not where the two views put it; import the videos again with "
-                                       "--sync auto, or tell the offset");
+                                       "is not where the two views put it; import the videos again "
+                                       "and let the offset be found, or tell it");
         else if (found && view.startOffsetSigmaS > doubtfulStepS)
             sentences.push_back(
                 what + "it is in step to " + formatNumber(1e3 * view.startOffsetSigmaS, 0) +

@@ -75,7 +75,7 @@ private Q_SLOTS:
         const QString unknown = QStringLiteral("view 'B' in trial 't': it is not synchronised but taken as "
                                                "begun together with the first view, so that a moving "
                                                "robot is not where the two views put it; import the videos "
-                                               "again with --sync auto, or tell the offset");
+                                               "again and let the offset be found, or tell it");
         QTest::newRow("none") << "none" << 0.0 << unknown;
         QTest::newRow("a word of a later program") << "" << 0.0 << unknown;
         QTest::newRow("by hand") << "told" << 0.0 << "";

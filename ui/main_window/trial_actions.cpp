@@ -169,7 +169,9 @@ void TrialActions::askTrack(const QString &trial)
     QStringList doubts;
     if (const auto views = registeredViews(project, *record)) { // what else is wrong, tracking will say
         for (const std::string &sentence : stepWarnings(record->name, *views))
-            doubts << QString::fromStdString(sentence);
+            doubts << QString::fromStdString(sentence) + u'.';
+        for (QString &sentence : doubts)
+            sentence.front() = sentence.front().toUpper();
     }
     TrackDialog dialog(trial, robots, expected, doubts, &m_window);
     if (dialog.exec() != QDialog::Accepted)
