@@ -22,12 +22,15 @@ std::optional<LensFit> fitHalf(const std::vector<BoardView> &views, const LensFi
     return fitLens(some, start, {}, control);
 }
 
-/// Mean of the squared distances of a view's corners under a lens, the pose adapted; infinite where there is no pose.
-double meanSquares(const BoardView &view, const CameraModel &camera)
+/// Mean of the squared distances of a view's corners under a lens, the pose adapted; infinite where there is
+/// no pose.
+double meanSquares(const BoardView &view, const CameraModel &camera, const RigidTransform &cameraFromBoard)
 {
     std::vector<PointPair> pairs;
     for (std::size_t i = 0; i < view.pixels.size(); ++i)
         pairs.push_back({view.pointsOnBoard[i], view.pixels[i], {}});
+    if (const auto near = refinePlanePose(pairs, camera, FocalLength::Known, cameraFromBoard.inverse()))
+        return near->rmsPx * near->rmsPx;
     const auto pose = fitPlanePose(pairs, camera, FocalLength::Known);
     return pose ? pose->rmsPx * pose->rmsPx : std::numeric_limits<double>::infinity();
 }
@@ -39,7 +42,8 @@ double HeldOut::focalDifference() const
     return std::abs(lenses[0].fxPx - lenses[1].fxPx) / (0.5 * (lenses[0].fxPx + lenses[1].fxPx));
 }
 
-std::optional<HeldOut> holdOut(const std::vector<BoardView> &views, const LensFit &all, const JobControl &control)
+std::optional<HeldOut> holdOut(const std::vector<BoardView> &views, const LensFit &all,
+                               const JobControl &control)
 {
     if (views.size() < leastViewsForHalves)
         return std::nullopt;
@@ -55,7 +59,7 @@ std::optional<HeldOut> holdOut(const std::vector<BoardView> &views, const LensFi
         if (control.isCancelled())
             return std::nullopt;
         const auto camera = CameraModel::create(heldOut.lenses[1 - i % 2]);
-        heldOut.pictureMeanSquares.push_back(meanSquares(views[i], *camera));
+        heldOut.pictureMeanSquares.push_back(meanSquares(views[i], *camera, all.cameraFromBoard[i]));
         if (!std::isfinite(heldOut.pictureMeanSquares.back())) {
             ++heldOut.unforetold;
             continue;

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/lens_fit.h"
 
-#include "core/calibration/lens_residual.h"
+#include "core/calibration/lens_cost.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <array>
-#include <ceres/autodiff_cost_function.h>
 #include <ceres/iteration_callback.h>
-#include <ceres/loss_function.h>
 #include <ceres/manifold.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 #include <cmath>
+#include <deque>
 #include <glog/logging.h>
-#include <memory>
 
 namespace odo {
 
@@ -84,17 +82,12 @@ public:
     {
         ceres::Problem::Options ownership;
         ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-        ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-        ceres::CauchyLoss cauchy(std::max(1e-9, wanted.cauchyPx));
-        ceres::LossFunction *loss = wanted.cauchyPx > 0 ? &cauchy : nullptr;
+        std::deque<ViewCost<model>> costs;
         ceres::Problem problem(ownership);
         auto *ordering = new ceres::ParameterBlockOrdering;
         for (std::size_t view = 0; view < m_views.size(); ++view) {
-            for (std::size_t i = 0; i < m_views[view].pixels.size(); ++i) {
-                m_costs.push_back(std::make_unique<Cost>(
-                    new LensResidual<model>{m_views[view].pointsOnBoard[i], m_views[view].pixels[i]}));
-                problem.AddResidualBlock(m_costs.back().get(), loss, m_lens.data(), m_poses[view].data());
-            }
+            problem.AddResidualBlock(&costs.emplace_back(m_views[view], wanted.cauchyPx), nullptr,
+                                     m_lens.data(), m_poses[view].data());
             ordering->AddElementToGroup(m_poses[view].data(), 0);
         }
         ordering->AddElementToGroup(m_lens.data(), 1);
@@ -105,11 +98,13 @@ public:
         options.linear_solver_type = ceres::DENSE_SCHUR;
         options.linear_solver_ordering.reset(ordering);
         options.max_num_iterations = 200;
-        options.function_tolerance = wanted.holdFocal ? 1e-9 : 1e-12; // a probe needs no last digits
+        // A probe needs no last digits; a rational lens goes on for ever along what the pictures do not
+        // determine.
+        options.function_tolerance = wanted.holdFocal ? 1e-6 : model == LensModel::Rational ? 1e-7 : 1e-12;
         options.parameter_tolerance = 1e-12;
         options.gradient_tolerance = 1e-14;
-        // Coefficients of the rational lens that the pictures do not determine leave a matrix that cannot be factored:
-        // some damping stays, and steps that need more of it are no news for the terminal.
+        // Coefficients of the rational lens that the pictures do not determine leave a matrix that cannot be
+        // factored: some damping stays, and steps that need more of it are no news for the terminal.
         options.max_trust_region_radius = 1e9;
         keepWarningsToItself();
         options.logging_type = ceres::SILENT;
@@ -129,11 +124,11 @@ public:
         fit.intrinsics.cyPx = m_lens[3];
         fit.intrinsics.distortion.assign(m_lens.begin() + 4, m_lens.end());
         Matrix reduced = Matrix::Zero();
-        std::size_t next = 0, count = 0;
+        std::size_t count = 0;
         for (std::size_t view = 0; view < m_views.size(); ++view) {
             fit.cameraFromBoard.push_back(transformOf(m_poses[view]));
             fit.residualsPx.emplace_back();
-            fit.pictureSquares.push_back(addNormal(view, next, reduced, fit.residualsPx.back()));
+            fit.pictureSquares.push_back(addNormal(view, reduced, fit.residualsPx.back()));
             fit.squares += fit.pictureSquares.back();
             count += m_views[view].pixels.size();
         }
@@ -146,33 +141,26 @@ public:
 
 private:
     static constexpr int size = lensSize(model);
-    using Cost = ceres::AutoDiffCostFunction<LensResidual<model>, 2, size, 6>;
     using Matrix = Eigen::Matrix<double, size, size>;
 
     /// Adds a view's share to the lens's normal matrix, its pose eliminated (Schur complement); returns its
     /// squares.
-    double addNormal(std::size_t view, std::size_t &next, Matrix &reduced,
-                     std::vector<Eigen::Vector2d> &residuals) const
+    double addNormal(std::size_t view, Matrix &reduced, std::vector<Eigen::Vector2d> &residuals) const
     {
-        Matrix lensLens = Matrix::Zero();
-        Eigen::Matrix<double, size, 6> lensPose = Eigen::Matrix<double, size, 6>::Zero();
-        Eigen::Matrix<double, 6, 6> posePose = Eigen::Matrix<double, 6, 6>::Zero();
-        double squares = 0;
-        for (std::size_t i = 0; i < m_views[view].pixels.size(); ++i, ++next) {
-            Eigen::Matrix<double, 2, size, Eigen::RowMajor> byLens;
-            Eigen::Matrix<double, 2, 6, Eigen::RowMajor> byPose;
-            Eigen::Vector2d residual;
-            const double *parameters[] = {m_lens.data(), m_poses[view].data()};
-            double *derivatives[] = {byLens.data(), byPose.data()};
-            m_costs[next]->Evaluate(parameters, residual.data(), derivatives);
-            residuals.push_back(-residual);
-            squares += residual.squaredNorm();
-            lensLens += byLens.transpose() * byLens;
-            lensPose += byLens.transpose() * byPose;
-            posePose += byPose.transpose() * byPose;
-        }
-        reduced += lensLens - lensPose * posePose.inverse() * lensPose.transpose();
-        return squares;
+        const std::size_t corners = m_views[view].pixels.size();
+        const auto rows = static_cast<Eigen::Index>(2 * corners);
+        Eigen::Matrix<double, Eigen::Dynamic, size, Eigen::RowMajor> byLens(rows, size);
+        Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor> byPose(rows, 6);
+        Eigen::VectorXd errors(rows);
+        const double *parameters[] = {m_lens.data(), m_poses[view].data()};
+        double *derivatives[] = {byLens.data(), byPose.data()};
+        ViewCost<model>(m_views[view], 0).Evaluate(parameters, errors.data(), derivatives);
+        for (std::size_t i = 0; i < corners; ++i)
+            residuals.emplace_back(-errors.segment<2>(static_cast<Eigen::Index>(2 * i)));
+        const Eigen::Matrix<double, 6, 6> posePose = byPose.transpose() * byPose;
+        const Eigen::Matrix<double, size, 6> lensPose = byLens.transpose() * byPose;
+        reduced += byLens.transpose() * byLens - lensPose * posePose.inverse() * lensPose.transpose();
+        return errors.squaredNorm();
     }
 
     /// Inverse of a normal matrix; what is not determined gets an enormous variance instead of a wrong small
@@ -193,7 +181,6 @@ private:
     Intrinsics m_intrinsics;
     std::array<double, size> m_lens{};
     std::vector<Pose> m_poses;
-    std::vector<std::unique_ptr<Cost>> m_costs;
 };
 
 template <LensModel model>
@@ -230,7 +217,8 @@ std::optional<LensFit> fitLens(const std::vector<BoardView> &views, const LensSt
     case LensModel::Rational:
         break;
     }
-    // The rational model has so many ways to bend that it is started from the standard one's answer, unless one is known.
+    // The rational model has so many ways to bend that it is started from the standard one's answer, unless
+    // one is known.
     if (start.intrinsics.distortion.size() == 8)
         return fitWith<LensModel::Rational>(views, start, options, control);
     LensStart simple = start;

@@ -13,6 +13,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+constexpr std::size_t viewsForFocal = 8;
+
 std::vector<PointPair> pairsOf(const BoardView &view)
 {
     std::vector<PointPair> pairs;
@@ -57,6 +59,36 @@ std::optional<double> closedFormFocal(const std::vector<BoardView> &views, int w
     return side / std::sqrt(inverseSquare);
 }
 
+/// A start with one focal length, and how badly its plane poses fit.
+struct Trial
+{
+    LensStart start;
+    std::vector<std::size_t> withoutPose;
+    double badness = std::numeric_limits<double>::infinity();
+};
+
+/// Poses of every step-th view.
+Trial tried(const std::vector<BoardView> &views, const CameraModel &camera, std::size_t step)
+{
+    Trial trial{{camera.intrinsics(), {}}, {}, {}};
+    double squares = 0;
+    for (std::size_t i = 0; i < views.size(); i += step) {
+        const auto pose = fitPlanePose(pairsOf(views[i]), camera, FocalLength::Known);
+        if (!pose) {
+            trial.withoutPose.push_back(i);
+            continue;
+        }
+        trial.start.cameraFromBoard.push_back(pose->worldFromCamera.inverse());
+        squares += pose->rmsPx * pose->rmsPx;
+    }
+    // Fewer lost pictures first, then the better fit.
+    const double side = std::max(camera.intrinsics().widthPx, camera.intrinsics().heightPx);
+    if (!trial.start.cameraFromBoard.empty())
+        trial.badness = squares / static_cast<double>(trial.start.cameraFromBoard.size()) +
+                        side * side * static_cast<double>(trial.withoutPose.size());
+    return trial;
+}
+
 } // namespace
 
 std::optional<LensStart> startLens(const std::vector<BoardView> &views, int widthPx, int heightPx,
@@ -66,34 +98,26 @@ std::optional<LensStart> startLens(const std::vector<BoardView> &views, int widt
     std::vector<double> focals{0.35 * side, 0.6 * side, 1.0 * side, 1.7 * side, 3.0 * side};
     if (const auto closed = closedFormFocal(views, widthPx, heightPx))
         focals.push_back(std::clamp(*closed, 0.2 * side, 20 * side));
-    std::optional<LensStart> best;
-    double least = std::numeric_limits<double>::infinity();
-    for (double focal : focals) {
-        const CameraModel camera = cameraOf(widthPx, heightPx, model, focal);
-        LensStart start{camera.intrinsics(), {}};
-        std::vector<std::size_t> failed;
-        double squares = 0;
-        for (std::size_t i = 0; i < views.size(); ++i) {
-            const auto pose = fitPlanePose(pairsOf(views[i]), camera, FocalLength::Known);
-            if (!pose) {
-                failed.push_back(i);
-                continue;
-            }
-            start.cameraFromBoard.push_back(pose->worldFromCamera.inverse());
-            squares += pose->rmsPx * pose->rmsPx;
+    const auto bestOf = [&](std::size_t step) {
+        Trial best;
+        for (const double focal : focals) {
+            Trial trial = tried(views, cameraOf(widthPx, heightPx, model, focal), step);
+            if (trial.badness < best.badness)
+                best = std::move(trial);
         }
-        if (start.cameraFromBoard.empty())
-            continue;
-        // Fewer lost pictures first, then the better fit.
-        const double badness = squares / static_cast<double>(start.cameraFromBoard.size()) +
-                               side * side * static_cast<double>(failed.size());
-        if (badness >= least)
-            continue;
-        least = badness;
-        best = std::move(start);
-        withoutPose = std::move(failed);
-    }
-    return best;
+        return best;
+    };
+    // Some of the views tell the focal length; only where others then lack a pose all of them are asked.
+    const std::size_t step = std::max<std::size_t>(1, views.size() / viewsForFocal);
+    Trial start = bestOf(step);
+    if (step > 1 && std::isfinite(start.badness))
+        start = tried(views, cameraOf(widthPx, heightPx, model, start.start.intrinsics.fxPx), 1);
+    if (step > 1 && !start.withoutPose.empty())
+        start = bestOf(1);
+    withoutPose = std::move(start.withoutPose);
+    if (!std::isfinite(start.badness))
+        return std::nullopt;
+    return std::move(start.start);
 }
 
 } // namespace odo

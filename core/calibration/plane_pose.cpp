@@ -194,4 +194,10 @@ Result<PlanePose> fitPlanePose(std::span<const PointPair> pairs, const CameraMod
                 "spread the points over the floor, not along a line");
 }
 
+std::optional<PlanePose> refinePlanePose(std::span<const PointPair> pairs, const CameraModel &camera,
+                                         FocalLength focal, const RigidTransform &worldFromCamera)
+{
+    return refined(pairs, camera, focal, {worldFromCamera, 1}, {});
+}
+
 } // namespace odo

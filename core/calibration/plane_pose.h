@@ -42,4 +42,9 @@ enum class FocalLength { Known, Free };
 Result<PlanePose> fitPlanePose(std::span<const PointPair> pairs, const CameraModel &camera, FocalLength focal,
                                std::span<const Eigen::Matrix2d> weights = {});
 
+/// As fitPlanePose, from a pose that is nearly right, which saves most of the time. nullopt where a point has
+/// no pixel there, or the points do not determine a pose.
+std::optional<PlanePose> refinePlanePose(std::span<const PointPair> pairs, const CameraModel &camera,
+                                         FocalLength focal, const RigidTransform &worldFromCamera);
+
 } // namespace odo

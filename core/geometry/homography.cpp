@@ -128,7 +128,7 @@ Result<void> checkPoints(std::span<const PointPair> pairs, const std::vector<Vec
     }
     for (const auto *points : {&sources, &targets}) {
         const double least = points == &sources ? 0.01 : 0.003;
-        const Spread spread = widestQuadrilateral(*points);
+        const Spread spread = widestQuadrilateral(*points, least);
         if (spread.flatness < least)
             return fail(ErrorCode::Undetermined, what,
                         namesOf(pairs, spread.flattest) + " lie on one line" +

@@ -85,11 +85,12 @@ std::optional<std::array<int, 2>> coincidentPoints(const Points &points)
     return std::nullopt;
 }
 
-Spread widestQuadrilateral(const Points &points)
+Spread widestQuadrilateral(const Points &points, double enough)
 {
     const std::vector<int> chosen = candidates(points);
+    const double extent = extentOf(points);
     Spread widest{-1, {}};
-    for (std::size_t a = 0; a < chosen.size(); ++a) {
+    for (std::size_t a = 0; a < chosen.size() && !(widest.flatness >= enough * extent); ++a) {
         for (std::size_t b = a + 1; b < chosen.size(); ++b) {
             for (std::size_t c = b + 1; c < chosen.size(); ++c) {
                 for (std::size_t d = c + 1; d < chosen.size(); ++d) {
@@ -100,7 +101,6 @@ Spread widestQuadrilateral(const Points &points)
             }
         }
     }
-    const double extent = extentOf(points);
     widest.flatness = extent > 0 ? widest.flatness / extent : 0;
     return widest;
 }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -23,7 +24,9 @@ double extentOf(const std::vector<Eigen::Vector2d> &points);
 std::optional<std::array<int, 2>> coincidentPoints(const std::vector<Eigen::Vector2d> &points);
 
 /// The four points whose flattest triangle is the least flat. Of more than 16 points, 16 are tried (extremes
-/// in eight directions and an even sample). Needs four points.
-Spread widestQuadrilateral(const std::vector<Eigen::Vector2d> &points);
+/// in eight directions and an even sample). Needs four points. enough: a flatness at which the search ends,
+/// for callers who only ask whether the points are that spread.
+Spread widestQuadrilateral(const std::vector<Eigen::Vector2d> &points,
+                           double enough = std::numeric_limits<double>::infinity());
 
 } // namespace odo
