@@ -11,16 +11,6 @@
 
 namespace odo {
 
-/// An AprilTag 36h11 in a picture; its pixel is where the diagonals cross.
-struct SeenTag
-{
-    int number = 0;
-    Eigen::Vector2d pixel;
-};
-
-/// All tags of a picture, or of a part of it, in luma pixels of the whole. Thread-safe.
-std::vector<SeenTag> findTags(const Frame &frame, std::optional<PixelRect> part = {});
-
 /// What is known before the markers are looked for.
 struct MarkerSearch
 {
@@ -30,10 +20,12 @@ struct MarkerSearch
     std::vector<MarkerPixel> hints;
 };
 
-/// Finds the floor markers of a layout in a picture, in the layout's order. First tags, a tag's number being the place
-/// of its label in the layout (first marker: tag 0, ...); where fewer than four of them are seen, rings and dots as well,
-/// told apart as assignMarkers() says. The pixel is the picture of the marker's middle, not the middle of its picture.
-/// Error Undetermined, naming how many of how many were found, when fewer than four are seen, and as assignMarkers.
-Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLayout &layout, const MarkerSearch &search = {});
+/// Finds the floor markers of a layout in a picture, in the layout's order. First tags, a tag's number being
+/// the place of its label in the layout (first marker: tag 0, ...); where fewer than four of them are seen,
+/// rings and dots as well, told apart as assignMarkers() says. The pixel is the picture of the marker's
+/// middle, not the middle of its picture. Error Undetermined, naming how many of how many were found, when
+/// fewer than four are seen, and as assignMarkers.
+Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLayout &layout,
+                                             const MarkerSearch &search = {});
 
 } // namespace odo

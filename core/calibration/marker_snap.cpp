@@ -2,10 +2,10 @@
 #include "core/calibration/marker_snap.h"
 
 #include "core/calibration/luma_matrix.h"
-#include "core/calibration/marker_detection.h"
 #include "core/calibration/round_markers.h"
 #include "core/calibration/saddle_points.h"
 #include "core/calibration/straight_edges.h"
+#include "core/calibration/tag_detection.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -20,8 +20,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int largestMarkerPx = 130;   // from its middle to its rim
-constexpr int tapeReachPx = 26;        // beyond the reach: how much of the strips is looked at
+constexpr int largestMarkerPx = 130; // from its middle to its rim
+constexpr int tapeReachPx = 26;      // beyond the reach: how much of the strips is looked at
 constexpr double leastTapePx = 3, mostTapePx = 40;
 constexpr double antiparallel = -0.95; // 18°: perspective
 constexpr double armPx = 5;            // of a strip beyond the crossing, to count as one
@@ -33,29 +33,34 @@ constexpr double leastSigmaPx = 0.02, clickSigmaPx = 1, saddleSigmaPx = 0.1;
 PixelRect around(const Vector2d &near, double reach)
 {
     return {static_cast<int>(std::floor(near.x() - reach)), static_cast<int>(std::floor(near.y() - reach)),
-            static_cast<int>(std::ceil(near.x() + reach)) + 1, static_cast<int>(std::ceil(near.y() + reach)) + 1};
+            static_cast<int>(std::ceil(near.x() + reach)) + 1,
+            static_cast<int>(std::ceil(near.y() + reach)) + 1};
 }
 
 std::optional<SnappedMarker> nearestTag(const Frame &frame, const Vector2d &near, double reachPx)
 {
     std::optional<SnappedMarker> best;
     for (const SeenTag &tag : findTags(frame, around(near, reachPx + largestMarkerPx))) {
-        if ((tag.pixel - near).norm() <= reachPx && (!best || (tag.pixel - near).norm() < (best->pixel - near).norm()))
-            best = SnappedMarker{SnappedMarker::Kind::Tag, tag.pixel, 0.1};
+        if ((tag.pixel - near).norm() <= reachPx &&
+            (!best || (tag.pixel - near).norm() < (best->pixel - near).norm()))
+            best = SnappedMarker{SnappedMarker::Kind::Tag, tag.pixel, std::max(leastSigmaPx, tag.sigmaPx)};
     }
     return best;
 }
 
-std::optional<SnappedMarker> nearestRound(const std::vector<RoundMarker> &shapes, RoundMarker::Kind kind, const Vector2d &near, double reachPx)
+std::optional<SnappedMarker> nearestRound(const std::vector<RoundMarker> &shapes, RoundMarker::Kind kind,
+                                          const Vector2d &near, double reachPx)
 {
     std::optional<SnappedMarker> best;
     for (const RoundMarker &shape : shapes) {
         // A click into a small dot, but one beside a ring as well: there is much that looks like a dot.
-        const double reach = kind == RoundMarker::Kind::Ring ? reachPx : std::min(reachPx, shape.outline.semiAxes.x() + 2);
+        const double reach =
+            kind == RoundMarker::Kind::Ring ? reachPx : std::min(reachPx, shape.outline.semiAxes.x() + 2);
         if (shape.kind != kind || (shape.centrePx - near).norm() > reach)
             continue;
         if (!best || (shape.centrePx - near).norm() < (best->pixel - near).norm())
-            best = SnappedMarker{kind == RoundMarker::Kind::Ring ? SnappedMarker::Kind::Ring : SnappedMarker::Kind::Dot,
+            best = SnappedMarker{kind == RoundMarker::Kind::Ring ? SnappedMarker::Kind::Ring
+                                                                 : SnappedMarker::Kind::Dot,
                                  shape.centrePx, std::max(leastSigmaPx, shape.sigmaPx)};
     }
     return best;
@@ -64,7 +69,8 @@ std::optional<SnappedMarker> nearestRound(const std::vector<RoundMarker> &shapes
 /// σ of where two edges cross.
 double sigmaOf(const StraightEdge &one, const StraightEdge &other, const Vector2d &crossing)
 {
-    const double sine = std::abs(one.toBright.x() * other.toBright.y() - one.toBright.y() * other.toBright.x());
+    const double sine =
+        std::abs(one.toBright.x() * other.toBright.y() - one.toBright.y() * other.toBright.x());
     const double a = one.sigmaAt(one.direction().dot(crossing - one.middle));
     const double b = other.sigmaAt(other.direction().dot(crossing - other.middle));
     return std::max(leastSigmaPx, std::hypot(a, b) / sine / std::sqrt(2.0));
@@ -93,7 +99,8 @@ std::vector<Strip> stripsOf(const std::vector<StraightEdge> &edges)
     return strips;
 }
 
-/// The four corners that two strips have in common, those of the first strip's left edge before those of its right one.
+/// The four corners that two strips have in common, those of the first strip's left edge before those of its
+/// right one.
 std::optional<std::array<Vector2d, 4>> cornersOf(const Strip &one, const Strip &other)
 {
     const auto a = crossingOf(*one.left, *other.left), b = crossingOf(*one.left, *other.right);
@@ -108,7 +115,8 @@ bool goesOn(const StraightEdge &edge, const Vector2d &beyond, const Vector2d &fr
 {
     const double at = edge.direction().dot(beyond - edge.middle);
     const bool forwards = edge.direction().dot(beyond - from) > 0;
-    return forwards ? edge.runs(at + roundedPx, at + roundedPx + armPx) : edge.runs(at - roundedPx - armPx, at - roundedPx);
+    return forwards ? edge.runs(at + roundedPx, at + roundedPx + armPx)
+                    : edge.runs(at - roundedPx - armPx, at - roundedPx);
 }
 
 int armsOf(const Strip &one, const Strip &other, const std::array<Vector2d, 4> &corners)
@@ -122,7 +130,8 @@ int armsOf(const Strip &one, const Strip &other, const std::array<Vector2d, 4> &
     return arms;
 }
 
-std::optional<SnappedMarker> nearestCrossing(const std::vector<StraightEdge> &edges, const Vector2d &near, double reachPx)
+std::optional<SnappedMarker> nearestCrossing(const std::vector<StraightEdge> &edges, const Vector2d &near,
+                                             double reachPx)
 {
     const std::vector<Strip> strips = stripsOf(edges);
     std::optional<SnappedMarker> best;
@@ -133,13 +142,17 @@ std::optional<SnappedMarker> nearestCrossing(const std::vector<StraightEdge> &ed
             const auto corners = cornersOf(strips[i], strips[j]);
             if (!corners || armsOf(strips[i], strips[j], *corners) < 3)
                 continue;
-            // The diagonals of the square that the strips share cross in its middle, whatever the perspective.
+            // The diagonals of the square that the strips share cross in its middle, whatever the
+            // perspective.
             const auto &[a, b, c, d] = *corners;
-            const Eigen::Vector3d one = a.homogeneous().cross(d.homogeneous()), other = b.homogeneous().cross(c.homogeneous());
+            const Eigen::Vector3d one = a.homogeneous().cross(d.homogeneous()),
+                                  other = b.homogeneous().cross(c.homogeneous());
             const Vector2d middle = one.cross(other).hnormalized();
-            if (!middle.allFinite() || (middle - near).norm() > reachPx || (best && (best->pixel - near).norm() < (middle - near).norm()))
+            if (!middle.allFinite() || (middle - near).norm() > reachPx ||
+                (best && (best->pixel - near).norm() < (middle - near).norm()))
                 continue;
-            const double sigma = 0.5 * std::hypot(sigmaOf(*strips[i].left, *strips[j].left, middle), sigmaOf(*strips[i].right, *strips[j].right, middle));
+            const double sigma = 0.5 * std::hypot(sigmaOf(*strips[i].left, *strips[j].left, middle),
+                                                  sigmaOf(*strips[i].right, *strips[j].right, middle));
             best = SnappedMarker{SnappedMarker::Kind::TapeCrossing, middle, std::max(leastSigmaPx, sigma)};
         }
     }
@@ -150,19 +163,23 @@ std::optional<SnappedMarker> nearestCrossing(const std::vector<StraightEdge> &ed
 bool reaches(const StraightEdge &edge, const Vector2d &place)
 {
     const double at = edge.direction().dot(place - edge.middle);
-    return edge.runs(at + roundedPx, at + roundedPx + armPx) || edge.runs(at - roundedPx - armPx, at - roundedPx);
+    return edge.runs(at + roundedPx, at + roundedPx + armPx) ||
+           edge.runs(at - roundedPx - armPx, at - roundedPx);
 }
 
-std::optional<SnappedMarker> nearestCorner(const std::vector<StraightEdge> &edges, const Vector2d &near, double reachPx)
+std::optional<SnappedMarker> nearestCorner(const std::vector<StraightEdge> &edges, const Vector2d &near,
+                                           double reachPx)
 {
     std::optional<SnappedMarker> best;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         for (std::size_t j = i + 1; j < edges.size(); ++j) {
             const auto crossing = crossingOf(edges[i], edges[j]);
-            if (!crossing || (*crossing - near).norm() > reachPx || !reaches(edges[i], *crossing) || !reaches(edges[j], *crossing))
+            if (!crossing || (*crossing - near).norm() > reachPx || !reaches(edges[i], *crossing) ||
+                !reaches(edges[j], *crossing))
                 continue;
             if (!best || (*crossing - near).norm() < (best->pixel - near).norm())
-                best = SnappedMarker{SnappedMarker::Kind::TapeCorner, *crossing, sigmaOf(edges[i], edges[j], *crossing)};
+                best = SnappedMarker{SnappedMarker::Kind::TapeCorner, *crossing,
+                                     sigmaOf(edges[i], edges[j], *crossing)};
         }
     }
     return best;
@@ -175,7 +192,8 @@ double contrastOf(const cv::Mat &picture, const SaddlePoint &saddle)
         const cv::Point2f step = fieldPx / static_cast<float>(std::max(1e-3, cv::norm(diagonal))) * diagonal;
         return greyAt(picture, saddle.position + step) + greyAt(picture, saddle.position - step);
     };
-    return 0.5 * std::abs(fields(saddle.edges[0] + saddle.edges[1]) - fields(saddle.edges[0] - saddle.edges[1]));
+    return 0.5 *
+           std::abs(fields(saddle.edges[0] + saddle.edges[1]) - fields(saddle.edges[0] - saddle.edges[1]));
 }
 
 std::optional<SnappedMarker> nearestSaddle(const cv::Mat &picture, const Vector2d &near, double reachPx)
@@ -185,12 +203,14 @@ std::optional<SnappedMarker> nearestSaddle(const cv::Mat &picture, const Vector2
     std::vector<cv::Point2f> best;
     for (const SaddlePoint &saddle : findSaddlePoints(smooth)) {
         const Vector2d place(saddle.position.x, saddle.position.y);
-        if ((place - near).norm() <= reachPx && contrastOf(smooth, saddle) >= leastContrast && (best.empty() || (place - near).norm() < (Vector2d(best[0].x, best[0].y) - near).norm()))
+        if ((place - near).norm() <= reachPx && contrastOf(smooth, saddle) >= leastContrast &&
+            (best.empty() || (place - near).norm() < (Vector2d(best[0].x, best[0].y) - near).norm()))
             best = {saddle.position};
     }
     if (best.empty())
         return std::nullopt;
-    cv::cornerSubPix(picture, best, {4, 4}, {-1, -1}, {cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 40, 0.005});
+    cv::cornerSubPix(picture, best, {4, 4}, {-1, -1},
+                     {cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 40, 0.005});
     return SnappedMarker{SnappedMarker::Kind::Saddle, {best[0].x, best[0].y}, saddleSigmaPx};
 }
 
@@ -200,14 +220,17 @@ std::optional<SnappedMarker> nearestOfEdges(const Frame &frame, const Vector2d &
     const PixelRect rect = around(near, reachPx + tapeReachPx).clipped({0, 0, frame.y.width, frame.y.height});
     if (rect.width() < 24 || rect.height() < 24)
         return std::nullopt;
-    const cv::Mat picture = lumaMatrix(frame)(cv::Rect(rect.x0, rect.y0, rect.width(), rect.height())).clone();
+    const cv::Mat picture =
+        lumaMatrix(frame)(cv::Rect(rect.x0, rect.y0, rect.width(), rect.height())).clone();
     const Vector2d origin(rect.x0, rect.y0), local = near - origin;
     const auto edges = findStraightEdges(picture);
     auto found = nearestCrossing(edges, local, reachPx);
     if (!found) {
-        const auto saddle = nearestSaddle(picture, local, reachPx), corner = nearestCorner(edges, local, reachPx);
+        const auto saddle = nearestSaddle(picture, local, reachPx),
+                   corner = nearestCorner(edges, local, reachPx);
         // At a saddle two edges meet as well.
-        const bool isSaddle = saddle && (!corner || (saddle->pixel - local).norm() <= (corner->pixel - local).norm() + 2);
+        const bool isSaddle =
+            saddle && (!corner || (saddle->pixel - local).norm() <= (corner->pixel - local).norm() + 2);
         found = isSaddle ? saddle : corner;
     }
     if (found)
@@ -220,8 +243,8 @@ std::optional<SnappedMarker> nearestOfEdges(const Frame &frame, const Vector2d &
 SnappedMarker snapToMarker(const Frame &frame, const Vector2d &near, double reachPx)
 {
     const SnappedMarker click{SnappedMarker::Kind::None, near, clickSigmaPx};
-    if (frame.y.data == nullptr || !near.allFinite() || near.x() < 0 || near.y() < 0 || near.x() > frame.y.width - 1 ||
-        near.y() > frame.y.height - 1)
+    if (frame.y.data == nullptr || !near.allFinite() || near.x() < 0 || near.y() < 0 ||
+        near.x() > frame.y.width - 1 || near.y() > frame.y.height - 1)
         return click;
     if (const auto tag = nearestTag(frame, near, reachPx))
         return *tag;

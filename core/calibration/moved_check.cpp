@@ -5,6 +5,7 @@
 #include "core/base/upper_median.h"
 #include "core/calibration/marker_detection.h"
 #include "core/calibration/marker_snap.h"
+#include "core/calibration/tag_detection.h"
 #include "core/calibration/wording.h"
 
 #include <algorithm>
@@ -19,9 +20,11 @@ constexpr double mostFitPx = 2;         // a bad registration must not make the 
 constexpr double beyond = 4;            // σ of the difference
 constexpr std::size_t provesCamera = 3; // markers that lie still
 
-MarkerShift shiftOf(const FloorView &view, const MarkerPixel &stored, const MarkerPixel &found, double limitPx)
+MarkerShift shiftOf(const FloorView &view, const MarkerPixel &stored, const MarkerPixel &found,
+                    double limitPx)
 {
-    MarkerShift shift{stored.label, stored.pixel, found.pixel, (found.pixel - stored.pixel).norm(), 0, limitPx};
+    MarkerShift shift{stored.label, stored.pixel, found.pixel, (found.pixel - stored.pixel).norm(), 0,
+                      limitPx};
     const auto before = view.floorFromPixel(stored.pixel, 0), now = view.floorFromPixel(found.pixel, 0);
     if (before && now)
         shift.shiftM = (*now - *before).norm();
@@ -40,8 +43,8 @@ double median(const std::vector<MarkerShift> &markers, double MarkerShift::*valu
 
 std::string amount(const MovedCheck &check)
 {
-    return formatNumber(check.shiftPx, check.shiftPx < 10 ? 1 : 0) + " px = " +
-           formatNumber(toMillimetres(check.shiftM), check.shiftM < 0.01 ? 1 : 0) + " mm";
+    return formatNumber(check.shiftPx, check.shiftPx < 10 ? 1 : 0) +
+           " px = " + formatNumber(toMillimetres(check.shiftM), check.shiftM < 0.01 ? 1 : 0) + " mm";
 }
 
 std::string wordsOf(const MovedCheck &check, const std::string &camera, const std::vector<std::string> &moved)
@@ -58,7 +61,8 @@ std::string wordsOf(const MovedCheck &check, const std::string &camera, const st
     case MovedCheck::Verdict::MarkersMoved:
         words = std::string(moved.size() == 1 ? "Marker " : "Markers ") + listed(moved) +
                 (moved.size() == 1 ? " has" : " have") + " moved " + amount(check) + ", " + camera +
-                " has not: put " + (moved.size() == 1 ? "it" : "them") + " back, or measure again and register all cameras.";
+                " has not: put " + (moved.size() == 1 ? "it" : "them") +
+                " back, or measure again and register all cameras.";
         break;
     }
     if (!check.missing.empty())
@@ -68,8 +72,8 @@ std::string wordsOf(const MovedCheck &check, const std::string &camera, const st
 
 } // namespace
 
-std::vector<MarkerPixel> findAgain(const Frame &frame, const MarkerLayout &layout, const std::vector<MarkerPixel> &stored,
-                                   const CameraModel &camera)
+std::vector<MarkerPixel> findAgain(const Frame &frame, const MarkerLayout &layout,
+                                   const std::vector<MarkerPixel> &stored, const CameraModel &camera)
 {
     const auto tags = findTags(frame);
     std::vector<MarkerPixel> found;
@@ -92,7 +96,8 @@ std::vector<MarkerPixel> findAgain(const Frame &frame, const MarkerLayout &layou
 }
 
 Result<MovedCheck> checkMoved(const std::string &camera, const FloorView &view,
-                              const std::vector<MarkerPixel> &stored, const std::vector<MarkerPixel> &found, double fitPx)
+                              const std::vector<MarkerPixel> &stored, const std::vector<MarkerPixel> &found,
+                              double fitPx)
 {
     MovedCheck check;
     const double limitPx = beyond * std::sqrt(2.0) * std::clamp(fitPx, sigmaOfMarkerPx, mostFitPx);
@@ -111,10 +116,12 @@ Result<MovedCheck> checkMoved(const std::string &camera, const FloorView &view,
         return fail(ErrorCode::Undetermined, "whether " + camera + " has moved cannot be told",
                     std::to_string(check.markers.size()) + " of its " + std::to_string(stored.size()) +
                         " markers were found again, two are needed",
-                    "clear the view of the markers; if they are gone or the camera looks elsewhere, register it again");
+                    "clear the view of the markers; if they are gone or the camera looks elsewhere, register "
+                    "it again");
     if (!moved.empty())
-        check.verdict = check.markers.size() - moved.size() >= provesCamera ? MovedCheck::Verdict::MarkersMoved
-                                                                            : MovedCheck::Verdict::CameraMoved;
+        check.verdict = check.markers.size() - moved.size() >= provesCamera
+                            ? MovedCheck::Verdict::MarkersMoved
+                            : MovedCheck::Verdict::CameraMoved;
     check.shiftPx = median(check.markers, &MarkerShift::shiftPx, !moved.empty());
     check.shiftM = median(check.markers, &MarkerShift::shiftM, !moved.empty());
     check.words = wordsOf(check, camera, moved);

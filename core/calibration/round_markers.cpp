@@ -16,12 +16,12 @@ using Eigen::Vector2d;
 using Contour = std::vector<cv::Point>;
 
 constexpr double leastSemiAxisPx = 2.5, flattest = 0.12;
-constexpr double areaSlack = 0.16;     // of a contour against its ellipse
-constexpr double leastHole = 0.06, mostHole = 0.6; // area of a ring's hole, of the ring's
-constexpr double speck = 0.03;         // of the area: a smaller hole is a reflection
-constexpr double offCentre = 0.2;      // of the outer axis
+constexpr double areaSlack = 0.16;                         // of a contour against its ellipse
+constexpr double leastHole = 0.06, mostHole = 0.6;         // area of a ring's hole, of the ring's
+constexpr double speck = 0.03;                             // of the area: a smaller hole is a reflection
+constexpr double offCentre = 0.2;                          // of the outer axis
 constexpr double worstMisfit = 0.03, leastMisfitPx = 0.25; // of the longer axis
-constexpr int darkerBy = 8;            // than the neighbourhood's mean
+constexpr int darkerBy = 8;                                // than the neighbourhood's mean
 
 /// The ellipse with a contour's moments, if the contour fills it.
 std::optional<EllipseOutline> roughOutline(const Contour &contour)
@@ -34,7 +34,8 @@ std::optional<EllipseOutline> roughOutline(const Contour &contour)
     Eigen::Matrix2d spread;
     spread << m.mu20, m.mu11, m.mu11, m.mu02;
     spread /= m.m00;
-    const double middle = 0.5 * spread.trace(), off = std::sqrt(std::max(0.0, middle * middle - spread.determinant()));
+    const double middle = 0.5 * spread.trace(),
+                 off = std::sqrt(std::max(0.0, middle * middle - spread.determinant()));
     EllipseOutline outline{{m.m10 / m.m00, m.m01 / m.m00},
                            {2 * std::sqrt(middle + off), 2 * std::sqrt(std::max(0.0, middle - off))},
                            0.5 * std::atan2(2 * spread(0, 1), spread(0, 0) - spread(1, 1))};
@@ -54,15 +55,16 @@ bool isEllipse(const EllipseEdge &edge)
            edge.outline.semiAxes.y() > flattest * edge.outline.semiAxes.x();
 }
 
-std::optional<RoundMarker> dotOf(const cv::Mat &luma, const EllipseOutline &rough)
+std::optional<RoundMarker> dotOf(const cv::Mat &luma, const EllipseOutline &rough, double reachShare)
 {
-    const auto edge = fitEdge(luma, rough, 0.4, true);
+    const auto edge = fitEdge(luma, rough, reachShare, true);
     if (!edge || !isEllipse(*edge))
         return std::nullopt;
     return RoundMarker{RoundMarker::Kind::Dot, edge->outline.centre, edge->sigmaPx, edge->outline};
 }
 
-std::optional<RoundMarker> ringOf(const cv::Mat &luma, const EllipseOutline &rough, const EllipseOutline &roughHole)
+std::optional<RoundMarker> ringOf(const cv::Mat &luma, const EllipseOutline &rough,
+                                  const EllipseOutline &roughHole)
 {
     // Half the ring's width, so that no edge sees the other one; the hole is half as wide or so.
     const double share = roughHole.semiAxes.x() / rough.semiAxes.x();
@@ -79,7 +81,8 @@ std::optional<RoundMarker> ringOf(const cv::Mat &luma, const EllipseOutline &rou
     return RoundMarker{RoundMarker::Kind::Ring, centre, sigma, outer->outline};
 }
 
-/// Holes are about half a pixel larger than their contour in OpenCV, which traces the dark pixels around them.
+/// Holes are about half a pixel larger than their contour in OpenCV, which traces the dark pixels around
+/// them.
 EllipseOutline shrunk(EllipseOutline outline)
 {
     outline.semiAxes.array() -= 1;
@@ -108,9 +111,13 @@ void findIn(const cv::Mat &luma, const cv::Mat &dark, std::vector<RoundMarker> &
         }
         std::optional<RoundMarker> marker;
         if (hole < 0 || largest < speck * rough->area())
-            marker = dotOf(luma, *rough);
-        else if (const auto roughHole = roughOutline(contours[static_cast<std::size_t>(hole)]); roughHole && roughHole->semiAxes.y() > 1.5)
+            marker = dotOf(luma, *rough, 0.4);
+        else if (const auto roughHole = roughOutline(contours[static_cast<std::size_t>(hole)]);
+                 roughHole && roughHole->semiAxes.y() > 1.5)
             marker = ringOf(luma, *rough, shrunk(*roughHole));
+        // A ring so small that its hole cannot be measured: its outer edge is that of a dot.
+        if (!marker && hole >= 0)
+            marker = dotOf(luma, *rough, 0.25);
         if (marker)
             found.push_back(*marker);
     }
@@ -150,7 +157,8 @@ std::vector<RoundMarker> findRoundMarkers(const Frame &frame, std::optional<Pixe
     // A window narrower than a shape sees only its border, one much wider no gradient of the light.
     for (const int divisor : {36, 10}) {
         const int side = std::max(15, std::max(whole.cols, whole.rows) / divisor) | 1;
-        cv::adaptiveThreshold(smooth, dark, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, side, darkerBy);
+        cv::adaptiveThreshold(smooth, dark, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, side,
+                              darkerBy);
         findIn(luma, dark, found);
     }
     for (RoundMarker &marker : found) {

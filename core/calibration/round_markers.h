@@ -24,17 +24,19 @@ struct EllipseOutline
 struct RoundMarker
 {
     enum class Kind { Ring, Dot } kind = Kind::Ring;
-    /// The picture of the circle's middle, for a ring: the middles of the ellipses of its two circles lie apart by the
-    /// perspective, in proportion to their areas, and going on to area zero gives it. Of a dot the middle of its
-    /// ellipse, which perspective moves by up to some 0.5 px: dotCentre() in marker_assignment.h corrects it by a pose.
+    /// The picture of the circle's middle, for a ring: the middles of the ellipses of its two circles lie
+    /// apart by the perspective, in proportion to their areas, and going on to area zero gives it. Of a dot
+    /// the middle of its ellipse, which perspective moves by up to some 0.5 px: dotCentre() in dot_centre.h
+    /// corrects it by a pose.
     Eigen::Vector2d centrePx = Eigen::Vector2d::Zero();
-    double sigmaPx = 0; ///< of one coordinate of centrePx, from how well the edge points fit
+    double sigmaPx = 0;     ///< of one coordinate of centrePx, from how well the edge points fit
     EllipseOutline outline; ///< the outer edge
 };
 
-/// Finds rings and dots in the whole picture, or in a part of it: dark shapes of two adaptive thresholds, then an
-/// ellipse through edges at the steepest place of the brightness across them, refitted three times. Shapes smaller than
-/// 5 px across are left out, as are those flatter than 1 : 8 and those that are no ellipse. Largest first. Thread-safe.
+/// Finds rings and dots in the whole picture, or in a part of it: dark shapes of two adaptive thresholds,
+/// then an ellipse through edges at the steepest place of the brightness across them, refitted three times.
+/// Shapes smaller than 5 px across are left out, as are those flatter than 1 : 8 and those that are no
+/// ellipse; a ring whose hole is too small to be measured is taken for a dot. Largest first. Thread-safe.
 std::vector<RoundMarker> findRoundMarkers(const Frame &frame, std::optional<PixelRect> part = {});
 
 } // namespace odo

@@ -4,8 +4,11 @@
 #include "core/calibration/marker_layout.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
+#include "tests/calibration/pictures.h"
 
 #include <cmath>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <random>
 #include <vector>
 
@@ -26,17 +29,34 @@ inline std::vector<MarkerPixel> markersIn(const FloorView &view, const MarkerLay
     for (const Marker &marker : layout.markers) {
         const auto pixel = view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
         const Intrinsics &lens = view.camera().intrinsics();
-        if (!pixel || pixel->x() < borderPx || pixel->y() < borderPx || pixel->x() > lens.widthPx - borderPx ||
-            pixel->y() > lens.heightPx - borderPx)
+        if (!pixel || pixel->x() < borderPx || pixel->y() < borderPx ||
+            pixel->x() > lens.widthPx - borderPx || pixel->y() > lens.heightPx - borderPx)
             return {};
         seen.push_back({marker.label, *pixel});
     }
     return seen;
 }
 
-/// Some camera 1 to 3.5 m above the floor and up to some 6 m away, of three picture sizes and different lenses, that has
-/// all markers in its picture, with noise of 1 to 5 grey values.
-inline DrawnView drawFloorView(const MarkerLayout &layout, MarkerFigure figure, double markerM, std::uint32_t seed)
+/// The picture as a webcam gives it: blurred by its lens, with noise, and through JPEG of quality 85.
+inline Frame asByWebcam(const Frame &clean, double blurPx, double noiseSigma, std::uint32_t seed)
+{
+    cv::Mat picture(clean.y.height, clean.y.width, CV_32F), noise(picture.size(), CV_32F), coded;
+    for (int y = 0; y < picture.rows; ++y)
+        std::copy_n(clean.y.row(y), picture.cols, picture.ptr<float>(y));
+    cv::GaussianBlur(picture, picture, {0, 0}, blurPx);
+    cv::RNG(seed).fill(noise, cv::RNG::NORMAL, 0, noiseSigma);
+    picture += noise;
+    picture.convertTo(picture, CV_8U);
+    std::vector<unsigned char> bytes;
+    cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 85});
+    return frameOf(cv::imdecode(bytes, cv::IMREAD_GRAYSCALE));
+}
+
+/// Some camera 1 to 3.5 m above the floor and up to some 6 m away, of three picture sizes and different
+/// lenses, that has all markers in its picture, with a blur of 0.3 to 0.9 px and noise of 1 to 5 grey values,
+/// through JPEG.
+inline DrawnView drawFloorView(const MarkerLayout &layout, MarkerFigure figure, double markerM,
+                               std::uint32_t seed)
 {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> share(0, 1);
@@ -48,15 +68,17 @@ inline DrawnView drawFloorView(const MarkerLayout &layout, MarkerFigure figure, 
     for (;;) {
         const auto &size = sizes[random() % 3];
         const double direction = 2 * EIGEN_PI * share(random), away = 1 + 4 * share(random);
-        const Eigen::Vector3d place(middle.x() + away * std::cos(direction), middle.y() + away * std::sin(direction),
-                                    1.2 + 2.3 * share(random));
-        const Eigen::Vector3d aim(middle.x() + 0.4 * (share(random) - 0.5), middle.y() + 0.4 * (share(random) - 0.5), 0);
-        const FloorView view = simulatedView(place, aim, size[0], size[1], size[0] * (0.5 + 0.5 * share(random)));
+        const Eigen::Vector3d place(middle.x() + away * std::cos(direction),
+                                    middle.y() + away * std::sin(direction), 1.2 + 2.3 * share(random));
+        const Eigen::Vector3d aim(middle.x() + 0.4 * (share(random) - 0.5),
+                                  middle.y() + 0.4 * (share(random) - 0.5), 0);
+        const FloorView view =
+            simulatedView(place, aim, size[0], size[1], size[0] * (0.5 + 0.5 * share(random)));
         drawn.truth = markersIn(view, layout, 30);
         if (drawn.truth.empty())
             continue;
         SimulatedCamera camera{"A", view, 30, 0, 0, {}, 0};
-        camera.sensor.noiseSigma = 1 + 4 * share(random);
+        camera.sensor.noiseSigma = 0;
         drawn.scene.cameras = {camera};
         break;
     }
@@ -67,7 +89,8 @@ inline DrawnView drawFloorView(const MarkerLayout &layout, MarkerFigure figure, 
     drawn.scene.floor.markers = layout;
     drawn.scene.floor.markerFigure = figure;
     drawn.scene.floor.markerSideM = markerM;
-    drawn.frame = SceneRenderer(drawn.scene, 0).render(0);
+    const double blurPx = 0.3 + 0.6 * share(random), noiseSigma = 1 + 4 * share(random);
+    drawn.frame = asByWebcam(SceneRenderer(drawn.scene, 0).render(0), blurPx, noiseSigma, seed);
     return drawn;
 }
 

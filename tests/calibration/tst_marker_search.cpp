@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/dot_centre.h"
+#include "core/calibration/ellipse_edge.h"
 #include "core/calibration/marker_assignment.h"
 #include "core/calibration/marker_detection.h"
+#include "core/calibration/round_markers.h"
+#include "core/calibration/tag_foretelling.h"
 #include "tests/calibration/floor_views.h"
 
 #include <QTest>
@@ -84,25 +88,30 @@ private Q_SLOTS:
     void ninetyFivePercentOfTheViewsAreFoundToAFifthOfAPixel()
     {
         QFETCH(MarkerFigure, figure);
-        const int views = qEnvironmentVariableIntValue("ODOGRAPH_FLOOR_VIEWS") > 0 ? qEnvironmentVariableIntValue("ODOGRAPH_FLOOR_VIEWS") : 12;
+        const int views = qEnvironmentVariableIntValue("ODOGRAPH_FLOOR_VIEWS") > 0
+                              ? qEnvironmentVariableIntValue("ODOGRAPH_FLOOR_VIEWS")
+                              : 12;
         int good = 0, wrong = 0;
         std::vector<double> errors;
         for (int i = 0; i < views; ++i) {
-            const DrawnView drawn = drawFloorView(layout(), figure, 0.16, 1000 + static_cast<std::uint32_t>(i));
+            const DrawnView drawn =
+                drawFloorView(layout(), figure, 0.16, 1000 + static_cast<std::uint32_t>(i));
             const auto found = findMarkers(drawn.frame, layout(), known(drawn));
             const auto rms = found ? rmsOf(*found, drawn.truth) : std::nullopt;
             if (rms && *rms <= 0.2)
                 ++good;
             else
-                qInfo("view %d: %s", i, found ? rms ? qPrintable(QString::number(*rms)) : "not all" : found.error().message().c_str());
+                qInfo("view %d: %s", i,
+                      found ? rms ? qPrintable(QString::number(*rms)) : "not all"
+                            : found.error().message().c_str());
             if (rms)
                 errors.push_back(*rms);
             wrong += rms && *rms > 3;
         }
         std::ranges::sort(errors);
         QVERIFY(!errors.empty());
-        qInfo("%d of %d views good; median %.3f px, 95 %% %.3f px, worst %.3f px", good, views, errors[errors.size() / 2],
-              errors[errors.size() * 95 / 100], errors.back());
+        qInfo("%d of %d views good; median %.3f px, 95 %% %.3f px, worst %.3f px", good, views,
+              errors[errors.size() / 2], errors[errors.size() * 95 / 100], errors.back());
         QVERIFY(good >= 0.95 * views - (views < 100 ? 1 : 0));
         QCOMPARE(wrong, 0);
     }
@@ -133,7 +142,8 @@ private Q_SLOTS:
         QVERIFY(contains(unsure.error().message(), "in 2 ways"));
         QVERIFY(contains(unsure.error().message(), "tell by hand which of them is O"));
         for (const MarkerPixel &told : truth) {
-            const auto sure = assignMarkers(shapes, rectangle(), view().camera(), true, {{told.label, told.pixel + Vector2d(6, -5)}});
+            const auto sure = assignMarkers(shapes, rectangle(), view().camera(), true,
+                                            {{told.label, told.pixel + Vector2d(6, -5)}});
             QVERIFY2(sure.has_value(), sure ? "" : sure.error().message().c_str());
             QVERIFY(rmsOf(*sure, truth).value_or(99) < 1e-9);
         }
@@ -162,7 +172,8 @@ private Q_SLOTS:
         const auto assigned = assignMarkers(shapes, far, view().camera(), true);
         QVERIFY(!assigned.has_value());
         QVERIFY(contains(assigned.error().message(), "fits the layout"));
-        const auto three = assignMarkers({shapes.begin(), shapes.begin() + 3}, layout(), view().camera(), true);
+        const auto three =
+            assignMarkers({shapes.begin(), shapes.begin() + 3}, layout(), view().camera(), true);
         QVERIFY(!three.has_value());
         QVERIFY(contains(three.error().message(), "3 rings or dots were found, four are needed"));
     }
@@ -172,14 +183,64 @@ private Q_SLOTS:
         std::vector<Vector2d> outline;
         for (int i = 0; i < 90; ++i) {
             const double angle = 2 * EIGEN_PI * i / 90;
-            outline.push_back(*view().pixelFromWorld({0.1 + 0.15 * std::cos(angle), 0.1 + 0.15 * std::sin(angle), 0}));
+            outline.push_back(
+                *view().pixelFromWorld({0.1 + 0.15 * std::cos(angle), 0.1 + 0.15 * std::sin(angle), 0}));
         }
-        // An ellipse by its axes would do as well; the lens bends it by less than a hundredth of a pixel.
-        Vector2d mean = Vector2d::Zero();
-        for (const Vector2d &point : outline)
-            mean += point / 90;
+        const auto ellipse = ellipseThrough(outline);
+        QVERIFY(ellipse.has_value());
         const Vector2d truth = *view().pixelFromWorld({0.1, 0.1, 0});
-        QVERIFY((mean - truth).norm() > 0.5);
+        QVERIFY((ellipse->centre - truth).norm() > 0.5);
+        // The lens bends the outline away from an ellipse by some hundredths of a pixel.
+        const auto middle = dotCentre(*ellipse, view());
+        QVERIFY(middle.has_value());
+        QVERIFY2((*middle - truth).norm() < 0.03, qPrintable(QString::number((*middle - truth).norm())));
+    }
+    void aDotBeyondTheHorizonHasNoMiddle()
+    {
+        const FloorView level = simulatedView({-0.9, -1.55, 1.0}, {5, 3, 0.9}, 1280, 720, 860);
+        QVERIFY(!dotCentre({{640, 340}, {60, 40}, 0}, level).has_value());
+    }
+    void tagsTooSmallToReadAreForetold()
+    {
+        // Cells of 3 by 0.7 px, of which libapriltag makes nothing; three others tell where they are.
+        DrawnView drawn = drawFloorView(layout(), MarkerFigure::Tag, 0.16, 1019);
+        QVERIFY(findTags(drawn.frame).size() < 4);
+        const auto found = findMarkers(drawn.frame, layout(), known(drawn));
+        QVERIFY2(found.has_value(), found ? "" : found.error().message().c_str());
+        QCOMPARE(found->size(), std::size_t(5));
+        QVERIFY(rmsOf(*found, drawn.truth).value_or(99) < 0.2);
+        // A marker that does not lie there, and one in whose place another tag lies, are not foretold.
+        MarkerLayout more = layout();
+        more.markers.push_back({"F", {1.8, 1.2}});
+        const auto without = findMarkers(drawn.frame, more, known(drawn));
+        QVERIFY(without && without->size() == 5);
+        QVERIFY(std::ranges::find(*without, std::string("F"), &MarkerPixel::label) == without->end());
+        const auto tags = findTags(drawn.frame);
+        QVERIFY(!tags.empty());
+        more.markers[5].pointInWorld = layout().markers[std::size_t(tags.front().number)].pointInWorld;
+        for (const SeenTag &tag : foretoldTags(drawn.frame, more, tags, drawn.scene.cameras[0].view.camera()))
+            QVERIFY(tag.number != 5);
+    }
+    void ringsTooSmallForTheirHolesAreTakenForDots()
+    {
+        // 30 by 8 px, the hole 15 by 4.
+        const DrawnView drawn = drawFloorView(layout(), MarkerFigure::Ring, 0.16, 1019);
+        const auto shapes = findRoundMarkers(drawn.frame);
+        QVERIFY(std::ranges::count(shapes, RoundMarker::Kind::Ring, &RoundMarker::kind) < 5);
+        const auto found = findMarkers(drawn.frame, layout(), known(drawn));
+        QVERIFY2(found.has_value(), found ? "" : found.error().message().c_str());
+        QVERIFY(rmsOf(*found, drawn.truth).value_or(99) < 0.2);
+    }
+    void nothingIsForetoldFromOneTagOrWithoutALens()
+    {
+        const DrawnView drawn = drawFloorView(layout(), MarkerFigure::Tag, 0.16, 1002);
+        auto tags = findTags(drawn.frame);
+        QVERIFY(tags.size() >= 3);
+        tags.resize(3);
+        QVERIFY(foretoldTags(drawn.frame, layout(), tags, std::nullopt).empty());
+        QVERIFY(!foretoldTags(drawn.frame, layout(), tags, drawn.scene.cameras[0].view.camera()).empty());
+        tags.resize(1);
+        QVERIFY(foretoldTags(drawn.frame, layout(), tags, drawn.scene.cameras[0].view.camera()).empty());
     }
 };
 
