@@ -25,14 +25,14 @@ constexpr const char *what = "the floor cannot be registered";
 constexpr double priorSigmaPx = 0.3, priorFreedom = 4;
 constexpr double refutedBeyond = 3; // times the prior: then the residuals alone speak
 constexpr double leastHeightM = 0.05, mostHeightM = 100;
-constexpr double nearestPixels = 1.0;     // markers closer than that are one and the same
-constexpr double nearestPlaces = 1e-3;    // of the layout's extent
-constexpr double tooClose = 0.01;        // of the layout's extent: of four markers each must count
+constexpr double nearestPixels = 1.0;  // markers closer than that are one and the same
+constexpr double nearestPlaces = 1e-3; // of the layout's extent
+constexpr double tooClose = 0.01;      // of the layout's extent: of four markers each must count
 constexpr double smallHeightM = 0.3, smallExtentM = 0.7; // below both, the numbers may well be centimetres
-constexpr double leastDoubtPx = 1;        // a misfit below it needs no other explanation than noise
-constexpr double suspiciousMisfit = 0.01; // of the markers' extent in the picture: refused if others fit
-constexpr double worstMisfit = 0.05;      // of the same: no plane
-constexpr double worstSigma = 0.05;       // of the layout's extent on the floor
+constexpr double leastDoubtPx = 1;       // a misfit below it needs no other explanation than noise
+constexpr double otherOrderFits = 0.005; // of the markers' extent in the picture
+constexpr double worstMisfit = 0.02;     // of the same: no plane
+constexpr double worstSigma = 0.03;      // of the layout's extent on the floor
 
 tl::unexpected<Error> refuse(std::string why, std::string advice)
 {
@@ -137,7 +137,7 @@ double extentPx(const std::vector<PointPair> &pairs)
 std::string orderAdvice(const std::vector<PointPair> &pairs, const CameraModel &camera, FocalLength focal,
                         const std::string &otherwise)
 {
-    const std::string better = betterOrder(pairs, camera, focal, 0.5 * suspiciousMisfit * extentPx(pairs));
+    const std::string better = betterOrder(pairs, camera, focal, otherOrderFits * extentPx(pairs));
     return better.empty() ? otherwise : better + ": check these labels";
 }
 
@@ -161,17 +161,15 @@ Result<PlanePose> soundPose(const std::vector<PointPair> &pairs, const CameraMod
             "the markers are mirrored: seen in this order the camera would be below the floor",
             orderAdvice(pairs, camera, focal,
                         "seen from above, Y must point to the left of X: check the signs of the layout"));
-    if (pose->rmsPx > suspiciousMisfit * extentPx(pairs)) {
-        const std::string better = doubtOfOrder(pairs, *pose, camera, focal);
-        if (!better.empty())
-            return refuse("the markers fit only to " + formatNumber(pose->rmsPx, 1) + " px, but " + better,
-                          "check these labels");
-    }
+    const std::string better = doubtOfOrder(pairs, *pose, camera, focal);
+    if (!better.empty())
+        return refuse("the markers fit only to " + formatNumber(pose->rmsPx, 1) + " px, but " + better,
+                      "check these labels");
     return pose;
 }
 
-/// "metres, then it would stand 1.70 m above the floor", of the unit that makes the camera's height the most ordinary;
-/// empty where none does.
+/// "metres, then it would stand 1.70 m above the floor", of the unit that makes the camera's height the most
+/// ordinary; empty where none does.
 std::string likelyUnit(double heightM)
 {
     struct Unit
@@ -181,21 +179,29 @@ std::string likelyUnit(double heightM)
     };
     constexpr double ordinaryM = 1.8;
     const Unit *best = nullptr;
-    static constexpr Unit units[] = {{"metres", 1000}, {"inches", 25.4}, {"centimetres", 10}, {"thousandths of a mm", 1e-3}, {"tenths of a mm", 0.1}};
-    const auto strangeness = [&](const Unit &unit) { return std::abs(std::log(heightM * unit.factor / ordinaryM)); };
+    static constexpr Unit units[] = {{"metres", 1000},
+                                     {"inches", 25.4},
+                                     {"centimetres", 10},
+                                     {"thousandths of a mm", 1e-3},
+                                     {"tenths of a mm", 0.1}};
+    const auto strangeness = [&](const Unit &unit) {
+        return std::abs(std::log(heightM * unit.factor / ordinaryM));
+    };
     for (const Unit &unit : units) {
         if (best == nullptr || strangeness(unit) < strangeness(*best))
             best = &unit;
     }
     if (strangeness(*best) > std::log(4.0))
         return "";
-    return std::string(best->name) + ", then it would stand " + formatNumber(heightM * best->factor, 2) + " m above the floor";
+    return std::string(best->name) + ", then it would stand " + formatNumber(heightM * best->factor, 2) +
+           " m above the floor";
 }
 
 std::string unitAdvice(double heightM)
 {
     const std::string likely = likelyUnit(heightM);
-    return "check the unit of the layout: " + (likely.empty() ? "it is given in mm" : "its numbers look like " + likely);
+    return "check the unit of the layout: " +
+           (likely.empty() ? "it is given in mm" : "its numbers look like " + likely);
 }
 
 Result<void> checkPlace(const PlanePose &pose)
@@ -309,10 +315,10 @@ std::string verdictOf(const FloorRegistration &registration, const PlanePose &po
     const double sigmaM = registration.floorSigmaM;
     const double worse = std::max(registration.rmsM, sigmaM);
     const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorM);
-    std::string verdict = registrationGrade(worse, layoutM) + std::to_string(registration.markers.size()) + " markers fit to " +
-                          millimetres(registration.rmsM) + " RMS (worst " + worst->label + ", " +
-                          millimetres(worst->errorM) + "), and the floor among them is known to ±" +
-                          millimetres(sigmaM) + ".";
+    std::string verdict = registrationGrade(worse, layoutM) + std::to_string(registration.markers.size()) +
+                          " markers fit to " + millimetres(registration.rmsM) + " RMS (worst " +
+                          worst->label + ", " + millimetres(worst->errorM) +
+                          "), and the floor among them is known to ±" + millimetres(sigmaM) + ".";
     if (registration.markers.size() == 4)
         verdict += " Four markers hardly check one another; a fifth would.";
     return verdict + lensWords(pose, intrinsicsKnown);
@@ -353,14 +359,11 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
                       "check the layout, the labels and the intrinsics");
     }
     if (registration.floorSigmaM > worstSigma * layoutM)
-        return refuse("the markers lie so nearly on one line" + flattestOf(*pairs) + " that the floor is known only to ±" +
-                          millimetres(registration.floorSigmaM),
+        return refuse("the markers lie so nearly on one line" + flattestOf(*pairs) +
+                          " that the floor is known only to ±" + millimetres(registration.floorSigmaM),
                       "spread the markers over the floor");
     registration.verdict = verdictOf(registration, *pose, layoutM, intrinsicsKnown);
     registration.verdict += unitWords(registration, layoutM);
-    const std::string better = doubtOfOrder(*pairs, *pose, camera, focal);
-    if (!better.empty())
-        registration.verdict += " But " + better + ": check these labels.";
     return registration;
 }
 

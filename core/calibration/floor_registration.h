@@ -22,7 +22,8 @@ struct MarkerError
 struct FloorRegistration
 {
     RigidTransform worldFromCamera;
-    Eigen::Matrix<double, 6, 6> poseCovariance; ///< as FloorView says: what it would be if the intrinsics were exact
+    Eigen::Matrix<double, 6, 6>
+        poseCovariance; ///< as FloorView says: what it would be if the intrinsics were exact
     double rmsPx = 0, rmsM = 0;
     /// The largest σ of the floor at any marker, from the pose and, where its covariance is known, the lens.
     double floorSigmaM = 0;
@@ -34,10 +35,11 @@ struct FloorRegistration
 
 /// Homography by normalised DLT from undistorted pixels, decomposed to a pose (Zhang 2000), refined with the
 /// lens model on pixel distance (Levenberg–Marquardt); covariance from the Jacobian with the residuals' σ,
-/// steadied by a prior of 0.3 px that weighs as four residuals. Refuses by name: fewer than four markers common to both lists, doubled labels or
-/// points, collinear markers, mirrored or swapped order, non-finite values, a camera below the floor, markers
-/// beyond the horizon, markers that fit no plane, a floor known worse than 5 % of the layout's extent, and a
-/// camera lower than 5 cm or higher than 100 m (a wrong unit).
+/// steadied by a prior of 0.3 px that weighs as four residuals. Refuses by name: fewer than four markers
+/// common to both lists, doubled labels or points, collinear markers, mirrored or swapped order, non-finite
+/// values, a camera below the floor, markers beyond the horizon, markers that fit no plane, labels that fit
+/// five times better in another order where that is no chance (a pixel), a floor known worse than 3 % of the
+/// layout's extent, and a camera lower than 5 cm or higher than 100 m (a wrong unit).
 ///
 /// With intrinsicsKnown = false the focal length is estimated from the homography as well where it is
 /// determined to 10 %; elsewhere the one given stays. Use the registration's intrinsics with its pose.

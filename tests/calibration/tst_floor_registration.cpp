@@ -257,9 +257,9 @@ private Q_SLOTS:
             for (std::size_t i = 0; i < 4; ++i)
                 pixels[i].pixel = right[order[i]].pixel;
             const auto registration = registerFloor(layout, pixels, bentCamera(), true);
-            // One other order fits by chance to 1.8 px; it is taken, but not without a word.
-            if (registration && registration->verdict.find("check these labels") == std::string::npos)
-                ++accepted;
+            // One other order fits by chance to 1.8 px: the right one fits far better, so it is refused all
+            // the same.
+            accepted += registration.has_value();
         } while (std::ranges::next_permutation(order).found);
         QCOMPARE(accepted, 1);
     }
