@@ -158,9 +158,16 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
         return fail(ErrorCode::InvalidInput, what, "it was registered through another camera", "register it through that camera again");
     RegisterSettings settings{camera, layout->layout.name, {}, {}, registered->registration.pixels, {}};
     RegisterJob job(std::move(settings));
-    if (auto done = runToEnd(job, project, {}); !done)
-        return tl::unexpected(done.error());
-    return job.record();
+    const auto stored = project.inTransaction([&]() -> Result<void> {
+        if (auto done = runToEnd(job, project, {}); !done)
+            return done;
+        // Old markers say nothing of where the camera stands now: what the last check found still holds.
+        const auto &check = registered->registration.lastCheck;
+        return check ? project.cameras().addCheck(job.record().id, *check) : Result<void>();
+    });
+    if (!stored)
+        return tl::unexpected(stored.error());
+    return project.cameras().registration(job.record().id);
 }
 
 Result<void> RegisterJob::commit(Project &project)

@@ -47,7 +47,8 @@ private:
 
 /// Registers a camera anew by the pixels and the layout of its registration in force, with the intrinsics in force: what a
 /// newer calibration of the lens makes of the same markers, also of a camera that is long gone. NotFound where it is not
-/// registered; InvalidInput where the registration was made with those intrinsics, or through another camera. Quick.
+/// registered; InvalidInput where the registration was made with those intrinsics, or through another camera. What the last check
+/// found stays. Quick.
 Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::string &camera);
 
 } // namespace odo

@@ -127,11 +127,14 @@ private Q_SLOTS:
         lens.calibration.intrinsics.fxPx *= 1.01; // a camera of a longer lens stands farther away
         lens.calibration.intrinsics.fyPx *= 1.01;
         const auto newer = m_project->cameras().addIntrinsics(lens);
+        QVERIFY(m_project->cameras().addCheck(before, {lens.made, RegistrationCheck::Outcome::CameraMoved, 6, 0.014, "moved"}));
         const auto registered = registerWithLensInForce(*m_project, "A");
         QVERIFY2(registered.has_value(), registered ? "" : registered.error().message().c_str());
         QCOMPARE(current("A"), registered->id);
         QCOMPARE(registered->intrinsics, newer->id);
         QCOMPARE(registered->layout, old.layout);
+        QVERIFY2(registered->lastCheck && registered->lastCheck->outcome == RegistrationCheck::Outcome::CameraMoved,
+                 "old markers do not tell that the camera stands again where it stood");
         QCOMPARE(registered->pixels.size(), old.pixels.size());
         const auto heightOf = [](const RegistrationRecord &record) { return record.registration.worldFromCamera.translation.z(); };
         QVERIFY2(heightOf(*registered) > heightOf(old), qPrintable(QString::number(heightOf(*registered))));
