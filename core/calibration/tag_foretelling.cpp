@@ -20,8 +20,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double leastLikeness = 0.7; // a floor without the tag has less than 0.5
-constexpr double worstFitPx = 1;      // RMS of the read tags' corners
+constexpr double leastLikeness = 0.7;   // a floor without the tag has less than 0.5
+constexpr double nearOfHalfSide = 0.15; // of what is foretold: 0.6 cells
+constexpr double worstFitPx = 1;        // RMS of the read tags' corners
 
 const std::array<Vector2d, 4> corners{Vector2d(-1, -1), Vector2d(1, -1), Vector2d(1, 1), Vector2d(-1, 1)};
 
@@ -212,6 +213,11 @@ double turnNear(const Vector2d &place, const MarkerLayout &layout, const std::ve
     return tags.turnsRad[static_cast<std::size_t>(nearest - read.begin())];
 }
 
+bool isNear(const Matrix3d &map, const Vector2d &pixel)
+{
+    return (map.inverse() * pixel.homogeneous()).hnormalized().norm() < nearOfHalfSide;
+}
+
 std::optional<CameraModel> estimatedCamera(const Frame &frame, const MarkerLayout &layout,
                                            const std::vector<SeenTag> &read)
 {
@@ -246,7 +252,8 @@ std::vector<SeenTag> foretoldTags(const Frame &frame, const MarkerLayout &layout
             const double turn = turnNear(place, layout, read, *tags) + 0.5 * EIGEN_PI * quarter;
             const auto map = mapAt(place, turn, *tags, *lens);
             const auto aligned = map ? alignTag(lumaMatrix(frame), tagCells(number), *map) : std::nullopt;
-            if (aligned && aligned->likeness >= leastLikeness &&
+            // A cell beside its place a tag that is cut off may look like itself, but it cannot lie there.
+            if (aligned && aligned->likeness >= leastLikeness && isNear(*map, aligned->middle()) &&
                 (!best || aligned->likeness > best->likeness))
                 best = aligned;
         }
