@@ -11,8 +11,9 @@
 namespace odo {
 
 /// A queue between one or more producing and one or more consuming threads, with a fixed capacity and an end.
-/// Every member may be called from any thread. A queue to the disk is filled with push (which waits), a queue to the
-/// screen with pushOrDrop (which never waits and counts what it threw away).
+/// Every member may be called from any thread. A queue to the disk is filled with push (which waits) or tryPush
+/// (which says so when there is no room), a queue to the screen with pushOrDrop (which never waits and counts what
+/// it threw away).
 template <class T>
 class BoundedQueue
 {
@@ -25,6 +26,17 @@ public:
         std::unique_lock lock(m_mutex);
         m_roomOrClosed.wait(lock, [this] { return m_closed || m_values.size() < m_capacity; });
         if (m_closed)
+            return false;
+        m_values.push_back(std::move(value));
+        m_valueOrClosed.notify_one();
+        return true;
+    }
+
+    /// Never waits. False when it is full or was closed: the value was not taken.
+    bool tryPush(T value)
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_closed || m_values.size() == m_capacity)
             return false;
         m_values.push_back(std::move(value));
         m_valueOrClosed.notify_one();

@@ -88,8 +88,11 @@ ChromaSiting sitingOf(AVChromaLocation location)
 ChromaSiting sitingOf(const VideoInput &input)
 {
     const AVCodecParameters &parameters = *input.stream().codecpar;
-    if (parameters.codec_id == AV_CODEC_ID_MJPEG)
-        return ChromaSiting::Center; // JFIF
+    if (parameters.codec_id == AV_CODEC_ID_MJPEG) {
+        // JFIF's, unless the container says otherwise, as of a camera's own samples.
+        const ChromaSiting told = sitingOf(input.containerChromaLocation());
+        return told == ChromaSiting::Unknown ? ChromaSiting::Center : told;
+    }
     if (parameters.codec_id != AV_CODEC_ID_H264)
         return sitingOf(parameters.chroma_location);
     // libav says "left" for H.264 whether the stream said so or nothing at all; cameras that say nothing

@@ -34,6 +34,18 @@ private Q_SLOTS:
         QCOMPARE(*queue.pop(), 3);
         QCOMPARE(*queue.pop(), 4);
     }
+    void saysWhenItIsFull()
+    {
+        BoundedQueue<int> queue(1);
+        QVERIFY(queue.tryPush(1));
+        QVERIFY(!queue.tryPush(2));
+        QCOMPARE(*queue.pop(), 1);
+        QVERIFY(queue.tryPush(3));
+        queue.close();
+        QCOMPARE(*queue.pop(), 3);
+        QVERIFY(!queue.tryPush(4));
+        QCOMPARE(queue.dropped(), std::uint64_t(0));
+    }
     void closingWakesAWaitingProducerAndConsumer()
     {
         BoundedQueue<int> full(1), empty(1);
