@@ -6,6 +6,9 @@
 #include "core/simulation/board_poses.h"
 #include "core/simulation/demo_testbed.h"
 
+#include <algorithm>
+#include <chrono>
+
 namespace odo {
 
 namespace {
@@ -14,12 +17,21 @@ constexpr const char *simulated = "sim:", *fromFile = "file:", *withBoard = "?bo
 constexpr int boardPoses = 24;
 constexpr std::uint32_t seed = 1;
 
+/// A robot drives its circle all day long.
 SimulatedScene livingTestbed()
 {
     SimulatedScene scene = demoTestbed(seed);
-    scene.robots = demoTrials().front().scene.robots;
-    scene.durationS = demoTrials().front().scene.durationS;
+    const std::vector<DemoTrial> trials = demoTrials();
+    scene.robots = std::ranges::find(trials, std::string("circle"), &DemoTrial::trial)->scene.robots;
+    scene.durationS = 24 * 3600;
     return scene;
+}
+
+/// All simulated cameras of the program look at one testbed, which begins when the first one is opened.
+std::chrono::steady_clock::time_point beginningOfTheTestbed()
+{
+    static const auto beginning = std::chrono::steady_clock::now();
+    return beginning;
 }
 
 CameraDescription describe(const SimulatedCamera &camera)
@@ -42,7 +54,8 @@ Result<std::unique_ptr<CameraSource>> openSimulated(const std::string &uri)
         CameraDescription description = describe(camera);
         description.uri = uri;
         if (!board)
-            return simulatedSceneSource(std::move(description), std::move(scene), static_cast<int>(i), Pace::Kind::RealTime);
+            return simulatedSceneSource(std::move(description), std::move(scene), static_cast<int>(i), Pace::Kind::RealTime,
+                                        beginningOfTheTestbed());
         const CameraModel &lens = camera.view.camera();
         return simulatedBoardSource(std::move(description), lens, {}, heldBoardPoses(lens, {}, boardPoses, seed), Pace::Kind::RealTime);
     }

@@ -27,6 +27,7 @@ struct CameraDescription
     std::string name;
     int widthPx = 0, heightPx = 0;
     double framesPerSecond = 0;
+    std::string serial; ///< empty where it has none
 };
 
 /// A camera, or what stands for one. One thread calls next(); stop() may be called from any.

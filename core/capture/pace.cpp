@@ -6,18 +6,16 @@ namespace odo {
 bool Pace::waitUntil(Nanoseconds time)
 {
     std::unique_lock lock(m_mutex);
-    if (!m_started) {
-        m_started = true;
+    if (!m_start)
         m_start = std::chrono::steady_clock::now() - time;
-    }
     if (m_kind == Kind::RealTime)
-        m_wake.wait_until(lock, m_start + time, [this] { return m_stopped; });
+        m_wake.wait_until(lock, *m_start + time, [this] { return m_stopped; });
     return !m_stopped;
 }
 
 Nanoseconds Pace::lateness(Nanoseconds time) const
 {
-    return m_kind == Kind::RealTime ? std::chrono::steady_clock::now() - (m_start + time) : Nanoseconds(0);
+    return m_kind == Kind::RealTime ? std::chrono::steady_clock::now() - (*m_start + time) : Nanoseconds(0);
 }
 
 void Pace::stop()

@@ -5,6 +5,7 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 
 namespace odo {
 
@@ -13,9 +14,11 @@ class Pace
 {
 public:
     enum class Kind { RealTime, None };
-    explicit Pace(Kind kind) : m_kind(kind) {}
+    using Start = std::optional<std::chrono::steady_clock::time_point>;
+    /// start: where several are to keep step; otherwise it begins at the first call.
+    explicit Pace(Kind kind, Start start = std::nullopt) : m_kind(kind), m_start(start) {}
 
-    /// Waits until so much time has passed since the first call. False once stopped.
+    /// Waits until so much time has passed since the beginning. False once stopped.
     bool waitUntil(Nanoseconds time);
     /// How late it is by the clock; 0 without a pace. Call it after waitUntil.
     Nanoseconds lateness(Nanoseconds time) const;
@@ -26,8 +29,8 @@ private:
     const Kind m_kind;
     std::mutex m_mutex;
     std::condition_variable m_wake;
-    std::chrono::steady_clock::time_point m_start{};
-    bool m_started = false, m_stopped = false;
+    Start m_start;
+    bool m_stopped = false;
 };
 
 } // namespace odo

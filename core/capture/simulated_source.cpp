@@ -15,20 +15,22 @@ constexpr double boardNoise = 2; // of 255
 class SimulatedSource : public CameraSource
 {
 public:
-    SimulatedSource(CameraDescription description, Pace::Kind pace) : m_description(std::move(description)), m_pace(pace) {}
+    SimulatedSource(CameraDescription description, Pace::Kind pace, Pace::Start start = std::nullopt)
+        : m_description(std::move(description)), m_pace(pace, start)
+    {
+    }
     const CameraDescription &description() const override { return m_description; }
     void stop() override { m_pace.stop(); }
 
     Result<CapturedFrame> next() override
     {
-        const double intervalS = 1 / m_description.framesPerSecond;
-        double timeS = static_cast<double>(m_sequence) * intervalS;
+        double timeS = timeOf(m_sequence);
         if (!m_pace.waitUntil(fromSeconds(timeS)))
             return cancelled(m_description.uri);
         // Who asks too late has lost what the camera took meanwhile, as with a real one.
         const double lateS = toSeconds(m_pace.lateness(fromSeconds(timeS)));
-        m_sequence += static_cast<std::uint64_t>(std::max(0.0, lateS) / intervalS);
-        timeS = static_cast<double>(m_sequence) * intervalS;
+        m_sequence += static_cast<std::uint64_t>(std::max(0.0, lateS) * m_description.framesPerSecond);
+        timeS = timeOf(m_sequence);
         CapturedFrame captured{paint(timeS), m_sequence++, std::chrono::steady_clock::now().time_since_epoch()};
         captured.frame.index = static_cast<std::int64_t>(captured.sequence);
         captured.frame.time = fromSeconds(timeS);
@@ -37,6 +39,7 @@ public:
 
 protected:
     virtual Frame paint(double timeS) = 0;
+    virtual double timeOf(std::uint64_t sequence) const { return static_cast<double>(sequence) / m_description.framesPerSecond; }
     std::uint64_t sequence() const { return m_sequence; }
 
 private:
@@ -74,8 +77,8 @@ private:
 class SceneSource : public SimulatedSource
 {
 public:
-    SceneSource(CameraDescription description, SimulatedScene scene, int camera, Pace::Kind pace)
-        : SimulatedSource(std::move(description), pace), m_renderer(std::move(scene), camera)
+    SceneSource(CameraDescription description, SimulatedScene scene, int camera, Pace::Kind pace, Pace::Start start)
+        : SimulatedSource(std::move(description), pace, start), m_renderer(scene, camera), m_scene(std::move(scene)), m_camera(camera)
     {
     }
 
@@ -84,8 +87,16 @@ private:
     {
         return m_renderer.render(static_cast<std::int64_t>(sequence()) % m_renderer.frameCount());
     }
+    double timeOf(std::uint64_t sequence) const override
+    {
+        const auto frames = static_cast<std::uint64_t>(m_renderer.frameCount());
+        return static_cast<double>(sequence / frames) * m_scene.durationS +
+               frameSceneTime(m_scene, m_camera, static_cast<std::int64_t>(sequence % frames));
+    }
 
     SceneRenderer m_renderer;
+    SimulatedScene m_scene;
+    int m_camera;
 };
 
 } // namespace
@@ -96,9 +107,10 @@ std::unique_ptr<CameraSource> simulatedBoardSource(CameraDescription description
     return std::make_unique<BoardSource>(std::move(description), std::move(camera), board, std::move(cameraFromBoard), pace);
 }
 
-std::unique_ptr<CameraSource> simulatedSceneSource(CameraDescription description, SimulatedScene scene, int camera, Pace::Kind pace)
+std::unique_ptr<CameraSource> simulatedSceneSource(CameraDescription description, SimulatedScene scene, int camera,
+                                                   Pace::Kind pace, Pace::Start start)
 {
-    return std::make_unique<SceneSource>(std::move(description), std::move(scene), camera, pace);
+    return std::make_unique<SceneSource>(std::move(description), std::move(scene), camera, pace, start);
 }
 
 } // namespace odo

@@ -12,8 +12,8 @@ namespace odo {
 std::unique_ptr<CameraSource> simulatedBoardSource(CameraDescription description, CameraModel camera, SimulatedBoard board,
                                                    std::vector<RigidTransform> cameraFromBoard, Pace::Kind pace);
 
-/// A camera of a scene, which begins anew when it is over.
+/// A camera of a scene, which begins anew when it is over. Cameras that are told one start see it at one time.
 std::unique_ptr<CameraSource> simulatedSceneSource(CameraDescription description, SimulatedScene scene, int camera,
-                                                   Pace::Kind pace);
+                                                   Pace::Kind pace, Pace::Start start = std::nullopt);
 
 } // namespace odo

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/clock_map.h"
+
+#include "core/base/upper_median.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace odo {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Nanoseconds memory = 30s, oneArrivalEach = 250ms, largestJump = 50ms;
+constexpr double largestRate = 500e-6;
+constexpr std::size_t fewestLatches = 3;
+constexpr double longestRoundTrip = 2; // times the shortest
+// Between the two halves of a round trip there may be this share of it.
+constexpr double roundTripAsymmetry = 0.25;
+
+/// A point of a fit: device time since the newest one, and host − device less the newest one's.
+struct Point
+{
+    double deviceS, behindS;
+};
+
+template <class Readings>
+std::vector<Point> pointsOf(const Readings &readings)
+{
+    std::vector<Point> points;
+    const auto &newest = readings.back();
+    for (const auto &one : readings)
+        points.push_back({toSeconds(one.device - newest.device),
+                          toSeconds((one.host - one.device) - (newest.host - newest.device))});
+    return points;
+}
+
+double slope(const Point &a, const Point &b)
+{
+    return (b.behindS - a.behindS) / (b.deviceS - a.deviceS);
+}
+
+/// Of points in order of device time: those of the lower hull (Andrew 1979, the lower half).
+std::vector<Point> lowerHull(const std::vector<Point> &points)
+{
+    std::vector<Point> hull;
+    for (const Point &point : points) {
+        while (hull.size() >= 2 && slope(hull[hull.size() - 2], hull.back()) >= slope(hull.back(), point))
+            hull.pop_back();
+        hull.push_back(point);
+    }
+    return hull;
+}
+
+double meanDevice(const std::vector<Point> &points)
+{
+    double sum = 0;
+    for (const Point &point : points)
+        sum += point.deviceS;
+    return sum / static_cast<double>(points.size());
+}
+
+/// The slope of the hull's edge over a device time; 0 for a single point.
+double slopeOver(const std::vector<Point> &hull, double deviceS)
+{
+    for (std::size_t i = 1; i < hull.size(); ++i) {
+        if (hull[i].deviceS >= deviceS)
+            return slope(hull[i - 1], hull[i]);
+    }
+    return 0;
+}
+
+} // namespace
+
+Nanoseconds ClockFit::hostTime(Nanoseconds deviceTime) const
+{
+    const Nanoseconds since = deviceTime - device;
+    return host + since + fromSeconds(rate * toSeconds(since));
+}
+
+void ClockMap::startAnewIfSet(std::optional<Nanoseconds> &last, Nanoseconds device, Nanoseconds host)
+{
+    const bool backwards = last && device < *last;
+    // A picture may be late by any time, but is never early.
+    const bool jumped = m_fit && m_fit->hostTime(device) - host > largestJump;
+    if (backwards || jumped) {
+        m_arrivals.clear();
+        m_latches.clear();
+        m_lastArrival.reset();
+        m_lastLatch.reset();
+        m_fit.reset();
+        ++m_epoch;
+    }
+    last = device;
+}
+
+void ClockMap::addArrival(Nanoseconds device, Nanoseconds host)
+{
+    startAnewIfSet(m_lastArrival, device, host);
+    const auto behind = [](const Arrival &one) { return one.host - one.device; };
+    const Arrival arrival{device, host};
+    const bool sameQuarter =
+        !m_arrivals.empty() && device / oneArrivalEach == m_arrivals.back().device / oneArrivalEach;
+    if (!sameQuarter)
+        m_arrivals.push_back(arrival);
+    else if (behind(arrival) < behind(m_arrivals.back()))
+        m_arrivals.back() = arrival;
+    else
+        return;
+    while (m_arrivals.front().device < device - memory)
+        m_arrivals.pop_front();
+    refit();
+}
+
+void ClockMap::addLatch(Nanoseconds device, Nanoseconds before, Nanoseconds after)
+{
+    const Nanoseconds host = before + (after - before) / 2;
+    startAnewIfSet(m_lastLatch, device, host);
+    m_latches.push_back({device, host, after - before});
+    while (m_latches.front().device < device - memory)
+        m_latches.pop_front();
+    refit();
+}
+
+void ClockMap::refit()
+{
+    if (const auto latched = fitLatches())
+        m_fit = latched;
+    else if (!m_arrivals.empty())
+        m_fit = fitArrivals();
+}
+
+ClockFit ClockMap::fitArrivals() const
+{
+    const std::vector<Point> points = pointsOf(m_arrivals);
+    ClockFit fit;
+    fit.rate = std::clamp(slopeOver(lowerHull(points), meanDevice(points)), -largestRate, largestRate);
+    double lowest = 0; // of host − device at the newest point, for a line of this slope below all points
+    for (const Point &point : points)
+        lowest = std::min(lowest, point.behindS - fit.rate * point.deviceS);
+    std::vector<double> above;
+    for (const Point &point : points)
+        above.push_back(point.behindS - fit.rate * point.deviceS - lowest);
+    fit.sigmaS = upperMedian(std::move(above));
+    fit.device = m_arrivals.back().device;
+    fit.host = m_arrivals.back().host + fromSeconds(lowest);
+    return fit;
+}
+
+std::optional<ClockFit> ClockMap::fitLatches() const
+{
+    Nanoseconds shortest = Nanoseconds::max();
+    for (const Latch &latch : m_latches)
+        shortest = std::min(shortest, latch.roundTrip);
+    std::vector<Latch> good;
+    for (const Latch &latch : m_latches) {
+        if (toSeconds(latch.roundTrip) <= longestRoundTrip * toSeconds(shortest))
+            good.push_back(latch);
+    }
+    if (good.size() < fewestLatches)
+        return std::nullopt;
+
+    const std::vector<Point> points = pointsOf(good);
+    const double count = static_cast<double>(points.size()), middle = meanDevice(points);
+    double behind = 0, spread = 0, product = 0;
+    for (const Point &point : points)
+        behind += point.behindS / count;
+    for (const Point &point : points) {
+        spread += (point.deviceS - middle) * (point.deviceS - middle);
+        product += (point.deviceS - middle) * (point.behindS - behind);
+    }
+    ClockFit fit;
+    fit.source = ClockFit::Source::Latch;
+    fit.rate = spread > 0 ? std::clamp(product / spread, -largestRate, largestRate) : 0;
+    double squares = 0;
+    for (const Point &point : points) {
+        const double off = point.behindS - behind - fit.rate * (point.deviceS - middle);
+        squares += off * off;
+    }
+    const double atNewest = 1 / count + (spread > 0 ? middle * middle / spread : 0);
+    fit.sigmaS = std::hypot(std::sqrt(squares / (count - 2) * atNewest),
+                            roundTripAsymmetry * toSeconds(shortest));
+    fit.device = good.back().device;
+    fit.host = good.back().host + fromSeconds(behind - fit.rate * middle);
+    return fit;
+}
+
+} // namespace odo

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/synchroniser.h"
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+Nanoseconds apart(Nanoseconds a, Nanoseconds b)
+{
+    return a > b ? a - b : b - a;
+}
+
+} // namespace
+
+Synchroniser::Synchroniser(Settings settings)
+    : m_settings(settings), m_waiting(settings.views), m_newest(settings.views)
+{
+}
+
+void Synchroniser::add(std::size_t view, TimedFrame frame)
+{
+    if (m_newest[view] && frame.taken <= *m_newest[view]) {
+        ++m_figures.unpaired;
+        return;
+    }
+    m_newest[view] = frame.taken;
+    m_waiting[view].push_back(std::move(frame));
+}
+
+/// Whether no picture that is still to come can change which ones belong to a picture of the first view that
+/// was taken then: the other views have gone past its reach, and its own follower is there, for which a
+/// picture in between might be the nearer one.
+bool Synchroniser::isDecided(Nanoseconds time, Nanoseconds now) const
+{
+    if (now - time >= m_settings.longestWait)
+        return true;
+    const Nanoseconds reach = time + m_settings.tolerance;
+    const bool followed = m_waiting.front().size() > 1 || (m_newest.front() && *m_newest.front() > time);
+    return followed && std::all_of(m_newest.begin() + 1, m_newest.end(),
+                                   [&](const auto &newest) { return newest && *newest >= reach; });
+}
+
+std::vector<FrameSet> Synchroniser::take(Nanoseconds now)
+{
+    std::vector<FrameSet> sets;
+    while (!m_waiting.front().empty() && isDecided(m_waiting.front().front().taken, now))
+        sets.push_back(takeFirst());
+    // Where the first view stalls, nothing else would ever take the others' pictures away.
+    const Nanoseconds givenUp = now - m_settings.longestWait - m_settings.tolerance;
+    for (std::size_t view = 1; view < m_waiting.size(); ++view) {
+        while (!m_waiting[view].empty() && m_waiting[view].front().taken < givenUp)
+            dropUnpaired(view);
+    }
+    return sets;
+}
+
+std::vector<FrameSet> Synchroniser::takeRest()
+{
+    std::vector<FrameSet> sets;
+    while (!m_waiting.front().empty())
+        sets.push_back(takeFirst());
+    for (std::size_t view = 1; view < m_waiting.size(); ++view) {
+        while (!m_waiting[view].empty())
+            dropUnpaired(view);
+    }
+    return sets;
+}
+
+void Synchroniser::dropUnpaired(std::size_t view)
+{
+    m_waiting[view].pop_front();
+    ++m_figures.unpaired;
+}
+
+FrameSet Synchroniser::takeFirst()
+{
+    FrameSet set;
+    set.views.resize(m_settings.views);
+    TimedFrame first = std::move(m_waiting.front().front());
+    m_waiting.front().pop_front();
+    std::optional<Nanoseconds> following;
+    if (!m_waiting.front().empty())
+        following = m_waiting.front().front().taken;
+    bool alone = true;
+    for (std::size_t view = 1; view < m_settings.views; ++view) {
+        set.views[view] = takePartner(view, first.taken, following);
+        if (!set.views[view])
+            continue;
+        alone = false;
+        ++m_figures.pairs;
+        m_figures.errorsS.push_back(toSeconds(set.views[view]->taken - first.taken));
+    }
+    if (alone && m_settings.views > 1)
+        ++m_figures.unpaired;
+    set.views.front() = std::move(first);
+    return set;
+}
+
+std::optional<TimedFrame> Synchroniser::takePartner(std::size_t view, Nanoseconds time,
+                                                    std::optional<Nanoseconds> following)
+{
+    auto &waiting = m_waiting[view];
+    // Before the nearest one, all are further from this picture, and further still from those after it.
+    while (waiting.size() > 1 && apart(waiting[1].taken, time) <= apart(waiting[0].taken, time))
+        dropUnpaired(view);
+    if (!waiting.empty() && waiting.front().taken + m_settings.tolerance < time)
+        dropUnpaired(view);
+    if (waiting.empty() || apart(waiting.front().taken, time) > m_settings.tolerance)
+        return std::nullopt;
+    if (following && apart(*following, waiting.front().taken) < apart(waiting.front().taken, time))
+        return std::nullopt; // it is the nearest of the picture after this one
+    TimedFrame partner = std::move(waiting.front());
+    waiting.pop_front();
+    return partner;
+}
+
+} // namespace odo

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/camera_source.h"
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+/// A captured picture with the time at which it was taken, by this machine's steady clock.
+struct TimedFrame
+{
+    CapturedFrame captured;
+    Nanoseconds taken{0};
+};
+
+/// Pictures of several views that were taken together: one of the first view and, of each other view, the one
+/// that is nearest to it in time, where there is one.
+struct FrameSet
+{
+    std::vector<std::optional<TimedFrame>> views;
+};
+
+/// How well the views are in step. A pair is a picture of the first view with one of another view.
+struct PairFigures
+{
+    std::uint64_t pairs = 0;
+    std::uint64_t unpaired = 0; ///< pictures of any view that were left without a partner
+    /// Of each pair, in seconds: how much later the other view's picture was taken.
+    std::vector<double> errorsS;
+};
+
+/// Finds which pictures of several cameras belong together, by when they were taken, never by when or in which
+/// order they arrived. Two pictures belong together when each is the other's nearest and they lie no further
+/// apart than the tolerance. A set is given out as soon as no picture that is still to come could be nearer,
+/// or when it has waited for the longest time allowed: one camera that stalls does not hold up the others for
+/// longer. Not thread-safe.
+class Synchroniser
+{
+public:
+    struct Settings
+    {
+        std::size_t views = 2;
+        Nanoseconds tolerance{0};   ///< half a frame interval for cameras that run free
+        Nanoseconds longestWait{0}; ///< by host time, from when a picture was taken
+    };
+    explicit Synchroniser(Settings settings);
+
+    /// Pictures of one view come in the order in which they were taken; one that does not is counted as
+    /// unpaired and dropped.
+    void add(std::size_t view, TimedFrame frame);
+    /// Sets that are complete, or have waited long enough at this host time, in the order of the first view.
+    std::vector<FrameSet> take(Nanoseconds now);
+    /// The end: all that are left.
+    std::vector<FrameSet> takeRest();
+
+    const PairFigures &figures() const { return m_figures; }
+
+private:
+    bool isDecided(Nanoseconds time, Nanoseconds now) const;
+    FrameSet takeFirst();
+    std::optional<TimedFrame> takePartner(std::size_t view, Nanoseconds time, std::optional<Nanoseconds> following);
+    void dropUnpaired(std::size_t view);
+
+    const Settings m_settings;
+    std::vector<std::deque<TimedFrame>> m_waiting; ///< of each view
+    std::vector<std::optional<Nanoseconds>> m_newest;
+    PairFigures m_figures;
+};
+
+} // namespace odo
