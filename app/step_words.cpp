@@ -22,11 +22,13 @@ QString stepText(const RecordingRecord &view)
 {
     if (view.syncMethod == "told")
         return QStringLiteral("%1, as told").arg(begunText(view.startOffsetS));
-    if (view.syncMethod != "auto" && view.syncMethod != "flash")
+    if (!isStepMeasured(view))
         return QStringLiteral("not synchronised, taken as begun together");
     QString text = QStringLiteral("in step to %1, found from %2; %3")
                        .arg(milliseconds(view.startOffsetSigmaS),
-                            view.syncMethod == "flash" ? QStringLiteral("a flash of light") : QStringLiteral("the motion"),
+                            view.syncMethod == "clock"   ? QStringLiteral("the cameras' time stamps")
+                            : view.syncMethod == "flash" ? QStringLiteral("a flash of light")
+                                                         : QStringLiteral("the motion"),
                             begunText(view.startOffsetS));
     if (view.clockRate != 0)
         text += QStringLiteral(", its clock %1 ppm %2")

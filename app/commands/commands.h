@@ -16,6 +16,7 @@ Result<void> runNew(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runDemo(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runCamera(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runCameras(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel);
@@ -25,6 +26,7 @@ Result<void> runReprocess(const QStringList &arguments, const CancelToken &cance
 Result<void> runRevisions(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTask(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runImport(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runList(const QStringList &arguments, const CancelToken &cancel);

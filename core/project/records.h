@@ -118,7 +118,8 @@ struct TrialRecord
     std::string task; ///< its name; empty: none
     Instant date;
     std::string notes;
-    std::string syncMethod;       ///< of the second view: "none", "told", "auto" (from the motion), "flash" (of light)
+    std::string syncMethod;       ///< of the second view: "none", "told", "auto" (from the motion), "flash" (of light), "clock"
+                                  ///< (recorded here, by the cameras' time stamps)
     double syncOffsetS = 0;       ///< how much later the second view's first frame was taken than the first's
     double syncOffsetSigmaS = 0;
     double syncRate = 0;          ///< by how much the second view's clock runs faster than the first's
@@ -149,6 +150,12 @@ struct RecordingRecord
     double clockRate = 0;        ///< by how much its clock runs faster than the first view's
     std::vector<Nanoseconds> frameTimes;
 };
+
+/// Whether a view was put in step by something that was measured, with a σ: not told by hand, nor left out of step.
+inline bool isStepMeasured(const RecordingRecord &view)
+{
+    return view.syncMethod == "auto" || view.syncMethod == "flash" || view.syncMethod == "clock";
+}
 
 /// What the tracker saw of one robot in one recording.
 struct ObservationSeries

@@ -49,7 +49,7 @@ std::vector<std::string> stepWarnings(const std::string &trialName,
         if (used.size() < 2 || view.position == 0)
             continue;
         const std::string what = "view '" + view.cameraName + "' in trial '" + trialName + "': ";
-        const bool found = view.syncMethod == "auto" || view.syncMethod == "flash";
+        const bool found = isStepMeasured(view);
         if (!found && view.syncMethod != "told")
             sentences.push_back(what + "it is not synchronised but taken as begun together with the first "
                                        "view, so that a moving robot "

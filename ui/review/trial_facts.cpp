@@ -70,6 +70,8 @@ QString stepText(const RecordingRecord &view)
         text = Words::tr("in step to %1, found from the motion; %2").arg(sigma, begun);
     else if (view.syncMethod == "flash")
         text = Words::tr("in step to %1, found from a flash of light; %2").arg(sigma, begun);
+    else if (view.syncMethod == "clock")
+        text = Words::tr("in step to %1, by the cameras' time stamps; %2").arg(sigma, begun);
     else
         return Words::tr("taken as begun together");
     if (view.clockRate != 0)
@@ -83,8 +85,7 @@ Fact stepFact(const SceneView &view)
     Fact fact{Words::tr("In step"),
               Words::tr("%1: %2").arg(QString::fromStdString(view.camera), stepText(view.recording)),
               {}};
-    const std::string &method = view.recording.syncMethod;
-    if (method != "told" && method != "auto" && method != "flash")
+    if (view.recording.syncMethod != "told" && !isStepMeasured(view.recording))
         fact.badge = {Words::tr("not synchronised"), BadgeState::Warning};
     return fact;
 }

@@ -22,11 +22,10 @@ QString viewRemark(const TrialScene &scene, std::size_t index)
 {
     const RecordingRecord &recording = scene.views[index].recording;
     QStringList parts; // the most telling first: the end may be cut off
-    const std::string &method = recording.syncMethod;
-    if (index > 0 && (method == "auto" || method == "flash"))
+    if (index > 0 && isStepMeasured(recording))
         parts += CameraView::tr("in step to %1 ms")
                      .arg(QLocale().toString(recording.startOffsetSigmaS * 1e3, 'f', 1));
-    else if (index > 0 && method == "told")
+    else if (index > 0 && recording.syncMethod == "told")
         parts += CameraView::tr("offset by hand");
     else if (index > 0)
         parts += CameraView::tr("not synchronised");

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "core/capture/camera_source.h"
+
+#include <QJsonArray>
+
+namespace odo {
+
+Result<void> runCameras(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("cameras"), QStringLiteral("[--json]"), 0, 0, {}}, cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    QJsonArray cameras;
+    QStringList lines;
+    for (const CameraDescription &camera : listCameras()) {
+        const QString uri = QString::fromStdString(camera.uri), name = QString::fromStdString(camera.name);
+        const QString format =
+            QStringLiteral("%1×%2 at %3 frames/s").arg(camera.widthPx).arg(camera.heightPx).arg(camera.framesPerSecond);
+        cameras.append(QJsonObject{{QStringLiteral("uri"), uri},
+                                   {QStringLiteral("kind"), QString::fromStdString(camera.kind)},
+                                   {QStringLiteral("name"), name},
+                                   {QStringLiteral("serial"), QString::fromStdString(camera.serial)},
+                                   {QStringLiteral("formats"), QJsonArray{format}},
+                                   {QStringLiteral("busy"), false}});
+        lines << QStringLiteral("%1  %2, %3").arg(uri, -20).arg(name, format);
+    }
+    call.answer({{QStringLiteral("cameras"), cameras}}, lines.join(u'\n'));
+    return {};
+}
+
+} // namespace odo

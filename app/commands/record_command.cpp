@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "core/workflow/record_job.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+const QString trial = QStringLiteral("trial"), camera = QStringLiteral("camera"), seconds = QStringLiteral("seconds"),
+              robot = QStringLiteral("robot");
+
+Result<RecordSettings> settingsFrom(const CommandCall &call)
+{
+    if (!call.isSet(trial))
+        return call.wrongCall(QStringLiteral("--trial is missing"));
+    if (!call.isSet(camera))
+        return call.wrongCall(QStringLiteral("--camera is missing"));
+    auto cameras = call.pairs(camera);
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    RecordSettings settings;
+    settings.trial = call.value(trial);
+    settings.cameras = std::move(*cameras);
+    settings.robots = call.texts(robot);
+    if (call.isSet(seconds)) {
+        const auto number = call.number(seconds);
+        if (!number || *number <= 0)
+            return call.wrongCall(QStringLiteral("--seconds is a number above zero"));
+        settings.seconds = *number;
+    }
+    return settings;
+}
+
+/// The value below which so many of a hundred lie; 0 of none.
+double percentile(std::vector<double> values, double percent)
+{
+    if (values.empty())
+        return 0;
+    const auto at = static_cast<std::ptrdiff_t>(std::lround(percent / 100 * static_cast<double>(values.size() - 1)));
+    std::nth_element(values.begin(), values.begin() + at, values.end());
+    return values[static_cast<std::size_t>(at)];
+}
+
+QJsonObject viewsJson(const RecordJob &job)
+{
+    QJsonObject views;
+    for (std::size_t i = 0; i < job.recordings().size(); ++i) {
+        const ViewRecording &view = job.outcome().views[i];
+        const RecordingRecord &record = job.recordings()[i];
+        views.insert(QString::fromStdString(record.cameraName),
+                     QJsonObject{{QStringLiteral("frames"), qint64(view.frames)},
+                                 {QStringLiteral("recorded"), qint64(view.taken.size())},
+                                 {QStringLiteral("lost_on_wire"), qint64(view.lostOnWire)},
+                                 {QStringLiteral("lost_by_us"), qint64(view.lostByUs)},
+                                 {QStringLiteral("fps"), record.framesPerSecond},
+                                 {QStringLiteral("latency_p99_ms"), 1000 * percentile(view.latenciesS, 99)}});
+    }
+    return views;
+}
+
+} // namespace
+
+Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("record"),
+                      QStringLiteral("P.odo --trial NAME --camera A=URI [--camera B=URI]... [--seconds 10] [--robot R]... [--json]"),
+                      1, 1,
+                      {{trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
+                       {camera, QStringLiteral("A view: the camera's name and its address; see odograph cameras."), QStringLiteral("CAMERA=URI")},
+                       {seconds, QStringLiteral("How long, from when all cameras deliver."), QStringLiteral("SECONDS")},
+                       {robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")}}},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    auto settings = settingsFrom(call);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    RecordJob job(std::move(*settings));
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    const PairFigures &pairs = job.outcome().pairs;
+    std::vector<double> errorsS;
+    for (const double errorS : pairs.errorsS)
+        errorsS.push_back(std::abs(errorS));
+    const double medianMs = 1000 * percentile(errorsS, 50);
+    QString words = QStringLiteral("Trial %1 recorded: %2 s, views: %3.")
+                        .arg(QString::fromStdString(job.trial().name))
+                        .arg(job.trial().durationS, 0, 'f', 2)
+                        .arg(job.recordings().size());
+    if (!errorsS.empty())
+        words += QStringLiteral("\nPictures of one pair are %1 ms apart; at 1 m/s that is %1 mm, which the analysis takes into account.")
+                     .arg(medianMs, 0, 'f', 1);
+    call.answer({{QStringLiteral("trial"), QString::fromStdString(job.trial().name)},
+                 {QStringLiteral("duration_s"), job.trial().durationS},
+                 {QStringLiteral("views"), viewsJson(job)},
+                 {QStringLiteral("pairs"), qint64(pairs.pairs)},
+                 {QStringLiteral("unpaired"), qint64(pairs.unpaired)},
+                 {QStringLiteral("pair_error_ms"),
+                  QJsonObject{{QStringLiteral("median"), medianMs},
+                              {QStringLiteral("p95"), 1000 * percentile(errorsS, 95)},
+                              {QStringLiteral("max"), 1000 * percentile(errorsS, 100)}}}},
+                words);
+    for (const std::string &warning : job.warnings())
+        CommandCall::warn(warning);
+    return {};
+}
+
+} // namespace odo
