@@ -30,9 +30,10 @@ constexpr double nearestPlaces = 1e-3; // of the layout's extent
 constexpr double tooClose = 0.01;      // of the layout's extent: of four markers each must count
 constexpr double smallHeightM = 0.3, smallExtentM = 0.7; // below both, the numbers may well be centimetres
 constexpr double leastDoubtPx = 1;       // a misfit below it needs no other explanation than noise
+constexpr double carefulPx = 0.4;        // RMS of markers seen to 0.3 px and measured without an error
 constexpr double otherOrderFits = 0.005; // of the markers' extent in the picture
-constexpr double worstMisfit = 0.02;     // of the same: no plane
-constexpr double worstSigma = 0.03;      // of the layout's extent on the floor
+constexpr double worstMisfit = 0.01;     // of the same: no plane
+constexpr double worstSigma = 0.02;      // of the layout's extent on the floor
 
 tl::unexpected<Error> refuse(std::string why, std::string advice)
 {
@@ -141,14 +142,15 @@ std::string orderAdvice(const std::vector<PointPair> &pairs, const CameraModel &
     return better.empty() ? otherwise : better + ": check these labels";
 }
 
-/// Words about an order of the labels that fits five times better; empty where there is none.
+/// Words about an order of the labels that fits five times better, or as well as markers that are seen and
+/// measured with care; empty where there is none.
 std::string doubtOfOrder(const std::vector<PointPair> &pairs, const PlanePose &pose,
                          const CameraModel &camera, FocalLength focal)
 {
     // With the focal length free, four markers fit in nearly any order: that would prove nothing.
     if (pose.rmsPx < leastDoubtPx || (focal == FocalLength::Free && pairs.size() == 4))
         return "";
-    return betterOrder(pairs, camera, focal, 0.2 * pose.rmsPx);
+    return betterOrder(pairs, camera, focal, std::max(0.2 * pose.rmsPx, carefulPx));
 }
 
 Result<PlanePose> soundPose(const std::vector<PointPair> &pairs, const CameraModel &camera, FocalLength focal)
