@@ -21,7 +21,9 @@ using Eigen::Vector3d;
 constexpr double rimCells = 0.6;   // of the white rim that is looked at: beyond it the paper may end
 constexpr int borderPx = 4;        // about that, for the blur
 constexpr double smallSidePx = 60; // up to it a pixel is cut into 5 × 5 parts, above into 3 × 3
-constexpr double leastSidePx = 5, mostSidePx = 600;
+constexpr double leastSidePx = 5, mostPicturePx = 30000;
+constexpr int mostSidePx = 400;   // above it a tag is laid over the picture at half its size
+constexpr int coarseSidePx = 120; // above it that is done first, and refined
 constexpr double startVariance = 0.25, mostVariance = 6; // of the picture's own blur, px²
 constexpr double coarseOfCell = 0.3,
                  leastCoarsePx = 0.9; // blur of the picture to catch a start that is far off
@@ -288,7 +290,7 @@ std::optional<cv::Rect> rectOf(const Matrix3d &map, double side, const cv::Size 
         }
     }
     const Vector2d sides = box.sizes();
-    if (!(sides.maxCoeff() < mostSidePx) || !(sides.maxCoeff() > leastSidePx))
+    if (!sides.allFinite() || !(sides.maxCoeff() < mostPicturePx) || !(sides.maxCoeff() > leastSidePx))
         return std::nullopt;
     const cv::Point least(static_cast<int>(std::floor(box.min().x())) - 1,
                           static_cast<int>(std::floor(box.min().y())) - 1);
@@ -296,6 +298,21 @@ std::optional<cv::Rect> rectOf(const Matrix3d &map, double side, const cv::Size 
                          static_cast<int>(std::ceil(box.max().y())) + 2);
     const cv::Rect whole(least, most), seen = whole & cv::Rect({0, 0}, size);
     return seen.area() >= leastSeen * whole.area() ? std::optional(seen) : std::nullopt;
+}
+
+/// In the picture at half its size: a tag that large is exact enough there, at a quarter of the cost.
+std::optional<TagAlignment> alignTagAtHalfSize(const cv::Mat &luma, const TagCells &cells, const Matrix3d &start)
+{
+    cv::Mat half;
+    cv::resize(luma, half, {}, 0.5, 0.5, cv::INTER_AREA);
+    Matrix3d halve = Matrix3d::Identity(); // pixel (0,0) is the centre of the first
+    halve.topLeftCorner<2, 3>() << 0.5, 0, -0.25, 0, 0.5, -0.25;
+    auto aligned = alignTag(half, cells, halve * start);
+    if (aligned) {
+        aligned->pixelFromTag = halve.inverse() * aligned->pixelFromTag;
+        aligned->sigmaPx *= 2;
+    }
+    return aligned;
 }
 
 } // namespace
@@ -308,11 +325,16 @@ std::optional<TagAlignment> alignTag(const cv::Mat &luma, const TagCells &cells,
     const auto rect = rectOf(map, 1 + 2 * rimCells / cells.side, luma.size());
     if (!rect)
         return std::nullopt;
+    if (std::max(rect->width, rect->height) > mostSidePx)
+        return alignTagAtHalfSize(luma, cells, start);
     const int parts = std::max(rect->width, rect->height) <= smallSidePx ? 5 : 3;
     const cv::Mat part = luma(*rect);
     // The edges of a large tag are narrow beside its cells: from half a cell away they pull at nothing.
     const double coarsePx = coarseOfCell * std::min(rect->width, rect->height) / cells.side;
-    if (coarsePx > leastCoarsePx) {
+    if (std::max(rect->width, rect->height) > coarseSidePx) {
+        if (const auto coarse = alignTagAtHalfSize(luma, cells, start))
+            map = coarse->pixelFromTag / coarse->pixelFromTag(2, 2);
+    } else if (coarsePx > leastCoarsePx) {
         cv::Mat smooth;
         cv::GaussianBlur(part, smooth, {0, 0}, coarsePx);
         Alignment coarse(smooth, cells, map, *rect, parts, coarsePx);

@@ -115,24 +115,28 @@ void TestTargets::tagsAreFoundInTheirMiddle()
     const auto sheets = layOutTarget(spec);
     QVERIFY(sheets);
     QCOMPARE(sheets->size(), std::size_t(4));
-    // The detector wants four markers: the sheets are laid side by side.
+    // The detector wants four markers, where the layout has them: the sheets are laid out two by two.
     QList<QImage> images;
     for (const TargetSheet &sheet : *sheets)
         images << painted(spec, sheet);
-    QImage all(images[0].width() * 4, images[0].height(), QImage::Format_Grayscale8);
+    const QSize one = images[0].size();
+    const auto cornerOf = [&](int i) { return QPoint(i % 2 * one.width(), i < 2 ? one.height() : 0); };
+    QImage all(one * 2, QImage::Format_Grayscale8);
     all.fill(Qt::white);
     QPainter painter(&all);
     for (int i = 0; i < 4; ++i)
-        painter.drawImage(i * images[i].width(), 0, images[i]);
+        painter.drawImage(cornerOf(i), images[i]);
     painter.end();
-    MarkerLayout layout{"floor", {{"O", {0, 0}}, {"U", {1, 0}}, {"V", {0, 1}}, {"D", {1, 1}}}};
+    const double width = one.width() / pixelsAMillimetre / 1000, height = one.height() / pixelsAMillimetre / 1000;
+    MarkerLayout layout{"floor", {{"O", {0, 0}}, {"U", {width, 0}}, {"V", {0, height}}, {"D", {width, height}}}};
     const auto found = findMarkers(frameOf(all), layout);
     QVERIFY2(found, found ? "" : found.error().message().c_str());
     QCOMPARE(found->size(), std::size_t(4));
     for (std::size_t i = 0; i < 4; ++i) {
         QCOMPARE((*found)[i].label, sheets->at(i).label.toStdString());
         const QPointF middle = sheets->at(i).figureMm.center();
-        const Eigen::Vector2d expected(middle.x() + double(i) * images[0].width() / pixelsAMillimetre, middle.y());
+        const QPointF corner = QPointF(cornerOf(int(i))) / pixelsAMillimetre;
+        const Eigen::Vector2d expected(middle.x() + corner.x(), middle.y() + corner.y());
         const double offMm = (onPaperMm((*found)[i].pixel) - expected).norm();
         QVERIFY2(offMm < 0.05, qPrintable(QStringLiteral("%1 mm off").arg(offMm)));
     }
