@@ -8,6 +8,7 @@
 #include "ui/testbed/floor/snap_words.h"
 #include "ui/views/badge_label.h"
 #include "ui/views/card.h"
+#include "ui/views/table_list.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -89,15 +90,9 @@ QWidget *LengthPage::makeSide()
 {
     m_table->setHorizontalHeaderLabels({tr("End"), tr("Seen as"), tr("On the floor, mm")});
     m_table->setAccessibleName(tr("Ends of the length"));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     auto *ends = new Card(tr("Both ends"));
     ends->setContent(m_table);
     auto *questions = new Card(tr("What it is"));

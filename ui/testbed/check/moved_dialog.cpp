@@ -4,6 +4,7 @@
 #include "ui/models/figure_text.h"
 #include "ui/views/badge_delegate.h"
 #include "ui/views/path_field.h"
+#include "ui/views/table_list.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -54,15 +55,9 @@ MovedDialog::MovedDialog(Project &project, std::vector<CheckCamera> cameras, con
         m_rows.push_back({std::move(camera), {}, {}, {}});
     m_table->setHorizontalHeaderLabels({tr("Camera"), tr("New picture"), tr("Result")});
     m_table->setAccessibleName(tr("Registered cameras"));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->horizontalHeader()->setSectionResizeMode(CameraColumn, QHeaderView::ResizeToContents);
     m_table->setColumnWidth(PictureColumn, 260);
     m_table->setItemDelegateForColumn(ResultColumn, new BadgeDelegate(badgeTextRole, badgeStateRole, this));

@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/revisions.h"
 #include "ui/models/figure_text.h"
+#include "ui/views/table_list.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -49,14 +50,8 @@ ReprocessDialog::ReprocessDialog(Project &project, QWidget *parent)
     setWindowTitle(tr("Measure trials again"));
     m_table->setHorizontalHeaderLabels({tr("Robot"), tr("Figure"), tr("Before"), tr("After"), tr("Change")});
     m_table->setAccessibleName(tr("What changes"));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setHighlightSections(false);
+    showAsList(*m_table);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_words->setWordWrap(true);
     m_words->setTextFormat(Qt::PlainText);
     m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);

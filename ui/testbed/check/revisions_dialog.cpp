@@ -7,6 +7,7 @@
 #include "ui/models/badge.h"
 #include "ui/testbed/check/reprocess_dialog.h"
 #include "ui/views/badge_delegate.h"
+#include "ui/views/table_list.h"
 
 #include <QComboBox>
 #include <QDateTime>
@@ -50,16 +51,10 @@ RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, c
     m_camera->setCurrentText(current);
     m_table->setHorizontalHeaderLabels({tr("What"), tr("Made"), tr("Odograph"), tr("From"), tr("RMS"), tr("Trials"), tr("In force")});
     m_table->setAccessibleName(tr("Revisions"));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
     m_table->setWordWrap(false);
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->setItemDelegateForColumn(StateColumn, new BadgeDelegate(badgeTextRole, badgeStateRole, this));
     m_choose->setToolTip(tr("Puts the chosen revision in force for what is measured from now on; trials keep theirs"));
     m_register->setToolTip(tr("Computes the registration in force anew from the same markers, with the lens in force"));

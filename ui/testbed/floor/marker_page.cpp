@@ -7,6 +7,7 @@
 #include "ui/testbed/floor/snap_words.h"
 #include "ui/views/action_button.h"
 #include "ui/views/card.h"
+#include "ui/views/table_list.h"
 #include "ui/views/theme.h"
 
 #include <QAction>
@@ -64,15 +65,9 @@ QWidget *MarkerPage::makeSide()
 {
     m_table->setHorizontalHeaderLabels({tr("Marker"), tr("Place, mm"), tr("Seen as"), tr("Error")});
     m_table->setAccessibleName(tr("Markers"));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     auto *content = new QWidget;
     auto *contentLayout = new QVBoxLayout(content);
     contentLayout->setContentsMargins(0, 0, 0, 0);

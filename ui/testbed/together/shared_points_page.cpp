@@ -7,6 +7,7 @@
 #include "ui/testbed/floor/marker_canvas.h"
 #include "ui/views/action_button.h"
 #include "ui/views/card.h"
+#include "ui/views/table_list.h"
 
 #include <QAction>
 #include <QGridLayout>
@@ -73,16 +74,10 @@ QWidget *SharedPointsPage::makeTable()
 {
     m_table->setHorizontalHeaderLabels({tr("Point"), tr("Seen in"), tr("On the floor, mm"), tr("Error")});
     m_table->setAccessibleName(tr("Points of the floor"));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(ErrorColumn, QHeaderView::Stretch);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     auto *buttons = new QHBoxLayout;
     buttons->setContentsMargins(10, 4, 10, 8);
     buttons->addWidget(actionButton(m_remove, m_remove->text()));
