@@ -16,15 +16,16 @@ Result<void> runCameras(const QStringList &arguments, const CancelToken &cancel)
     QStringList lines;
     for (const CameraDescription &camera : listCameras()) {
         const QString uri = QString::fromStdString(camera.uri), name = QString::fromStdString(camera.name);
-        const QString format =
-            QStringLiteral("%1×%2 at %3 frames/s").arg(camera.widthPx).arg(camera.heightPx).arg(camera.framesPerSecond);
+        QStringList formats;
+        for (const std::string &format : camera.formats)
+            formats << QString::fromStdString(format);
         cameras.append(QJsonObject{{QStringLiteral("uri"), uri},
                                    {QStringLiteral("kind"), QString::fromStdString(camera.kind)},
                                    {QStringLiteral("name"), name},
                                    {QStringLiteral("serial"), QString::fromStdString(camera.serial)},
-                                   {QStringLiteral("formats"), QJsonArray{format}},
-                                   {QStringLiteral("busy"), false}});
-        lines << QStringLiteral("%1  %2, %3").arg(uri, -20).arg(name, format);
+                                   {QStringLiteral("formats"), QJsonArray::fromStringList(formats)},
+                                   {QStringLiteral("busy"), camera.busy}});
+        lines << QStringLiteral("%1  %2, %3").arg(uri, -20).arg(name, camera.busy ? QStringLiteral("used by another program") : formats.join(QStringLiteral("; ")));
     }
     call.answer({{QStringLiteral("cameras"), cameras}}, lines.join(u'\n'));
     return {};

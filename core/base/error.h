@@ -17,6 +17,7 @@ enum class ErrorCode {
     ReadOnly,      ///< the place cannot be written to
     Undetermined,  ///< the data do not determine what was asked (too few points, no board, no robot)
     WrongCall,     ///< the command line was not understood
+    Unavailable,   ///< not there for the moment; it may come back by itself
     Cancelled,     ///< the user stopped it
     Internal,      ///< a library failed in a way that no input should cause
 };

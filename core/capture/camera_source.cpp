@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <locale>
+#include <sstream>
 
 namespace odo {
 
@@ -37,7 +40,13 @@ std::chrono::steady_clock::time_point beginningOfTheTestbed()
 CameraDescription describe(const SimulatedCamera &camera)
 {
     const Intrinsics &lens = camera.view.camera().intrinsics();
-    return {simulated + camera.name, "simulated", "Simulated camera " + camera.name, lens.widthPx, lens.heightPx, camera.framesPerSecond};
+    return {.uri = simulated + camera.name,
+            .kind = "simulated",
+            .name = "Simulated camera " + camera.name,
+            .widthPx = lens.widthPx,
+            .heightPx = lens.heightPx,
+            .framesPerSecond = camera.framesPerSecond,
+            .formats = {formatWords("", lens.widthPx, lens.heightPx, camera.framesPerSecond)}};
 }
 
 Result<std::unique_ptr<CameraSource>> openSimulated(const std::string &uri)
@@ -63,6 +72,21 @@ Result<std::unique_ptr<CameraSource>> openSimulated(const std::string &uri)
 }
 
 } // namespace
+
+std::string formatWords(const std::string &coding, int widthPx, int heightPx, double framesPerSecond)
+{
+    std::ostringstream words;
+    words.imbue(std::locale::classic());
+    if (!coding.empty())
+        words << coding << ' ';
+    words << widthPx << "×" << heightPx << " at " << std::round(100 * framesPerSecond) / 100 << " frames/s";
+    return words.str();
+}
+
+Result<void> CameraSource::set(const std::string &id, double)
+{
+    return fail(ErrorCode::NotFound, "camera " + description().uri, "it has nothing named '" + id + "' that could be set", "leave it out");
+}
 
 Result<std::unique_ptr<CameraSource>> openCamera(const std::string &uri)
 {

@@ -6,10 +6,17 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace odo {
+
+/// A camera's clock was read: what it showed, and the times of this machine's steady clock between which it did.
+struct ClockReading
+{
+    Nanoseconds device{0}, before{0}, after{0};
+};
 
 /// A picture as a camera delivered it.
 struct CapturedFrame
@@ -17,29 +24,69 @@ struct CapturedFrame
     Frame frame;                ///< time: by the camera's own clock, since its first picture
     std::uint64_t sequence = 0; ///< the camera's count; a gap is a picture that was lost
     Nanoseconds hostTime{0};    ///< when it arrived, by this machine's steady clock
+    /// Where the camera codes its pictures itself: the JPEG file as it came, complete with its tables. It is what is recorded.
+    std::shared_ptr<const std::vector<std::uint8_t>> jpeg = {};
+    std::optional<ClockReading> clock = {}; ///< on the same time scale as frame.time, where the camera can be asked
 };
 
 /// What a source is, as it is shown to a person.
 struct CameraDescription
 {
     std::string uri;  ///< what openCamera takes
-    std::string kind; ///< "simulated", "file"
+    std::string kind; ///< "simulated", "file", "v4l2", "aravis"
     std::string name;
     int widthPx = 0, heightPx = 0;
     double framesPerSecond = 0;
-    std::string serial; ///< empty where it has none
+    std::string serial = {};          ///< empty where it has none
+    std::vector<std::string> formats = {}; ///< what it offers, for people: "MJPG 1280×720 at 30 frames/s"
+    bool busy = false;                ///< another program holds it
 };
 
-/// A camera, or what stands for one. One thread calls next(); stop() may be called from any.
+/// What a source has counted since it was opened. Gaps in CapturedFrame::sequence are counted by who takes the pictures.
+struct CameraCounts
+{
+    std::uint64_t damaged = 0;      ///< arrived incomplete and were thrown away; each leaves a gap in the sequence
+    std::uint64_t resent = 0;       ///< packets that came only when asked for again
+    std::uint64_t reconnections = 0; ///< how often it was lost and taken up again
+};
+
+/// Something that can be set at a camera, as the camera names it.
+struct CameraControl
+{
+    enum class Kind { Integer, Real, Boolean, Choice };
+    std::string id;   ///< for set()
+    std::string name; ///< for people
+    Kind kind = Kind::Integer;
+    double minimum = 0, maximum = 0, step = 0, value = 0, standard = 0; ///< of Choice: places in choices
+    std::vector<std::string> choices;
+    std::string unit;
+    bool readOnly = false; ///< cannot be set, or not as other controls stand now
+};
+
+/// A camera, or what stands for one. One thread calls next(); everything else may be called from any thread.
 class CameraSource
 {
 public:
     virtual ~CameraSource() = default;
     virtual const CameraDescription &description() const = 0;
-    /// Waits for the next picture. Errors: Cancelled after stop(); Io where the camera is lost or a file has ended.
+    /// Waits for the next picture. Errors: Unavailable when none came for half a second, with the cause as far as it is
+    /// known: call again, the source takes its camera up anew as soon as it can, with its settings, and the time scale goes on;
+    /// Cancelled after stop(); Io where nothing more will come (a file has ended, a camera was exchanged for another).
     virtual Result<CapturedFrame> next() = 0;
     virtual void stop() = 0;
+
+    virtual CameraCounts counts() const { return {}; }
+    /// What can be set, as it stands now. Errors: Unavailable.
+    virtual Result<std::vector<CameraControl>> controls() { return std::vector<CameraControl>{}; }
+    /// Errors: NotFound without such a control; InvalidInput out of its bounds or read-only; Unavailable.
+    virtual Result<void> set(const std::string &id, double value);
+    /// Turns off whatever changes picture or rate by itself (exposure, gain, white balance, focus), each held where it is now,
+    /// so that colour and timing hold while recording. Gives the names of what could not be turned off.
+    virtual std::vector<std::string> holdAutomatics() { return {}; }
 };
+
+/// "MJPG 1280×720 at 30 frames/s"; the coding may be left out.
+std::string formatWords(const std::string &coding, int widthPx, int heightPx, double framesPerSecond);
 
 /// By address: "sim:A" and "sim:B" are the cameras of the demo's testbed, "sim:A?board" the same while somebody holds a
 /// calibration board before it; "file:PATH" plays a video at its own pace. Errors: NotFound for anything else, and
