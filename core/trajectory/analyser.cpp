@@ -6,10 +6,10 @@
 #include "core/trajectory/floor_positions.h"
 #include "core/trajectory/free_height.h"
 #include "core/trajectory/fused_track.h"
-#include "core/trajectory/height_estimation.h"
 #include "core/trajectory/metrics.h"
 #include "core/trajectory/outline_noise.h"
 #include "core/trajectory/overrules.h"
+#include "core/trajectory/plane_choice.h"
 #include "core/trajectory/profile_points.h"
 #include "core/trajectory/shape_estimation.h"
 #include "core/trajectory/spike_flags.h"
@@ -25,12 +25,10 @@ namespace odo {
 
 namespace {
 
-// A told height is that of the top; where the colour ends is known less well.
-constexpr double toldPlaneSigmaM = 0.002;
+// Where the height is triangulated in every frame.
+constexpr double freePlaneSigmaM = 0.002;
 // A ruler's: both of its ends are read to the nearest millimetre, 1 mm/√12 each.
 constexpr double toldHeightSigmaM = 0.00041;
-// A robot of unknown height seen by one view is taken to lie on the floor; most are less than 120 mm high.
-constexpr double unknownPlaneSigmaM = 0.03;
 // Pixel noise alone moves the height of a frame by some millimetres.
 constexpr double leastScatterM = 0.02;
 constexpr std::size_t leastSamples = 3; // an acceleration needs three positions
@@ -98,17 +96,6 @@ Result<void> checkViews(const std::vector<ViewTrack> &views)
     return {};
 }
 
-/// Each view's sightings on a plane, at the first view's frame times. Unregistered views see nothing.
-std::vector<std::vector<Sighting>> lookFromAllViews(const std::vector<ViewTrack> &views,
-                                                    const std::vector<Nanoseconds> &times, double planeM)
-{
-    std::vector<std::vector<Sighting>> all;
-    for (const ViewTrack &view : views)
-        all.push_back(view.floorView ? sightingsAt(times, placeObservations(view, planeM))
-                                     : std::vector<Sighting>(times.size()));
-    return all;
-}
-
 /// What all views saw, laid at the robot's height.
 struct PlacedRobot
 {
@@ -169,16 +156,10 @@ PlacedRobot placeAtOneHeight(const std::vector<ViewTrack> &views, const std::vec
         if (auto solid = placeSolid(views, times, shape))
             return std::move(*solid);
     }
-    if (shape.heightM) {
-        const double planeM = markTold ? *shape.heightM : silhouettePlaneM(*shape.heightM);
-        return {lookAtPlane(views, times, planeM), toldPlaneSigmaM, *shape.heightM, false};
-    }
-    if (const auto estimate = estimatePlane(lookFromAllViews(views, times, 0))) {
-        const bool mark = isMarkAtTop(views, estimate->planeM);
-        const double heightM = mark ? estimate->planeM : 2 * estimate->planeM;
-        return {lookAtPlane(views, times, estimate->planeM), estimate->sigmaM, heightM, true};
-    }
-    return {lookFromAllViews(views, times, 0), unknownPlaneSigmaM, 0, false};
+    const PlaneChoice plane = choosePlane(views, times, shape);
+    const bool known = plane.heightM > 0;
+    return {known ? lookAtPlane(views, times, plane.planeM) : lookFromAllViews(views, times, 0), plane.sigmaM,
+            plane.heightM, plane.estimated};
 }
 
 Result<PlacedRobot> place(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
@@ -191,7 +172,7 @@ Result<PlacedRobot> place(const std::vector<ViewTrack> &views, const std::vector
         return fail(ErrorCode::Undetermined, cannotAnalyse,
                     "its height is to be triangulated, but two registered views hardly ever saw it together",
                     "add a second view, or give the robot one height");
-    return PlacedRobot{std::move(placed->views), toldPlaneSigmaM, placed->medianHeightM, true};
+    return PlacedRobot{std::move(placed->views), freePlaneSigmaM, placed->medianHeightM, true};
 }
 
 double meanDisagreement(const std::vector<Sample> &samples)
