@@ -3,7 +3,6 @@
 #include "app/commands/commands.h"
 #include "core/workflow/record_job.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace odo {
@@ -33,16 +32,6 @@ Result<RecordSettings> settingsFrom(const CommandCall &call)
         settings.seconds = *number;
     }
     return settings;
-}
-
-/// The value below which so many of a hundred lie; 0 of none.
-double percentile(std::vector<double> values, double percent)
-{
-    if (values.empty())
-        return 0;
-    const auto at = static_cast<std::ptrdiff_t>(std::lround(percent / 100 * static_cast<double>(values.size() - 1)));
-    std::nth_element(values.begin(), values.begin() + at, values.end());
-    return values[static_cast<std::size_t>(at)];
 }
 
 QJsonObject viewsJson(const RecordJob &job)

@@ -2,6 +2,7 @@
 #include "core/capture/synchroniser.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace odo {
 
@@ -66,6 +67,11 @@ std::vector<FrameSet> Synchroniser::takeRest()
             dropUnpaired(view);
     }
     return sets;
+}
+
+PairFigures Synchroniser::takeFigures()
+{
+    return std::exchange(m_figures, {});
 }
 
 void Synchroniser::dropUnpaired(std::size_t view)

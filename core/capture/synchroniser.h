@@ -56,7 +56,8 @@ public:
     /// The end: all that are left.
     std::vector<FrameSet> takeRest();
 
-    const PairFigures &figures() const { return m_figures; }
+    /// The figures since they were last taken.
+    PairFigures takeFigures();
 
 private:
     bool isDecided(Nanoseconds time, Nanoseconds now) const;

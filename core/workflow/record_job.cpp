@@ -8,8 +8,10 @@
 #include "core/workflow/media_copy.h"
 #include "core/workflow/registered_view.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <set>
 #include <thread>
 
@@ -19,7 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto lookEach = 50ms;
+constexpr auto lookEach = 50ms, longestStart = 10000ms;
 constexpr double longestS = 24 * 3600;
 
 std::string whatOf(const RecordSettings &settings)
@@ -70,19 +72,19 @@ Result<void> RecordJob::prepare(Project &project)
     return {};
 }
 
-Result<std::vector<RecordedCamera>> RecordJob::openCameras()
+Result<std::vector<std::unique_ptr<CameraSource>>> RecordJob::openCameras()
 {
     std::error_code problem;
     std::filesystem::create_directories(m_mediaFolder, problem);
     if (problem)
         return fail(ErrorCode::Io, whatOf(m_settings), problem.message(), "check the free space and the rights of the project's folder");
-    std::vector<RecordedCamera> cameras;
+    std::vector<std::unique_ptr<CameraSource>> cameras;
     for (const auto &[name, address] : m_settings.cameras) {
         auto source = openCamera(address);
         if (!source)
             return tl::unexpected(source.error());
         m_files.push_back(freeMediaPath(m_mediaFolder, m_settings.trial + "_" + name, ".mkv"));
-        cameras.push_back({std::move(*source), m_files.back()});
+        cameras.push_back(std::move(*source));
     }
     return cameras;
 }
@@ -92,19 +94,12 @@ Result<void> RecordJob::run(const JobControl &control)
     auto cameras = openCameras();
     if (!cameras)
         return tl::unexpected(cameras.error());
-    RecordingSession session(std::move(*cameras));
-    // The time counts from when all cameras deliver, which may take them a moment.
-    std::optional<std::chrono::steady_clock::time_point> begun;
-    double passedS = 0;
-    while (passedS < m_settings.seconds && !session.hasEnded() && !control.isCancelled()) {
-        std::this_thread::sleep_for(lookEach);
-        const auto now = std::chrono::steady_clock::now();
-        if (!begun && session.frames() > 0)
-            begun = now;
-        passedS = begun ? std::chrono::duration<double>(now - *begun).count() : 0;
-        control.report(std::min(1.0, passedS / m_settings.seconds), "recording");
-    }
-    m_outcome = session.finish();
+    CaptureSession session(std::move(*cameras), {.preRoll = Nanoseconds(0)});
+    if (auto delivering = waitForPictures(session, control); !delivering)
+        return delivering;
+    session.startRecording(m_files);
+    waitWhileRecording(session, control);
+    m_outcome = session.stopRecording();
     if (control.isCancelled())
         return cancelled(whatOf(m_settings));
     for (std::size_t i = 0; i < m_outcome.views.size(); ++i) {
@@ -114,11 +109,55 @@ Result<void> RecordJob::run(const JobControl &control)
     return {};
 }
 
+/// The time counts from when all cameras deliver, which may take them a moment.
+Result<void> RecordJob::waitForPictures(const CaptureSession &session, const JobControl &control)
+{
+    const auto until = std::chrono::steady_clock::now() + longestStart;
+    for (;;) {
+        const std::vector<ViewHealth> views = session.health().views;
+        const auto silent = std::ranges::find(views, 0u, &ViewHealth::delivered);
+        if (silent == views.end())
+            return {};
+        if (control.isCancelled())
+            return cancelled(whatOf(m_settings));
+        if (silent->state == ViewHealth::State::Ended || std::chrono::steady_clock::now() > until)
+            return noPicture(silent - views.begin(), silent->trouble ? silent->trouble->error.why : "");
+        std::this_thread::sleep_for(lookEach);
+    }
+}
+
+void RecordJob::waitWhileRecording(const CaptureSession &session, const JobControl &control)
+{
+    const auto begun = std::chrono::steady_clock::now();
+    const auto hasEnded = [](const ViewHealth &view) { return view.state == ViewHealth::State::Ended; };
+    double passedS = 0;
+    while (passedS < m_settings.seconds && !control.isCancelled()) {
+        std::this_thread::sleep_for(lookEach);
+        passedS = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+        control.report(std::min(1.0, passedS / m_settings.seconds), "recording");
+        const CaptureHealth health = session.health();
+        if (health.disk.trouble || std::ranges::any_of(health.views, hasEnded))
+            return;
+    }
+}
+
+tl::unexpected<Error> RecordJob::noPicture(std::ptrdiff_t view, const std::string &why) const
+{
+    return fail(ErrorCode::Io, whatOf(m_settings),
+                "camera '" + m_settings.cameras[static_cast<std::size_t>(view)].first + "' gave no picture" + (why.empty() ? "" : ": " + why),
+                "check that it is connected and not used by another program");
+}
+
 void RecordJob::warnOf(const ViewRecording &view, const std::string &camera)
 {
     const std::string who = "view '" + camera + "': ";
     if (view.problem)
         m_warnings.push_back(who + "it ended early, because " + view.problem->message());
+    for (const RecordingGap &gap : view.gaps) {
+        char seconds[32];
+        std::snprintf(seconds, sizeof seconds, "%.1f s", toSeconds(gap.length));
+        m_warnings.push_back(who + "nothing came for " + seconds + ", because " + gap.why.message());
+    }
     if (view.lostByUs > 0)
         m_warnings.push_back(who + std::to_string(view.lostByUs) + " pictures were lost because the disk was too slow; " +
                              "record to a faster disk, or fewer cameras at once");
@@ -131,9 +170,7 @@ Result<void> RecordJob::keep(const ViewRecording &view, std::size_t index, const
 {
     const std::string &camera = m_settings.cameras[index].first;
     if (view.taken.empty())
-        return fail(ErrorCode::Io, whatOf(m_settings),
-                    "camera '" + camera + "' gave no picture" + (view.problem ? ": " + view.problem->why : std::string()),
-                    "check that it is connected and not used by another program");
+        return noPicture(static_cast<std::ptrdiff_t>(index), view.problem ? view.problem->why : "");
     warnOf(view, camera);
     RecordingRecord record;
     record.cameraName = camera;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/recording_session.h"
+#include "core/capture/capture_session.h"
 #include "core/project/records.h"
 #include "core/workflow/job.h"
 
@@ -38,8 +38,11 @@ public:
 
 private:
     Result<void> checkSettings(Project &project);
-    Result<std::vector<RecordedCamera>> openCameras();
+    Result<std::vector<std::unique_ptr<CameraSource>>> openCameras();
+    Result<void> waitForPictures(const CaptureSession &session, const JobControl &control);
+    void waitWhileRecording(const CaptureSession &session, const JobControl &control);
     Result<void> keep(const ViewRecording &view, std::size_t index, const JobControl &control);
+    tl::unexpected<Error> noPicture(std::ptrdiff_t view, const std::string &why) const;
     void warnOf(const ViewRecording &view, const std::string &camera);
     void removeFiles();
 

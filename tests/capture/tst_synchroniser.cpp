@@ -48,9 +48,11 @@ private Q_SLOTS:
         // The third may yet be nearer to a picture of the first view that is still to come.
         QCOMPARE(words(synchroniser.take(75ms)), QStringList({QStringLiteral("0+5"), QStringLiteral("33+38")}));
         QCOMPARE(words(synchroniser.takeRest()), QStringList(QStringLiteral("66+71")));
-        QCOMPARE(synchroniser.figures().pairs, 3u);
-        QCOMPARE(synchroniser.figures().unpaired, 0u);
-        for (const double errorS : synchroniser.figures().errorsS)
+        const PairFigures figures = synchroniser.takeFigures();
+        QCOMPARE(figures.pairs, 3u);
+        QCOMPARE(figures.unpaired, 0u);
+        QCOMPARE(synchroniser.takeFigures().pairs, 0u); // they were taken
+        for (const double errorS : figures.errorsS)
             QCOMPARE(errorS, 0.005);
     }
 
@@ -63,8 +65,9 @@ private Q_SLOTS:
             synchroniser.add(1, takenAt(2ms + i * interval));
         QCOMPARE(words(synchroniser.takeRest()),
                  QStringList({QStringLiteral("0+2"), QStringLiteral("33+-"), QStringLiteral("99+101"), QStringLiteral("132+134")}));
-        QCOMPARE(synchroniser.figures().pairs, 3u);
-        QCOMPARE(synchroniser.figures().unpaired, 2u);
+        const PairFigures figures = synchroniser.takeFigures();
+        QCOMPARE(figures.pairs, 3u);
+        QCOMPARE(figures.unpaired, 2u);
     }
 
     void eachPictureBelongsToItsNearest()
@@ -78,7 +81,7 @@ private Q_SLOTS:
         synchroniser.add(1, takenAt(86ms));
         QCOMPARE(words(synchroniser.takeRest()),
                  QStringList({QStringLiteral("0+-"), QStringLiteral("33+20"), QStringLiteral("66+-"), QStringLiteral("99+86")}));
-        QCOMPARE(synchroniser.figures().unpaired, 2u);
+        QCOMPARE(synchroniser.takeFigures().unpaired, 2u);
     }
 
     void aStalledViewHoldsTheOtherUpNoLongerThanAllowed()
@@ -88,7 +91,7 @@ private Q_SLOTS:
         synchroniser.add(0, takenAt(interval));
         QVERIFY(synchroniser.take(149ms).empty());
         QCOMPARE(words(synchroniser.take(150ms)), QStringList(QStringLiteral("0+-")));
-        QCOMPARE(synchroniser.figures().unpaired, 1u);
+        QCOMPARE(synchroniser.takeFigures().unpaired, 1u);
     }
 
     void picturesDoNotPileUpWhileTheFirstViewStalls()
@@ -99,7 +102,7 @@ private Q_SLOTS:
             QVERIFY(synchroniser.take(i * interval).empty());
         }
         // Those of the last 150 ms and half an interval may still find a partner.
-        QCOMPARE(synchroniser.figures().unpaired, 94u);
+        QCOMPARE(synchroniser.takeFigures().unpaired, 94u);
         synchroniser.add(0, takenAt(99 * interval + 1ms));
         QCOMPARE(words(synchroniser.takeRest()), QStringList(QStringLiteral("3268+3267")));
     }
@@ -110,7 +113,7 @@ private Q_SLOTS:
         synchroniser.add(0, takenAt(50ms));
         synchroniser.add(0, takenAt(50ms));
         synchroniser.add(0, takenAt(10ms));
-        QCOMPARE(synchroniser.figures().unpaired, 2u);
+        QCOMPARE(synchroniser.takeFigures().unpaired, 2u);
         QCOMPARE(synchroniser.takeRest().size(), std::size_t(1));
     }
 
@@ -121,14 +124,15 @@ private Q_SLOTS:
         three.add(1, takenAt(12ms));
         three.add(2, takenAt(8ms));
         QCOMPARE(words(three.takeRest()), QStringList(QStringLiteral("10+12+8")));
-        QCOMPARE(three.figures().pairs, 2u);
+        QCOMPARE(three.takeFigures().pairs, 2u);
 
         Synchroniser one({1, interval / 2, 150ms});
         one.add(0, takenAt(10ms));
         one.add(0, takenAt(43ms));
         QCOMPARE(words(one.take(44ms)), QStringList(QStringLiteral("10"))); // nothing to wait for but its follower
-        QCOMPARE(one.figures().pairs, 0u);
-        QCOMPARE(one.figures().unpaired, 0u);
+        const PairFigures figures = one.takeFigures();
+        QCOMPARE(figures.pairs, 0u);
+        QCOMPARE(figures.unpaired, 0u);
     }
 };
 

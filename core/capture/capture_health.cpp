@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/capture_health.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace odo {
+
+namespace {
+
+constexpr double speedMS = 2; // a fast robot in a classroom
+
+template <class... Values>
+std::string text(const char *format, Values... values)
+{
+    char words[128];
+    std::snprintf(words, sizeof words, format, values...);
+    return words;
+}
+
+} // namespace
+
+double percentile(std::vector<double> values, double percent)
+{
+    if (values.empty())
+        return 0;
+    const auto at = static_cast<std::ptrdiff_t>(std::lround(percent / 100 * static_cast<double>(values.size() - 1)));
+    std::nth_element(values.begin(), values.begin() + at, values.end());
+    return values[static_cast<std::size_t>(at)];
+}
+
+std::string healthWords(const ViewHealth &view)
+{
+    if (view.trouble)
+        return view.trouble->error.message();
+    if (view.state == ViewHealth::State::Starting)
+        return "waiting for the first picture";
+    std::string words = text("%.1f frames/s", view.framesPerSecond);
+    const std::uint64_t lost = view.lostOnWire + view.lostByUs;
+    words += lost == 0 ? std::string(", none lost") : ", " + std::to_string(lost) + " lost";
+    if (view.lostOnWire > 0 && view.lostByUs > 0)
+        words += " (" + std::to_string(view.lostOnWire) + " on the wire, " + std::to_string(view.lostByUs) + " here)";
+    else if (lost > 0)
+        words += view.lostOnWire > 0 ? " on the wire" : " here";
+    return words;
+}
+
+std::string inStepWords(double p95S)
+{
+    return text("in step to %.1f ms; at %.0f m/s that is %.1f mm", 1000 * p95S, speedMS, 1000 * speedMS * p95S);
+}
+
+std::string roomWords(const DiskHealth &disk)
+{
+    if (!disk.secondsLeft)
+        return {};
+    if (*disk.secondsLeft < 120)
+        return text("room for %.0f s", std::floor(*disk.secondsLeft));
+    if (*disk.secondsLeft < 3 * 3600)
+        return text("room for %.0f min", std::floor(*disk.secondsLeft / 60));
+    return text("room for %.0f h", std::floor(*disk.secondsLeft / 3600));
+}
+
+} // namespace odo

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/camera_source.h"
+#include "core/capture/clock_map.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// What stands in the way now, and since when by this machine's steady clock.
+struct Trouble
+{
+    Error error;
+    Nanoseconds since{0};
+};
+
+/// How a camera does at this moment. Counts are since the session began.
+struct ViewHealth
+{
+    enum class State {
+        Starting,   ///< no picture has come yet
+        Delivering,
+        Waiting,    ///< it does not deliver, and is taken up again as soon as it does
+        Ended       ///< nothing more will come
+    };
+    State state = State::Starting;
+    double framesPerSecond = 0; ///< over the last two seconds
+    std::uint64_t delivered = 0;
+    std::uint64_t lostOnWire = 0; ///< gaps in the camera's own count
+    std::uint64_t lostByUs = 0;   ///< that coding or the disk was too slow for
+    CameraCounts source;          ///< damaged, resent, reconnections
+    double latencyS = 0; ///< 95 % of the last two seconds' pictures were here so soon after they were taken
+    /// Whether exposure, gain, white balance and focus hold still; nullopt: not asked for yet.
+    std::optional<bool> automaticsHeld;
+    std::vector<std::string> notHeld; ///< names of what goes on changing by itself
+    std::optional<ClockFit> clock;    ///< with its source and σ; nullopt before the first picture
+    std::optional<Trouble> trouble;
+};
+
+/// How well the views are in step. Errors are of the last ten seconds: how much later the other view's picture was taken.
+struct PairHealth
+{
+    std::uint64_t pairs = 0, unpaired = 0; ///< since the session began
+    double medianS = 0, p95S = 0, largestS = 0; ///< of the errors without their sign; 0 without pairs
+    double binS = 0;
+    std::vector<std::uint32_t> histogram; ///< of the errors with their sign; the middle bin is centred on 0
+};
+
+/// How the disk keeps up with what is being recorded.
+struct DiskHealth
+{
+    bool recording = false;
+    double recordedS = 0;            ///< length of what is on the disk, of the view that has the least
+    std::uint64_t bytes = 0;         ///< written so far, all views
+    double waiting = 0;              ///< how full the fullest queue to the disk is; 1: pictures are being lost
+    std::optional<double> secondsLeft; ///< until the disk is as full as it may get; nullopt: not known yet
+    std::optional<Trouble> trouble;
+};
+
+struct CaptureHealth
+{
+    std::vector<ViewHealth> views; ///< in the order of the cameras
+    PairHealth pairs;
+    DiskHealth disk;
+};
+
+/// The value below which so many of a hundred lie; 0 of none.
+double percentile(std::vector<double> values, double percent);
+
+/// "30.0 frames/s, none lost", or what is the matter.
+std::string healthWords(const ViewHealth &view);
+/// "in step to 1.2 ms; at 2 m/s that is 2.4 mm"; 95 % of the pairs are within it.
+std::string inStepWords(double p95S);
+/// "room for 42 min"; empty where it is not known.
+std::string roomWords(const DiskHealth &disk);
+
+} // namespace odo

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/capture_session.h"
+
+#include "core/capture/frame_pairing.h"
+#include "core/capture/view_capture.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace odo {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Nanoseconds longestWait = 150ms;
+constexpr auto longestEnd = 1s;
+constexpr double usualFramesPerSecond = 30;
+
+/// Half an interval of the slowest camera: two that run free are never further apart.
+Nanoseconds toleranceOf(const std::vector<std::unique_ptr<CameraSource>> &cameras)
+{
+    double slowest = usualFramesPerSecond;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        const double rate = cameras[i]->description().framesPerSecond;
+        if (rate > 0)
+            slowest = i == 0 ? rate : std::min(slowest, rate);
+    }
+    return fromSeconds(0.5 / slowest);
+}
+
+} // namespace
+
+CaptureSession::CaptureSession(std::vector<std::unique_ptr<CameraSource>> cameras, CaptureSettings settings)
+    : m_tolerance(toleranceOf(cameras)),
+      m_pairing(std::make_shared<FramePairing>(Synchroniser::Settings{cameras.size(), m_tolerance, longestWait}))
+{
+    for (std::size_t view = 0; view < cameras.size(); ++view)
+        m_views.push_back(std::make_shared<ViewCapture>(std::move(cameras[view]), view, settings.preRoll, m_pairing));
+    for (const auto &view : m_views)
+        view->start();
+}
+
+CaptureSession::~CaptureSession()
+{
+    if (isRecording())
+        stopRecording();
+    for (const auto &view : m_views) // all at once, before the first is waited for
+        view->stop();
+    const auto deadline = std::chrono::steady_clock::now() + longestEnd;
+    for (const auto &view : m_views)
+        view->join(deadline);
+    m_pairing->close();
+}
+
+const CameraDescription &CaptureSession::description(std::size_t view) const
+{
+    return m_views[view]->description();
+}
+
+std::shared_ptr<FrameFeed> CaptureSession::subscribeFrames(std::size_t view, std::size_t capacity)
+{
+    return m_views[view]->subscribe(capacity);
+}
+
+std::shared_ptr<SetFeed> CaptureSession::subscribeSets(std::size_t capacity)
+{
+    return m_pairing->subscribe(capacity);
+}
+
+CaptureHealth CaptureSession::health() const
+{
+    const Nanoseconds now = std::chrono::steady_clock::now().time_since_epoch();
+    CaptureHealth health;
+    for (const auto &view : m_views)
+        health.views.push_back(view->health(now));
+    health.pairs = m_pairing->health(now);
+    const std::lock_guard lock(m_mutex);
+    health.disk.recording = !m_writers.empty();
+    for (std::size_t view = 0; view < m_writers.size(); ++view) {
+        const ViewWriter::State state = m_writers[view]->state();
+        health.views[view].lostByUs += state.lost;
+        health.disk.recordedS = view == 0 ? state.recordedS : std::min(health.disk.recordedS, state.recordedS);
+        health.disk.bytes += state.bytes;
+        health.disk.waiting = std::max(health.disk.waiting, state.waiting);
+        if (state.problem && !health.disk.trouble)
+            health.disk.trouble = Trouble{*state.problem, now};
+    }
+    return health;
+}
+
+void CaptureSession::startRecording(const std::vector<std::filesystem::path> &files, Nanoseconds preRoll)
+{
+    const std::lock_guard lock(m_mutex);
+    for (std::size_t view = 0; view < m_views.size(); ++view) {
+        m_writers.push_back(std::make_shared<ViewWriter>(files[view], description(view).framesPerSecond));
+        m_views[view]->startWriting(m_writers.back(), preRoll);
+    }
+}
+
+bool CaptureSession::isRecording() const
+{
+    const std::lock_guard lock(m_mutex);
+    return !m_writers.empty();
+}
+
+RecordedTimes CaptureSession::takeWritten(std::size_t view)
+{
+    const std::lock_guard lock(m_mutex);
+    return m_writers.empty() ? RecordedTimes{} : m_writers[view]->takeWritten();
+}
+
+RecordingOutcome CaptureSession::stopRecording()
+{
+    std::vector<std::future<void>> handedOver;
+    for (const auto &view : m_views)
+        handedOver.push_back(view->stopWriting());
+    for (const std::future<void> &done : handedOver)
+        done.wait();
+    RecordingOutcome outcome;
+    for (std::size_t view = 0; view < m_views.size(); ++view) { // m_writers is changed by nobody else meanwhile
+        if (const auto end = m_views[view]->end())
+            m_writers[view]->fail(*end);
+        outcome.views.push_back(m_writers[view]->finish());
+    }
+    {
+        const std::lock_guard lock(m_mutex);
+        m_writers.clear();
+    }
+    std::vector<std::vector<Nanoseconds>> taken;
+    for (const ViewRecording &view : outcome.views)
+        taken.push_back(view.taken);
+    outcome.pairs = pairFigures(taken, m_tolerance);
+    return outcome;
+}
+
+} // namespace odo

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/view_capture.h"
+
+#include "core/video/jpeg_encoder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace odo {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::size_t mostUncoded = 32; // a second at 30 frames/s; at 1280×720 some 45 MB
+constexpr std::size_t mostKeptBytes = 64 << 20;
+constexpr Nanoseconds rateOver = 2s, longestSilence = 1s, longestStart = 3s;
+constexpr double framesMissed = 5;
+
+Nanoseconds steadyNow()
+{
+    return std::chrono::steady_clock::now().time_since_epoch();
+}
+
+} // namespace
+
+/// What the coding thread keeps: the last seconds, and whom they go to.
+struct ViewCapture::Coder
+{
+    JpegEncoder encoder;
+    std::deque<CodedFrame> kept;
+    std::size_t keptBytes = 0;
+    std::shared_ptr<ViewWriter> writer;
+
+    /// As it came, or coded here.
+    Result<CodedFrame> code(const Picture &picture)
+    {
+        const CapturedFrame &captured = picture.captured;
+        CodedFrame coded{captured.jpeg, captured.frame.format, {captured.sequence, captured.frame.time, captured.hostTime},
+                         picture.taken, captured.clock, picture.interruption, picture.lostBefore};
+        if (coded.jpeg)
+            return coded;
+        auto jpeg = encoder.encode(captured.frame);
+        if (!jpeg)
+            return tl::unexpected(jpeg.error());
+        coded.jpeg = std::make_shared<const std::vector<std::uint8_t>>(std::move(*jpeg));
+        return coded;
+    }
+
+    void keep(CodedFrame frame, Nanoseconds howLong)
+    {
+        keptBytes += frame.jpeg->size();
+        const Nanoseconds oldest = frame.raw.arrival - howLong;
+        kept.push_back(std::move(frame));
+        while (!kept.empty() && (kept.front().raw.arrival < oldest || keptBytes > mostKeptBytes)) {
+            keptBytes -= kept.front().jpeg->size();
+            kept.pop_front();
+        }
+    }
+
+    void begin(Start start)
+    {
+        writer = std::move(start.writer);
+        for (CodedFrame &frame : kept) {
+            if (frame.raw.arrival >= start.from)
+                writer->offer(std::move(frame));
+        }
+        kept.clear();
+        keptBytes = 0;
+    }
+
+    void end(Stop stop)
+    {
+        if (writer) {
+            writer->countLost(stop.lostBefore);
+            writer->close();
+            writer.reset();
+        }
+        stop.done.set_value();
+    }
+};
+
+ViewCapture::ViewCapture(std::unique_ptr<CameraSource> camera, std::size_t view, Nanoseconds preRoll,
+                         std::shared_ptr<FramePairing> pairing)
+    : m_camera(std::move(camera)), m_view(view), m_preRoll(preRoll), m_pairing(std::move(pairing)), m_work(mostUncoded)
+{
+}
+
+ViewCapture::~ViewCapture() = default;
+
+void ViewCapture::start()
+{
+    m_begun = steadyNow();
+    std::promise<void> ended;
+    m_takerEnded = ended.get_future();
+    m_taker = std::thread([self = shared_from_this(), ended = std::move(ended)]() mutable {
+        self->takePictures();
+        ended.set_value();
+    });
+    m_coder = std::thread([this] { codePictures(); });
+}
+
+void ViewCapture::stop()
+{
+    m_camera->stop();
+}
+
+void ViewCapture::join(std::chrono::steady_clock::time_point deadline)
+{
+    const bool hangs = m_takerEnded.wait_until(deadline) == std::future_status::timeout;
+    m_work.close();
+    m_coder.join();
+    if (hangs)
+        m_taker.detach();
+    else
+        m_taker.join();
+    const std::lock_guard lock(m_mutex);
+    for (const auto &feed : m_feeds)
+        feed->close();
+    m_feeds.clear();
+    m_health.state = ViewHealth::State::Ended;
+}
+
+void ViewCapture::takePictures()
+{
+    for (;;) {
+        holdAutomaticsIfWanted();
+        auto captured = m_camera->next();
+        if (captured) {
+            take(std::move(*captured));
+            continue;
+        }
+        if (captured.error().code == ErrorCode::Cancelled)
+            return;
+        interrupted(captured.error());
+        if (captured.error().code != ErrorCode::Unavailable)
+            return;
+    }
+}
+
+void ViewCapture::interrupted(const Error &error)
+{
+    const std::lock_guard lock(m_mutex);
+    m_health.state = error.code == ErrorCode::Unavailable ? ViewHealth::State::Waiting : ViewHealth::State::Ended;
+    if (!m_health.trouble)
+        m_health.trouble = Trouble{error, steadyNow()};
+    m_health.trouble->error = error; // the cause may be known better by now
+    m_interruption = error;
+}
+
+void ViewCapture::holdAutomaticsIfWanted()
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!m_holdWanted)
+            return;
+        m_holdWanted = false;
+    }
+    std::vector<std::string> notHeld = m_camera->holdAutomatics();
+    const std::lock_guard lock(m_mutex);
+    m_health.automaticsHeld = notHeld.empty();
+    m_health.notHeld = std::move(notHeld);
+}
+
+void ViewCapture::take(CapturedFrame captured)
+{
+    const Nanoseconds now = steadyNow();
+    TimedFrame timed{std::move(captured), {}};
+    {
+        const std::lock_guard lock(m_mutex);
+        timed.taken = note(timed.captured, now);
+        if (m_work.tryPush(Picture{timed.captured, timed.taken, m_interruption, m_lostBefore})) {
+            m_interruption.reset();
+            m_lostBefore = 0;
+        } else {
+            ++m_lostBefore;
+            ++m_health.lostByUs;
+        }
+        giveOut(timed);
+    }
+    m_pairing->add(m_view, std::move(timed), now);
+}
+
+/// When it was taken; the mutex is held.
+Nanoseconds ViewCapture::note(const CapturedFrame &captured, Nanoseconds now)
+{
+    if (captured.clock)
+        m_clock.addLatch(captured.clock->device, captured.clock->before, captured.clock->after);
+    m_clock.addArrival(captured.frame.time, captured.hostTime);
+    m_health.clock = m_clock.fit();
+    const Nanoseconds taken = m_health.clock->hostTime(captured.frame.time);
+    m_health.state = ViewHealth::State::Delivering;
+    m_health.trouble.reset();
+    ++m_health.delivered;
+    if (m_lastSequence && captured.sequence > *m_lastSequence + 1)
+        m_health.lostOnWire += captured.sequence - *m_lastSequence - 1;
+    m_lastSequence = captured.sequence;
+    m_lastArrival = now;
+    m_recent.push_back({now, toSeconds(now - taken)});
+    while (m_recent.front().arrival < now - rateOver)
+        m_recent.pop_front();
+    return taken;
+}
+
+/// Who has closed his feed has had enough; the mutex is held.
+void ViewCapture::giveOut(const TimedFrame &timed)
+{
+    std::erase_if(m_feeds, [&timed](const auto &feed) { return !feed->pushOrDrop(timed); });
+}
+
+std::shared_ptr<BoundedQueue<TimedFrame>> ViewCapture::subscribe(std::size_t capacity)
+{
+    auto feed = std::make_shared<BoundedQueue<TimedFrame>>(capacity);
+    const std::lock_guard lock(m_mutex);
+    m_feeds.push_back(feed);
+    return feed;
+}
+
+/// Nothing comes and nobody says why: a camera, or its driver, that hangs.
+std::optional<Trouble> ViewCapture::silence(Nanoseconds now) const
+{
+    const bool began = m_health.delivered > 0;
+    const double rate = std::max(1.0, description().framesPerSecond);
+    const Nanoseconds allowed = std::max(began ? longestSilence : longestStart, fromSeconds(framesMissed / rate));
+    const Nanoseconds last = began ? m_lastArrival : m_begun;
+    if (now - last <= allowed)
+        return std::nullopt;
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%lld s", static_cast<long long>((now - last) / 1s));
+    return Trouble{{ErrorCode::Unavailable, "camera " + description().uri, std::string("no picture has come for ") + seconds,
+                    "look at its cable; take it off and put it on again if it stays so"},
+                   last};
+}
+
+ViewHealth ViewCapture::health(Nanoseconds now) const
+{
+    ViewHealth health;
+    std::vector<double> latenciesS;
+    {
+        const std::lock_guard lock(m_mutex);
+        health = m_health;
+        for (const Recent &recent : m_recent) {
+            if (recent.arrival >= now - rateOver)
+                latenciesS.push_back(recent.latencyS);
+        }
+        if (!health.trouble && health.state != ViewHealth::State::Ended)
+            health.trouble = silence(now);
+    }
+    if (health.trouble && health.state != ViewHealth::State::Ended)
+        health.state = ViewHealth::State::Waiting;
+    const double overS = toSeconds(std::min(rateOver, std::max(now - m_begun, Nanoseconds(1ms))));
+    health.framesPerSecond = static_cast<double>(latenciesS.size()) / overS;
+    health.latencyS = percentile(std::move(latenciesS), 95);
+    health.source = m_camera->counts();
+    return health;
+}
+
+std::optional<Error> ViewCapture::end() const
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_health.state != ViewHealth::State::Ended || !m_health.trouble)
+        return std::nullopt;
+    return m_health.trouble->error;
+}
+
+void ViewCapture::startWriting(std::shared_ptr<ViewWriter> writer, Nanoseconds preRoll)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_holdWanted = true;
+    }
+    m_work.push(Start{std::move(writer), steadyNow() - preRoll});
+}
+
+std::future<void> ViewCapture::stopWriting()
+{
+    Stop stop{{}, 0};
+    {
+        const std::lock_guard lock(m_mutex);
+        stop.lostBefore = std::exchange(m_lostBefore, 0);
+    }
+    std::future<void> done = stop.done.get_future();
+    m_work.push(std::move(stop));
+    return done;
+}
+
+void ViewCapture::codePictures()
+{
+    Coder coder;
+    while (auto work = m_work.pop()) {
+        if (auto *start = std::get_if<Start>(&*work)) {
+            coder.begin(std::move(*start));
+        } else if (auto *stop = std::get_if<Stop>(&*work)) {
+            coder.end(std::move(*stop));
+        } else if (coder.writer || m_preRoll > Nanoseconds(0)) {
+            auto coded = coder.code(std::get<Picture>(*work));
+            if (coded && coder.writer)
+                coder.writer->offer(std::move(*coded));
+            else if (coded)
+                coder.keep(std::move(*coded), m_preRoll);
+            else if (coder.writer)
+                coder.writer->fail(coded.error());
+        }
+    }
+}
+
+} // namespace odo

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/bounded_queue.h"
+#include "core/capture/capture_health.h"
+#include "core/capture/frame_pairing.h"
+#include "core/capture/view_writer.h"
+
+#include <deque>
+#include <future>
+#include <mutex>
+#include <thread>
+#include <variant>
+
+namespace odo {
+
+/// One camera of a session: takes its pictures on one thread, codes them on another, keeps the last seconds of them, and hands
+/// them to a writer when there is one. Its threads keep it alive.
+class ViewCapture : public std::enable_shared_from_this<ViewCapture>
+{
+public:
+    ViewCapture(std::unique_ptr<CameraSource> camera, std::size_t view, Nanoseconds preRoll, std::shared_ptr<FramePairing> pairing);
+    ~ViewCapture();
+    ViewCapture(const ViewCapture &) = delete;
+    ViewCapture &operator=(const ViewCapture &) = delete;
+
+    void start();
+    /// Takes no more pictures. Any thread.
+    void stop();
+    /// Waits, after stop(), for the threads to end; leaves the camera's to itself when it does not by then.
+    void join(std::chrono::steady_clock::time_point deadline);
+
+    const CameraDescription &description() const { return m_camera->description(); }
+    std::shared_ptr<BoundedQueue<TimedFrame>> subscribe(std::size_t capacity);
+    ViewHealth health(Nanoseconds now) const;
+    /// Why nothing more will come; nullopt while something may.
+    std::optional<Error> end() const;
+
+    /// From now on all goes to the writer, beginning with what arrived no longer ago.
+    void startWriting(std::shared_ptr<ViewWriter> writer, Nanoseconds preRoll);
+    /// When what has arrived by now was handed to the writer and it was closed.
+    std::future<void> stopWriting();
+
+private:
+    struct Start
+    {
+        std::shared_ptr<ViewWriter> writer;
+        Nanoseconds from;
+    };
+    struct Picture
+    {
+        CapturedFrame captured;
+        Nanoseconds taken;
+        std::optional<Error> interruption;
+        std::uint64_t lostBefore; ///< that found no room on the way to the coder
+    };
+    struct Stop
+    {
+        std::promise<void> done;
+        std::uint64_t lostBefore;
+    };
+    using Work = std::variant<Picture, Start, Stop>;
+    struct Coder;
+    struct Recent
+    {
+        Nanoseconds arrival;
+        double latencyS;
+    };
+
+    void takePictures();
+    void take(CapturedFrame captured);
+    void interrupted(const Error &error);
+    void holdAutomaticsIfWanted();
+    Nanoseconds note(const CapturedFrame &captured, Nanoseconds now);
+    void giveOut(const TimedFrame &timed);
+    void codePictures();
+    std::optional<Trouble> silence(Nanoseconds now) const;
+
+    const std::unique_ptr<CameraSource> m_camera;
+    const std::size_t m_view;
+    const Nanoseconds m_preRoll;
+    const std::shared_ptr<FramePairing> m_pairing;
+    BoundedQueue<Work> m_work;
+    std::thread m_taker, m_coder;
+    std::future<void> m_takerEnded;
+
+    mutable std::mutex m_mutex; ///< guards what follows
+    ClockMap m_clock;
+    ViewHealth m_health;                 ///< all but what is counted anew each time
+    std::optional<std::uint64_t> m_lastSequence;
+    std::deque<Recent> m_recent;         ///< of the last two seconds
+    Nanoseconds m_begun{0}, m_lastArrival{0};
+    std::optional<Error> m_interruption; ///< since the last picture
+    std::uint64_t m_lostBefore = 0;      ///< since the last one that found room
+    bool m_holdWanted = false;
+    std::vector<std::shared_ptr<BoundedQueue<TimedFrame>>> m_feeds;
+};
+
+} // namespace odo

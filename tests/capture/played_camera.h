@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/camera_source.h"
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <variant>
+
+namespace odo::test {
+
+/// What a played camera is to do; the test goes on writing it while the camera plays. Any thread.
+class Script
+{
+public:
+    struct Loss
+    {
+        int pictures;
+    };
+    struct Hang
+    {
+    };
+    struct Picture
+    {
+    };
+    using Step = std::variant<Picture, Loss, Error, Hang>;
+
+    void pictures(int count)
+    {
+        for (int i = 0; i < count; ++i)
+            add(Picture{});
+    }
+    /// Pictures that the camera takes and that never arrive.
+    void lose(int count) { add(Loss{count}); }
+    void error(const Error &error) { add(error); }
+    /// next() does not return, not even when it is stopped, until the script is given up.
+    void hang() { add(Hang{}); }
+    void giveUp()
+    {
+        const std::lock_guard lock(m_mutex);
+        m_givenUp = true;
+        m_wake.notify_all();
+    }
+    void stop()
+    {
+        const std::lock_guard lock(m_mutex);
+        m_stopped = true;
+        m_wake.notify_all();
+    }
+    /// nullopt once stopped.
+    std::optional<Step> next()
+    {
+        std::unique_lock lock(m_mutex);
+        m_wake.wait(lock, [this] { return m_stopped || !m_steps.empty(); });
+        if (m_stopped)
+            return std::nullopt;
+        Step step = m_steps.front();
+        m_steps.pop_front();
+        if (std::holds_alternative<Hang>(step))
+            m_wake.wait(lock, [this] { return m_givenUp; });
+        return step;
+    }
+
+private:
+    void add(Step step)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_steps.push_back(std::move(step));
+        m_wake.notify_all();
+    }
+    std::mutex m_mutex;
+    std::condition_variable m_wake;
+    std::deque<Step> m_steps;
+    bool m_stopped = false, m_givenUp = false;
+};
+
+/// A camera that does what its script says, as soon as it says so; its pictures are 33 ms apart by its own clock and
+/// arrive, as it claims, when they were taken.
+class PlayedCamera : public CameraSource
+{
+public:
+    struct Kind
+    {
+        Nanoseconds beginning{0};  ///< when, by this machine's steady clock, it takes its first picture
+        Nanoseconds clockStart{0}; ///< when, after that, its own clock began
+        Nanoseconds phase{0};      ///< how much later than others it takes its pictures
+        bool codes = false;        ///< gives JPEG files (which are none, but three bytes)
+        std::vector<std::string> notHeld = {};
+        FrameFormat format = FrameFormat{160, 96};
+    };
+    PlayedCamera(std::shared_ptr<Script> script, Kind kind) : m_script(std::move(script)), m_kind(std::move(kind)) {}
+
+    const CameraDescription &description() const override { return m_description; }
+    void stop() override { m_script->stop(); }
+    std::vector<std::string> holdAutomatics() override { return m_kind.notHeld; }
+    Result<CapturedFrame> next() override
+    {
+        for (;;) {
+            const auto step = m_script->next();
+            if (!step || std::holds_alternative<Script::Hang>(*step))
+                return cancelled("played camera");
+            if (const Error *error = std::get_if<Error>(&*step))
+                return tl::unexpected(*error);
+            if (const auto *loss = std::get_if<Script::Loss>(&*step))
+                m_sequence += loss->pictures;
+            else
+                return picture();
+        }
+    }
+
+    static constexpr Nanoseconds interval = std::chrono::milliseconds(33);
+
+private:
+    CapturedFrame picture()
+    {
+        const Nanoseconds time = m_sequence * interval + m_kind.phase;
+        CapturedFrame captured;
+        captured.frame = FrameBuffer::toFrame(std::make_shared<FrameBuffer>(m_kind.format), m_sequence, time - m_kind.clockStart);
+        captured.sequence = std::uint64_t(m_sequence++);
+        captured.hostTime = m_kind.beginning + time;
+        if (m_kind.codes)
+            captured.jpeg = std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{0xff, 0xd8, 0xff});
+        return captured;
+    }
+
+    const std::shared_ptr<Script> m_script;
+    const Kind m_kind;
+    const CameraDescription m_description{"play:", "played", "Played", 160, 96, 30};
+    int m_sequence = 0;
+};
+
+} // namespace odo::test

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/capture_session.h"
+#include "core/video/video_reader.h"
+#include "tests/capture/played_camera.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+using State = ViewHealth::State;
+
+const Error gone{ErrorCode::Unavailable, "camera play:", "it was unplugged", "plug it in"};
+const Error over{ErrorCode::Io, "camera play:", "the video has ended", "nothing is to be done"};
+
+/// Two played cameras, of which B takes its pictures 7 ms later by a clock that began an hour before A's.
+struct TwoCameras
+{
+    /// Pictures of the past are given up at once where they find no partner; those of the future never are.
+    explicit TwoCameras(Nanoseconds preRoll = 0s, Nanoseconds ago = 20s, PlayedCamera::Kind first = {})
+    {
+        first.beginning = std::chrono::steady_clock::now().time_since_epoch() - ago;
+        std::vector<std::unique_ptr<CameraSource>> cameras;
+        cameras.push_back(std::make_unique<PlayedCamera>(a, first));
+        cameras.push_back(std::make_unique<PlayedCamera>(
+            b, PlayedCamera::Kind{.beginning = first.beginning, .clockStart = -3600s, .phase = 7ms}));
+        session = std::make_unique<CaptureSession>(std::move(cameras), CaptureSettings{preRoll});
+    }
+    void pictures(int count) const
+    {
+        a->pictures(count);
+        b->pictures(count);
+    }
+    ViewHealth health(std::size_t view) const { return session->health().views[view]; }
+    std::uint64_t delivered() const { return std::min(health(0).delivered, health(1).delivered); }
+
+    std::shared_ptr<Script> a = std::make_shared<Script>(), b = std::make_shared<Script>();
+    std::unique_ptr<CaptureSession> session;
+};
+
+} // namespace
+
+class TestCaptureSession : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void recordsAllAndPairsThem();
+    void recordsAgainAndAgain();
+    void beginsBeforeItWasAskedTo();
+    void lostPicturesAreCounted();
+    void aCameraThatIsGoneIsWaitedFor();
+    void aCameraThatEndsKeepsWhatThereIs();
+    void aDiskThatFailsIsTold();
+    void subscribersGetPicturesAndSetsAndLoseTheOldest();
+    void healthKnowsTheClockAndHowWellTheyAreInStep();
+    void whatChangesByItselfIsHeldWhileRecording();
+    void aCameraThatHangsHoldsNothingUp();
+
+private:
+    std::vector<std::filesystem::path> files(const char *a = "a.mkv", const char *b = "b.mkv") const
+    {
+        const std::filesystem::path folder = m_folder->path().toStdString();
+        return {folder / a, folder / b};
+    }
+    /// So many at a time find room on the way to the coder, however slow this machine is just now.
+    static constexpr int lot = 30;
+    /// Has both cameras take some lots of pictures, each lot recorded before the next one is taken.
+    static void record(TwoCameras &cameras, int lots)
+    {
+        std::size_t written[2] = {0, 0};
+        for (int i = 1; i <= lots; ++i) {
+            cameras.pictures(lot);
+            for (std::size_t view = 0; view < 2; ++view)
+                QTRY_COMPARE(written[view] += cameras.session->takeWritten(view).pictures.size(), std::size_t(i * lot));
+        }
+    }
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestCaptureSession::recordsAllAndPairsThem()
+{
+    TwoCameras cameras;
+    cameras.session->startRecording(files());
+    record(cameras, 2);
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    QVERIFY(!cameras.session->isRecording());
+    QCOMPARE(outcome.views.size(), std::size_t(2));
+    for (const ViewRecording &view : outcome.views) {
+        QVERIFY(!view.problem);
+        QCOMPARE(view.frames, 60u);
+        QCOMPARE(view.lostOnWire + view.lostByUs, 0u);
+        QCOMPARE(view.taken.size(), std::size_t(60));
+        QCOMPARE(view.times.pictures.size(), std::size_t(60));
+        QCOMPARE(view.latenciesS.size(), std::size_t(60));
+        const auto reader = VideoReader::open(view.file);
+        QVERIFY(reader);
+        QCOMPARE((*reader)->info().frameTimes.size(), std::size_t(60));
+    }
+    QCOMPARE(outcome.views[1].taken.front() - outcome.views[0].taken.front(), Nanoseconds(7ms));
+    QCOMPARE(outcome.views[1].times.pictures.front().device, Nanoseconds(3600s + 7ms));
+    QCOMPARE(outcome.pairs.pairs, 60u);
+    QCOMPARE(outcome.pairs.unpaired, 0u);
+    for (const double errorS : outcome.pairs.errorsS)
+        QVERIFY(std::abs(errorS - 0.007) < 1e-6);
+}
+
+void TestCaptureSession::recordsAgainAndAgain()
+{
+    TwoCameras cameras;
+    cameras.pictures(lot); // shown, and not recorded
+    QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
+    for (const char *name : {"1.mkv", "2.mkv"}) {
+        cameras.session->startRecording(files(name, (std::string("b") + name).c_str()));
+        record(cameras, 1);
+        QCOMPARE(cameras.session->stopRecording().views[1].taken.size(), std::size_t(lot));
+    }
+    QCOMPARE(cameras.health(0).delivered, std::uint64_t(3 * lot));
+}
+
+void TestCaptureSession::beginsBeforeItWasAskedTo()
+{
+    // The last 300 ms are kept: ten pictures, each 33 ms after the other.
+    TwoCameras cameras(300ms);
+    cameras.pictures(lot);
+    QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
+    cameras.session->startRecording(files(), 1h);
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    for (const ViewRecording &view : outcome.views) {
+        QCOMPARE(view.times.pictures.size(), std::size_t(10));
+        QCOMPARE(view.times.pictures.back().sequence, std::uint64_t(lot - 1));
+    }
+}
+
+void TestCaptureSession::lostPicturesAreCounted()
+{
+    TwoCameras cameras;
+    cameras.session->startRecording(files());
+    cameras.a->pictures(10);
+    cameras.a->lose(2);
+    cameras.a->pictures(18);
+    cameras.b->pictures(lot);
+    QTRY_VERIFY(cameras.health(0).delivered == 28 && cameras.health(1).delivered == lot);
+    QCOMPARE(cameras.health(0).lostOnWire, 2u);
+    QVERIFY(cameras.health(0).latencyS > 19); // they claim to have been taken 20 s ago, and a second apart
+    QCOMPARE(healthWords(cameras.health(1)).substr(healthWords(cameras.health(1)).find(',')), std::string(", none lost"));
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    QCOMPARE(outcome.views[0].lostOnWire, 2u);
+    QCOMPARE(outcome.views[1].lostOnWire, 0u);
+    QCOMPARE(outcome.pairs.pairs, 28u);
+    QCOMPARE(outcome.pairs.unpaired, 2u);
+}
+
+void TestCaptureSession::aCameraThatIsGoneIsWaitedFor()
+{
+    TwoCameras cameras;
+    cameras.session->startRecording(files());
+    cameras.b->pictures(10);
+    cameras.b->error(gone);
+    cameras.a->pictures(lot);
+    QTRY_COMPARE(cameras.health(1).state, State::Waiting);
+    QVERIFY(cameras.health(1).trouble);
+    QCOMPARE(healthWords(cameras.health(1)), gone.message());
+    QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(lot)); // the other one loses nothing
+    QVERIFY(!cameras.health(0).trouble);
+    cameras.b->lose(5);
+    cameras.b->pictures(10);
+    QTRY_COMPARE(cameras.health(1).delivered, 20u);
+    QCOMPARE(cameras.health(1).state, State::Delivering);
+    QVERIFY(!cameras.health(1).trouble);
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
+    QVERIFY(outcome.views[0].gaps.empty());
+    const ViewRecording &view = outcome.views[1];
+    QVERIFY(!view.problem);
+    QCOMPARE(view.taken.size(), std::size_t(20));
+    QCOMPARE(view.gaps.size(), std::size_t(1));
+    QCOMPARE(view.gaps.front().before, std::size_t(10));
+    QCOMPARE(view.gaps.front().length, 6 * PlayedCamera::interval);
+    QCOMPARE(view.gaps.front().why.why, gone.why);
+    QCOMPARE(view.taken[10] - view.taken[9], 6 * PlayedCamera::interval); // the time goes on
+}
+
+void TestCaptureSession::aCameraThatEndsKeepsWhatThereIs()
+{
+    TwoCameras cameras;
+    cameras.session->startRecording(files());
+    cameras.b->pictures(20);
+    cameras.b->error(over);
+    QTRY_COMPARE(cameras.health(1).state, State::Ended);
+    cameras.a->pictures(lot);
+    QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(lot));
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    QVERIFY(!outcome.views[0].problem);
+    QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
+    QVERIFY(outcome.views[1].problem);
+    QCOMPARE(outcome.views[1].problem->why, over.why);
+    QCOMPARE(outcome.views[1].taken.size(), std::size_t(20));
+    QVERIFY(VideoReader::open(outcome.views[1].file));
+}
+
+void TestCaptureSession::aDiskThatFailsIsTold()
+{
+    TwoCameras cameras;
+    cameras.session->startRecording(files("a.mkv", "no/folder/b.mkv"));
+    cameras.pictures(lot);
+    QTRY_VERIFY(cameras.session->health().disk.trouble);
+    QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
+    QVERIFY(cameras.session->health().disk.recording);
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    QVERIFY(outcome.views[1].problem);
+    QCOMPARE(outcome.views[1].problem->code, ErrorCode::Io);
+    QVERIFY(outcome.views[1].taken.empty());
+    QVERIFY(!outcome.views[0].problem);
+    QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
+    QVERIFY(!cameras.session->health().disk.trouble);
+}
+
+void TestCaptureSession::subscribersGetPicturesAndSetsAndLoseTheOldest()
+{
+    TwoCameras cameras(0s, -1h);
+    const auto quick = cameras.session->subscribeFrames(0, lot), slow = cameras.session->subscribeFrames(0),
+               bored = cameras.session->subscribeFrames(0);
+    const auto sets = cameras.session->subscribeSets(lot);
+    bored->close();
+    cameras.pictures(lot);
+    for (std::uint64_t i = 0; i < lot; ++i)
+        QCOMPARE(quick->pop()->captured.sequence, i);
+    QCOMPARE(quick->dropped(), 0u);
+    QTRY_COMPARE(slow->dropped(), std::uint64_t(lot - 1));
+    QCOMPARE(slow->pop()->captured.sequence, std::uint64_t(lot - 1));
+    const auto set = sets->pop();
+    QVERIFY(set && set->views[0] && set->views[1]);
+    QCOMPARE(set->views[1]->taken - set->views[0]->taken, Nanoseconds(7ms));
+    QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
+    cameras.session.reset();
+    QVERIFY(!quick->pop());
+    while (sets->pop()) { // what was there can still be taken; then it ends
+    }
+}
+
+void TestCaptureSession::healthKnowsTheClockAndHowWellTheyAreInStep()
+{
+    TwoCameras cameras(0s, -1h);
+    QCOMPARE(cameras.health(0).state, State::Starting);
+    QVERIFY(!cameras.health(0).clock);
+    cameras.pictures(lot);
+    QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
+    const ViewHealth view = cameras.health(0);
+    QCOMPARE(view.clock->source, ClockFit::Source::Arrival);
+    QVERIFY(view.framesPerSecond > 0);
+    const PairHealth pairs = cameras.session->health().pairs;
+    QVERIFY(pairs.pairs > 0);
+    QVERIFY(std::abs(pairs.medianS - 0.007) < 1e-6);
+    QVERIFY(std::abs(pairs.p95S - 0.007) < 1e-6);
+    const std::size_t middle = pairs.histogram.size() / 2;
+    QCOMPARE(std::uint64_t(pairs.histogram[middle + 7]), pairs.pairs); // bins of 1 ms
+    QCOMPARE(inStepWords(0.0012), std::string("in step to 1.2 ms; at 2 m/s that is 2.4 mm"));
+}
+
+void TestCaptureSession::whatChangesByItselfIsHeldWhileRecording()
+{
+    TwoCameras cameras(0s, 20s, {.notHeld = {"White balance"}});
+    cameras.pictures(1);
+    QTRY_COMPARE(cameras.delivered(), 1u);
+    QVERIFY(!cameras.health(0).automaticsHeld);
+    cameras.session->startRecording(files());
+    cameras.pictures(2);
+    QTRY_VERIFY(cameras.health(0).automaticsHeld && cameras.health(1).automaticsHeld);
+    QVERIFY(!*cameras.health(0).automaticsHeld);
+    QCOMPARE(cameras.health(0).notHeld, std::vector<std::string>{"White balance"});
+    QVERIFY(*cameras.health(1).automaticsHeld);
+}
+
+void TestCaptureSession::aCameraThatHangsHoldsNothingUp()
+{
+    TwoCameras cameras;
+    cameras.session->startRecording(files());
+    cameras.a->pictures(lot);
+    cameras.b->pictures(5);
+    cameras.b->hang();
+    QTRY_COMPARE(cameras.health(1).delivered, 5u);
+    QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(lot));
+    QTRY_VERIFY(cameras.health(1).trouble); // nobody says why: it is silent for a second
+    QCOMPARE(cameras.health(1).state, State::Waiting);
+    QVERIFY(cameras.health(1).trouble->error.why.starts_with("no picture has come for "));
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
+    QCOMPARE(outcome.views[1].taken.size(), std::size_t(5));
+    cameras.session.reset(); // returns
+    cameras.b->giveUp();
+}
+
+QTEST_GUILESS_MAIN(TestCaptureSession)
+#include "tst_capture_session.moc"

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/recorded_clock.h"
+
+#include <QTest>
+#include <cmath>
+#include <random>
+
+using namespace odo;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr Nanoseconds interval = 33ms, start = 1000s;
+
+/// A recording by a camera whose clock drifts, and drifts otherwise as it warms up; pictures arrive up to 5 ms late.
+struct Recorded
+{
+    RecordedTimes times;
+    std::vector<Nanoseconds> truth;
+};
+
+Recorded recordedWith(double rateAtFirst, double rateAtLast, int pictures, bool readings)
+{
+    Recorded recorded;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> lateS(0, 0.005);
+    double deviceS = 7;
+    for (int i = 0; i < pictures; ++i) {
+        const Nanoseconds taken = start + i * interval;
+        const Nanoseconds device = fromSeconds(deviceS);
+        if (readings && i % 30 == 0)
+            recorded.times.readings.push_back({device, taken - 100us, taken + 100us});
+        recorded.times.pictures.push_back({std::uint64_t(i), device, taken + fromSeconds(lateS(random))});
+        recorded.truth.push_back(taken);
+        deviceS += toSeconds(interval) * (1 - rateAtFirst - (rateAtLast - rateAtFirst) * i / pictures);
+    }
+    return recorded;
+}
+
+double worstS(const Recorded &recorded)
+{
+    const DerivedTimes derived = deriveTimes(recorded.times);
+    double worst = 0;
+    for (std::size_t i = 0; i < derived.taken.size(); ++i)
+        worst = std::max(worst, std::abs(toSeconds(derived.taken[i] - recorded.truth[i])));
+    return derived.taken.size() == recorded.truth.size() ? worst : 1;
+}
+
+} // namespace
+
+class TestRecordedClock : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void aShortRecordingIsOneLine()
+    {
+        // The lower edge of 5 ms of jitter over 300 pictures lies within 0.3 ms of the truth.
+        QVERIFY2(worstS(recordedWith(100e-6, 100e-6, 300, false)) < 0.0003, "");
+    }
+    void aQuartzThatWarmsUpIsFollowed()
+    {
+        // Ten minutes, from −100 to +100 ppm: one line through all of it would be wrong by 15 ms.
+        const double fromArrivals = worstS(recordedWith(-100e-6, 100e-6, 18000, false));
+        QVERIFY2(fromArrivals < 0.001, qPrintable(QString::number(fromArrivals)));
+        const double fromReadings = worstS(recordedWith(-100e-6, 100e-6, 18000, true));
+        QVERIFY2(fromReadings < 0.0003, qPrintable(QString::number(fromReadings)));
+    }
+    void aClockThatWasSetAnewBeginsAnew()
+    {
+        Recorded recorded = recordedWith(0, 0, 300, true), again = recordedWith(0, 0, 300, true);
+        for (std::size_t i = 0; i < again.truth.size(); ++i) {
+            again.truth[i] += 60s;
+            again.times.pictures[i].arrival += 60s;
+            recorded.truth.push_back(again.truth[i]);
+            recorded.times.pictures.push_back(again.times.pictures[i]);
+        }
+        for (ClockReading reading : again.times.readings)
+            recorded.times.readings.push_back({reading.device, reading.before + 60s, reading.after + 60s});
+        QVERIFY(worstS(recorded) < 0.0003);
+    }
+    void timesAlwaysIncrease()
+    {
+        RecordedTimes times;
+        for (const Nanoseconds device : {1s, 2s, 2s, 1s})
+            times.pictures.push_back({0, device, 5s});
+        const DerivedTimes derived = deriveTimes(times);
+        QCOMPARE(derived.taken.size(), std::size_t(4));
+        for (std::size_t i = 1; i < 4; ++i)
+            QVERIFY(derived.taken[i] > derived.taken[i - 1]);
+        QVERIFY(deriveTimes({}).taken.empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRecordedClock)
+#include "tst_recorded_clock.moc"
