@@ -5,7 +5,6 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/picture_writer.h"
-#include "core/workflow/cameras.h"
 #include "core/workflow/picture_source.h"
 
 namespace odo {
@@ -20,8 +19,9 @@ constexpr std::size_t enoughVideoViews = 60;
 
 CalibrateJob::CalibrateJob(CalibrateSettings settings) : m_settings(std::move(settings)) {}
 
-Result<void> CalibrateJob::prepare(Project &)
+Result<void> CalibrateJob::prepare(Project &project)
 {
+    m_mediaFolder = project.mediaFolder();
     for (const auto &file : m_settings.files) {
         std::error_code problem;
         if (!std::filesystem::is_regular_file(file, problem))
@@ -54,7 +54,11 @@ Result<void> CalibrateJob::run(const JobControl &control)
     }
     m_calibration = std::move(*calibration);
     m_calibration.rejected.insert(m_calibration.rejected.begin(), m_rejected.begin(), m_rejected.end());
-    return {};
+    m_storage = std::make_unique<CalibrationStorage>(m_mediaFolder, m_settings.camera, m_calibration, m_settings.board);
+    auto written = m_storage->writePictures(m_pictures, control);
+    if (!written)
+        m_storage.reset();
+    return written;
 }
 
 Result<void> CalibrateJob::searchFile(const std::filesystem::path &file, const JobControl &control)
@@ -99,7 +103,8 @@ void CalibrateJob::searchPicture(const Frame &frame, const std::string &name)
 
 Result<void> CalibrateJob::commit(Project &project)
 {
-    const auto stored = storeCalibration(project, m_settings.camera, m_calibration, m_settings.board, m_pictures);
+    const auto stored = m_storage->commit(project);
+    m_storage.reset(); // where it was not stored, its pictures go
     if (!stored)
         return tl::unexpected(stored.error());
     return {};

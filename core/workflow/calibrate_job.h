@@ -3,10 +3,11 @@
 
 #include "core/calibration/board_detection.h"
 #include "core/project/records.h"
-#include "core/workflow/calibration_media.h"
+#include "core/workflow/calibration_storage.h"
 #include "core/workflow/job.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,8 @@ private:
     std::vector<RejectedPicture> m_rejected;
     int m_widthPx = 0, m_heightPx = 0;
     IntrinsicCalibration m_calibration;
+    std::filesystem::path m_mediaFolder;
+    std::unique_ptr<CalibrationStorage> m_storage;
 };
 
 } // namespace odo

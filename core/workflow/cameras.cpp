@@ -5,8 +5,6 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 
-#include <algorithm>
-
 namespace odo {
 
 Result<CameraRecord> findOrAddCamera(Project &project, const std::string &name)
@@ -15,60 +13,6 @@ Result<CameraRecord> findOrAddCamera(Project &project, const std::string &name)
     if (found || found.error().code != ErrorCode::NotFound)
         return found;
     return project.cameras().add({0, name, ""});
-}
-
-namespace {
-
-/// The files of a calibration's pictures, one each; those without a picture get none.
-Result<std::vector<StoredPicture>> writePictures(CalibrationMedia &media, const std::string &camera,
-                                                 const IntrinsicCalibration &calibration,
-                                                 const std::vector<BoardPicture> &pictures)
-{
-    std::vector<StoredPicture> files;
-    for (const CalibrationPicture &used : calibration.pictures) {
-        const auto picture = std::ranges::find(pictures, used.view.source, &BoardPicture::source);
-        files.emplace_back();
-        if (picture == pictures.end())
-            continue;
-        auto written = media.write(camera + "_" + std::filesystem::path(used.view.source).stem().string(), picture->png);
-        if (!written)
-            return tl::unexpected(written.error());
-        files.back() = std::move(*written);
-    }
-    return files;
-}
-
-} // namespace
-
-Result<IntrinsicsRecord> storeCalibration(Project &project, const std::string &camera, const IntrinsicCalibration &calibration,
-                                          const BoardSpec &board, const std::vector<BoardPicture> &pictures)
-{
-    CalibrationMedia media(project.mediaFolder());
-    auto files = writePictures(media, camera, calibration, pictures);
-    if (!files)
-        return tl::unexpected(files.error());
-    IntrinsicsRecord record;
-    const auto stored = project.inTransaction([&]() -> Result<void> {
-        const auto found = findOrAddCamera(project, camera);
-        if (!found)
-            return tl::unexpected(found.error());
-        record.camera = found->id;
-        record.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
-        record.origin = "calibrated from " + std::to_string(calibration.picturesUsed()) + " pictures";
-        record.calibration = calibration;
-        record.board = board;
-        record.softwareVersion = ODOGRAPH_VERSION;
-        record.files = std::move(*files);
-        const auto added = project.cameras().addIntrinsics(record);
-        if (!added)
-            return tl::unexpected(added.error());
-        record = *added;
-        return {};
-    });
-    if (!stored)
-        return tl::unexpected(stored.error());
-    media.keep();
-    return record;
 }
 
 Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &camera,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/project/records.h"
-#include "core/workflow/calibration_media.h"
 
 #include <filesystem>
 #include <optional>
@@ -15,12 +14,6 @@ class Project;
 /// The camera of this name, made when the project has none of that name: whoever brings its pictures, intrinsics or
 /// videos need not announce it first.
 Result<CameraRecord> findOrAddCamera(Project &project, const std::string &name);
-
-/// Stores a lens that was measured from a board as the camera's newest intrinsics, in one transaction; the camera is made
-/// when there is none of that name. board: as it was found out. pictures: kept beside the project, each with the picture
-/// of the calibration that has its source; a failure leaves none of them.
-Result<IntrinsicsRecord> storeCalibration(Project &project, const std::string &camera, const IntrinsicCalibration &calibration,
-                                          const BoardSpec &board, const std::vector<BoardPicture> &pictures);
 
 /// Reads a ROS camera_info or OpenCV YAML file and stores it as the camera's newest intrinsics.
 Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &camera,

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "ui/models/live_cameras.h"
 #include "ui/testbed/check/accuracy_dialog.h"
 #include "ui/testbed/check/length_wizard.h"
 #include "ui/testbed/check/moved_dialog.h"
@@ -14,7 +15,8 @@
 
 namespace odo {
 
-CheckTools::CheckTools(Project &project, QWidget &window) : QObject(&window), m_project(project), m_window(window)
+CheckTools::CheckTools(Project &project, LiveCameras &live, QWidget &window)
+    : QObject(&window), m_project(project), m_live(live), m_window(window)
 {
     add(Moved, QStringLiteral("moved"), tr("&Check the cameras…"), tr("Moved?"),
         tr("Look whether each camera still stands where it was registered, before the robots run"), &CheckTools::checkMoved);
@@ -55,8 +57,10 @@ void CheckTools::checkLength()
         Q_EMIT failed(cameras.error());
         return;
     }
-    if (!cameras->empty())
-        LengthWizard(std::move(*cameras), m_camera, liveCameras(), &m_window).exec();
+    if (cameras->empty())
+        return;
+    m_live.look();
+    LengthWizard(std::move(*cameras), m_camera, m_live, &m_window).exec();
 }
 
 void CheckTools::showAccuracy()
@@ -81,7 +85,8 @@ void CheckTools::checkMoved()
         Q_EMIT failed(cameras.error());
         return;
     }
-    MovedDialog dialog(m_project, std::move(*cameras), liveCameras(), &m_window);
+    m_live.look();
+    MovedDialog dialog(m_project, std::move(*cameras), m_live, &m_window);
     dialog.exec();
     if (dialog.hasChecked())
         Q_EMIT changed(tr("The cameras are checked: see their badges."));

@@ -14,6 +14,7 @@ class QWidget;
 
 namespace odo {
 
+class LiveCameras;
 class Project;
 
 /// How a testbed is checked: whether cameras have moved, by a known length, by what accuracy is to be expected, and through
@@ -24,8 +25,8 @@ class CheckTools : public QObject
 public:
     enum Tool { Moved, Length, Accuracy, Revisions, ToolCount };
 
-    /// window: parent of the dialogs.
-    CheckTools(Project &project, QWidget &window);
+    /// live: looked up anew before a dialog asks for one; must outlive it. window: parent of the dialogs.
+    CheckTools(Project &project, LiveCameras &live, QWidget &window);
 
     QAction *action(Tool tool) const { return m_actions.at(tool); }
     QList<QAction *> actions() const { return m_actions; }
@@ -46,6 +47,7 @@ private:
     void showRevisions();
 
     Project &m_project;
+    LiveCameras &m_live;
     QWidget &m_window;
     QList<QAction *> m_actions;
     QString m_camera;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/known_cameras.h"
 
-#include "core/capture/camera_source.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/cameras.h"
@@ -58,14 +57,6 @@ Result<std::vector<CheckCamera>> checkCameras(Project &project)
                            cameraBadge(row.registration)});
     }
     return cameras;
-}
-
-std::vector<std::pair<QString, QString>> liveCameras()
-{
-    std::vector<std::pair<QString, QString>> live;
-    for (const CameraDescription &camera : listCameras())
-        live.emplace_back(QString::fromStdString(camera.name), QString::fromStdString(camera.uri));
-    return live;
 }
 
 } // namespace odo

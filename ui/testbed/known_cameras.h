@@ -5,7 +5,6 @@
 #include "ui/testbed/check/check_camera.h"
 #include "ui/testbed/floor/floor_camera.h"
 
-#include <utility>
 #include <vector>
 
 namespace odo {
@@ -17,8 +16,5 @@ Result<std::vector<FloorCamera>> floorCameras(Project &project);
 
 /// Those that are registered, as the checks take them. Project's thread.
 Result<std::vector<CheckCamera>> checkCameras(Project &project);
-
-/// Name and address of the cameras that are connected.
-std::vector<std::pair<QString, QString>> liveCameras();
 
 } // namespace odo

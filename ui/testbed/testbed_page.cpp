@@ -3,8 +3,10 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "ui/models/timeline.h"
 #include "core/workflow/registered_view.h"
+#include "ui/models/camera_list_model.h"
+#include "ui/models/live_cameras.h"
+#include "ui/models/timeline.h"
 #include "ui/testbed/check/expected_accuracy.h"
 #include "ui/testbed/check_tools.h"
 #include "ui/testbed/testbed_state.h"
@@ -45,7 +47,8 @@ QHBoxLayout *buttonRow(const QList<QAction *> &actions)
 } // namespace
 
 TestbedPage::TestbedPage(Project &project, QWidget *parent)
-    : QWidget(parent), m_project(project), m_tools(new TestbedTools(project, *this)), m_checks(new CheckTools(project, *this)), m_timeline(new Timeline(this)),
+    : QWidget(parent), m_project(project), m_live(new LiveCameras(listCameras, this)), m_tools(new TestbedTools(project, *m_live, *this)),
+      m_checks(new CheckTools(project, *m_live, *this)), m_timeline(new Timeline(this)),
       m_cameras(new CameraListModel(this)), m_table(new QTableView), m_layoutList(new QListWidget),
       m_view(new CameraView(*m_timeline)), m_facts(new FactList), m_sketch(new FloorSketch),
       m_sketchCard(new Card(tr("From above"))), m_showAccuracy(new QCheckBox(tr("expected &accuracy"))), m_accuracy(new AccuracyMaker(this)),

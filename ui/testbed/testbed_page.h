@@ -26,6 +26,7 @@ class EmptyState;
 struct ExpectedAccuracy;
 class FactList;
 class FloorSketch;
+class LiveCameras;
 class Project;
 class TestbedTools;
 class Timeline;
@@ -62,6 +63,7 @@ private:
     QString currentCamera() const;
 
     Project &m_project;
+    LiveCameras *m_live;
     TestbedTools *m_tools;
     CheckTools *m_checks;
     Timeline *m_timeline;

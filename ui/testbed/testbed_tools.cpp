@@ -4,9 +4,11 @@
 #include "core/exchange/layout_csv.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/calibration_storage.h"
 #include "core/workflow/cameras.h"
 #include "core/workflow/register_through_job.h"
 #include "core/workflow/stored_registration.h"
+#include "ui/models/live_cameras.h"
 #include "ui/testbed/floor/floor_wizard.h"
 #include "ui/testbed/floor/layout_dialog.h"
 #include "ui/testbed/known_cameras.h"
@@ -26,11 +28,20 @@
 namespace odo {
 namespace {
 
-const char *const boardBefore = "?board"; // the simulated cameras have somebody who holds a board
+/// Before a simulated camera somebody holds a board.
+Result<std::shared_ptr<CameraSource>> openWithBoard(const QString &uri)
+{
+    const QString address = uri.startsWith(QLatin1String("sim:")) ? uri + QLatin1String("?board") : uri;
+    auto camera = openCamera(address.toStdString());
+    if (!camera)
+        return tl::unexpected(camera.error());
+    return std::shared_ptr<CameraSource>(std::move(*camera));
+}
 
 } // namespace
 
-TestbedTools::TestbedTools(Project &project, QWidget &window) : QObject(&window), m_project(project), m_window(window)
+TestbedTools::TestbedTools(Project &project, LiveCameras &live, QWidget &window)
+    : QObject(&window), m_project(project), m_live(live), m_window(window)
 {
     add(Calibrate, QStringLiteral("calibrate"), tr("&Calibrate camera…"), tr("Calibrate…"),
         tr("Measure a camera's lens from pictures of a board"), &TestbedTools::calibrate);
@@ -96,24 +107,22 @@ QStringList TestbedTools::layoutNames() const
 
 void TestbedTools::calibrate()
 {
-    std::vector<CameraDescription> live = listCameras();
-    for (CameraDescription &camera : live)
-        camera.uri += boardBefore;
-    LensWizard wizard(cameraNames(), m_camera, live,
-                      [](const QString &uri) -> Result<std::shared_ptr<CameraSource>> {
-                          auto camera = openCamera(uri.toStdString());
-                          if (!camera)
-                              return tl::unexpected(camera.error());
-                          return std::shared_ptr<CameraSource>(std::move(*camera));
-                      },
-                      &m_window);
+    std::unique_ptr<CalibrationStorage> storage; // touched by the wizard's thread, and after it by this one
+    LensWizard::Callbacks callbacks;
+    callbacks.open = openWithBoard;
+    callbacks.keepPictures = [&storage, folder = m_project.mediaFolder()](const MeasuredLens &lens, const JobControl &control) {
+        storage = std::make_unique<CalibrationStorage>(folder, lens.camera.toStdString(), lens.calibration, lens.board);
+        return storage->writePictures(lens.pictures, control);
+    };
+    m_live.look();
+    LensWizard wizard(cameraNames(), m_camera, m_live, std::move(callbacks), &m_window);
     if (wizard.exec() != QDialog::Accepted)
         return;
-    const MeasuredLens lens = wizard.result();
-    if (const auto stored = storeCalibration(m_project, lens.camera.toStdString(), lens.calibration, lens.board, lens.pictures); !stored)
+    const auto stored = storage->commit(m_project);
+    if (!stored)
         Q_EMIT failed(stored.error());
     else
-        Q_EMIT changed(tr("Camera %1 is calibrated. %2").arg(lens.camera, QString::fromStdString(lens.calibration.verdict)));
+        Q_EMIT changed(tr("Camera %1 is calibrated. %2").arg(wizard.result().camera, QString::fromStdString(stored->calibration.verdict)));
 }
 
 void TestbedTools::registerCamera()
@@ -126,7 +135,8 @@ void TestbedTools::registerCamera()
     }
     // The one that is chosen comes first, for the wizard begins with it.
     std::ranges::stable_partition(*layouts, [this](const LayoutRecord &layout) { return m_layout && layout.id == m_layout->id; });
-    FloorWizard wizard(std::move(*cameras), m_camera, std::move(*layouts), liveCameras(), &m_window);
+    m_live.look();
+    FloorWizard wizard(std::move(*cameras), m_camera, std::move(*layouts), m_live, &m_window);
     if (wizard.exec() != QDialog::Accepted)
         return;
     std::string verdict;
@@ -158,7 +168,8 @@ void TestbedTools::registerThroughCamera()
                           .value());
         return;
     }
-    ThroughWizard wizard(*cameras, m_camera, *registered, liveCameras(), &m_window);
+    m_live.look();
+    ThroughWizard wizard(*cameras, m_camera, *registered, m_live, &m_window);
     if (wizard.exec() != QDialog::Accepted)
         return;
     RegisterThroughJob job({wizard.camera().toStdString(), wizard.through().toStdString(), wizard.page().points()});

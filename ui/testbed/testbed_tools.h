@@ -13,6 +13,7 @@ class QWidget;
 
 namespace odo {
 
+class LiveCameras;
 class Project;
 
 /// What can be done with a testbed: calibrate and register cameras, make layouts, print targets. Owns the actions, asks
@@ -23,8 +24,8 @@ class TestbedTools : public QObject
 public:
     enum Tool { Calibrate, Register, RegisterThrough, RegisterJointly, ImportLens, NewLayout, ImportLayout, PrintTargets, ToolCount };
 
-    /// window: parent of the dialogs.
-    TestbedTools(Project &project, QWidget &window);
+    /// live: looked up anew before a dialog asks for one; must outlive it. window: parent of the dialogs.
+    TestbedTools(Project &project, LiveCameras &live, QWidget &window);
 
     QAction *action(Tool tool) const { return m_actions.at(tool); }
     QList<QAction *> actions() const { return m_actions; }
@@ -53,6 +54,7 @@ private:
     void store(MarkerLayout layout);
 
     Project &m_project;
+    LiveCameras &m_live;
     QWidget &m_window;
     QList<QAction *> m_actions;
     QString m_camera;

@@ -18,7 +18,7 @@ enum Page { SourcePage, EndsPage };
 } // namespace
 
 LengthWizard::LengthWizard(std::vector<CheckCamera> cameras, const QString &current,
-                           const std::vector<std::pair<QString, QString>> &live, QWidget *parent)
+                           const LiveCameras &live, QWidget *parent)
     : StepDialog(tr("Check a known length"), tr("&Done"), parent), m_cameras(std::move(cameras)), m_camera(new QComboBox), m_badge(new BadgeLabel({})),
       m_choice(new PictureChoice(live, tr("Picture or video of the length"))), m_page(new LengthPage)
 {

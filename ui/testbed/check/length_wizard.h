@@ -15,6 +15,7 @@ namespace odo {
 
 class BadgeLabel;
 class LengthPage;
+class LiveCameras;
 class PictureChoice;
 
 /// Checks a registered camera by a length that is known: which camera and picture, then both ends in it. Stores nothing.
@@ -22,8 +23,8 @@ class LengthWizard : public StepDialog
 {
     Q_OBJECT
 public:
-    /// cameras: one at least. current: name of the one to begin with. live: name and address of those that are connected.
-    LengthWizard(std::vector<CheckCamera> cameras, const QString &current, const std::vector<std::pair<QString, QString>> &live,
+    /// cameras: one at least. current: name of the one to begin with. live must outlive it.
+    LengthWizard(std::vector<CheckCamera> cameras, const QString &current, const LiveCameras &live,
                  QWidget *parent = nullptr);
     ~LengthWizard() override;
 

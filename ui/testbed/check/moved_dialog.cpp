@@ -2,6 +2,7 @@
 #include "ui/testbed/check/moved_dialog.h"
 
 #include "ui/models/figure_text.h"
+#include "ui/models/live_cameras.h"
 #include "ui/views/badge_delegate.h"
 #include "ui/views/path_field.h"
 #include "ui/views/table_list.h"
@@ -45,14 +46,14 @@ Badge badgeOf(const MovedCheck &check)
 
 } // namespace
 
-MovedDialog::MovedDialog(Project &project, std::vector<CheckCamera> cameras, const std::vector<std::pair<QString, QString>> &live,
+MovedDialog::MovedDialog(Project &project, std::vector<CheckCamera> cameras, const LiveCameras &live,
                          QWidget *parent)
     : QDialog(parent), m_project(project), m_table(new QTableWidget(int(cameras.size()), ColumnCount)), m_words(new QLabel),
       m_check(new QPushButton(tr("&Check"))), m_register(new QPushButton(tr("&Register again…"))), m_runner(project)
 {
     setWindowTitle(tr("Check the cameras"));
     for (CheckCamera &camera : cameras)
-        m_rows.push_back({std::move(camera), {}, {}, {}});
+        m_rows.push_back({std::move(camera), {}, {}, {}, false});
     m_table->setHorizontalHeaderLabels({tr("Camera"), tr("New picture"), tr("Result")});
     m_table->setAccessibleName(tr("Registered cameras"));
     showAsList(*m_table);
@@ -62,7 +63,9 @@ MovedDialog::MovedDialog(Project &project, std::vector<CheckCamera> cameras, con
     m_table->setColumnWidth(PictureColumn, 260);
     m_table->setItemDelegateForColumn(ResultColumn, new BadgeDelegate(badgeTextRole, badgeStateRole, this));
     for (int row = 0; row < int(m_rows.size()); ++row)
-        addRow(row, live);
+        addRow(row);
+    offerLive(live);
+    connect(&live, &LiveCameras::changed, this, [this, &live] { offerLive(live); });
     auto *intro = new QLabel(tr("A camera that was pushed measures wrongly and nothing shows it. Before the robots run, each camera's markers "
                                 "are looked for again in a new picture."));
     intro->setWordWrap(true);
@@ -108,26 +111,17 @@ QWidget *MovedDialog::makeDetail()
     return m_words;
 }
 
-void MovedDialog::addRow(int row, const std::vector<std::pair<QString, QString>> &live)
+void MovedDialog::addRow(int row)
 {
     const CheckCamera &camera = m_rows[std::size_t(row)].camera;
     auto *choice = new QComboBox;
     choice->setAccessibleName(tr("New picture of camera %1").arg(camera.name));
-    int chosen = -1;
-    for (const auto &[name, uri] : live) {
-        choice->addItem(name);
-        choice->setItemData(choice->count() - 1, uri, uriRole);
-        if (chosen < 0 && isTheCamera(uri, camera))
-            chosen = choice->count() - 1;
-    }
     if (camera.newestRecording) {
         choice->addItem(tr("Its newest recording"));
-        choice->setItemData(choice->count() - 1, textOf(*camera.newestRecording), fileRole);
-        chosen = chosen < 0 ? choice->count() - 1 : chosen;
+        choice->setItemData(0, textOf(*camera.newestRecording), fileRole);
     }
     choice->addItem(tr("Not checked"));
     choice->addItem(tr("A picture or video…"));
-    choice->setCurrentIndex(chosen < 0 ? choice->count() - 2 : chosen);
     m_rows[std::size_t(row)].origin = {choice->currentData(fileRole).toString(), choice->currentData(uriRole).toString()};
     m_table->setItem(row, CameraColumn, new QTableWidgetItem(camera.name));
     m_table->setCellWidget(row, PictureColumn, choice);
@@ -137,10 +131,34 @@ void MovedDialog::addRow(int row, const std::vector<std::pair<QString, QString>>
     showRow(row);
 }
 
+void MovedDialog::offerLive(const LiveCameras &live)
+{
+    for (int row = 0; row < int(m_rows.size()); ++row)
+        for (const CameraDescription &camera : live.cameras())
+            offerLive(row, camera);
+}
+
+/// First in the list; chosen where it is the row's camera and nobody has chosen otherwise.
+void MovedDialog::offerLive(int row, const CameraDescription &live)
+{
+    auto *choice = qobject_cast<QComboBox *>(m_table->cellWidget(row, PictureColumn));
+    const QString uri = QString::fromStdString(live.uri);
+    if (choice->findData(uri, uriRole) >= 0)
+        return;
+    choice->insertItem(0, QString::fromStdString(live.name));
+    choice->setItemData(0, uri, uriRole);
+    Row &of = m_rows[std::size_t(row)];
+    if (of.chosen || !isTheCamera(uri, of.camera))
+        return;
+    choice->setCurrentIndex(0);
+    of.origin = {{}, uri};
+}
+
 void MovedDialog::choosePicture(int row, int index)
 {
     auto *choice = qobject_cast<QComboBox *>(m_table->cellWidget(row, PictureColumn));
     m_table->selectRow(row);
+    m_rows[std::size_t(row)].chosen = true;
     if (index + 1 < choice->count()) {
         m_rows[std::size_t(row)].origin = {choice->itemData(index, fileRole).toString(), choice->itemData(index, uriRole).toString()};
         return;
@@ -155,6 +173,7 @@ void MovedDialog::setPicture(int row, const PictureOrigin &origin)
 {
     auto *choice = qobject_cast<QComboBox *>(m_table->cellWidget(row, PictureColumn));
     m_rows[std::size_t(row)].origin = origin;
+    m_rows[std::size_t(row)].chosen = true;
     const int notChecked = choice->count() - 2;
     if (origin.file.isEmpty() && origin.liveUri.isEmpty())
         return choice->setCurrentIndex(notChecked);

@@ -17,15 +17,18 @@ class QTableWidget;
 
 namespace odo {
 
+class LiveCameras;
+struct CameraDescription;
+
 /// Before a trial: looks in a new picture of each registered camera whether it still stands where it was registered. What is
 /// found is kept with the registrations as soon as it is found; a check that is given up keeps nothing.
 class MovedDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// live: name and address of the cameras that are connected. A camera begins with the connected one that it is, or else
+    /// live must outlive it. A camera begins with the connected one that it is, or else
     /// with its newest recording. The project must outlive the dialog; used on its own thread.
-    MovedDialog(Project &project, std::vector<CheckCamera> cameras, const std::vector<std::pair<QString, QString>> &live,
+    MovedDialog(Project &project, std::vector<CheckCamera> cameras, const LiveCameras &live,
                 QWidget *parent = nullptr);
     ~MovedDialog() override;
 
@@ -46,10 +49,13 @@ private:
         PictureOrigin origin;
         Badge badge;
         QString words;
+        bool chosen = false; ///< by a person
     };
 
     QWidget *makeDetail();
-    void addRow(int row, const std::vector<std::pair<QString, QString>> &live);
+    void addRow(int row);
+    void offerLive(const LiveCameras &live);
+    void offerLive(int row, const CameraDescription &live);
     void choosePicture(int row, int choice);
     void checkAll();
     void checkNext();

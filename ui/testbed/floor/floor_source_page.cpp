@@ -12,7 +12,7 @@
 namespace odo {
 
 FloorSourcePage::FloorSourcePage(const std::vector<FloorCamera> &cameras, const QString &current, const std::vector<LayoutRecord> &layouts,
-                                 const std::vector<std::pair<QString, QString>> &live, QWidget *parent)
+                                 const LiveCameras &live, QWidget *parent)
     : QWidget(parent), m_cameras(cameras), m_camera(new QComboBox), m_layout(new QComboBox),
       m_picture(new PictureChoice(live, tr("Picture or video of the markers"))), m_lens(new QLabel)
 {

@@ -12,6 +12,7 @@ class QLabel;
 
 namespace odo {
 
+class LiveCameras;
 class PictureChoice;
 
 /// First page of the floor wizard: which camera, which layout, and the picture in which its markers are seen.
@@ -19,9 +20,9 @@ class FloorSourcePage : public QWidget
 {
     Q_OBJECT
 public:
-    /// live: name and address of the cameras that are connected.
+    /// live must outlive it.
     FloorSourcePage(const std::vector<FloorCamera> &cameras, const QString &current, const std::vector<LayoutRecord> &layouts,
-                    const std::vector<std::pair<QString, QString>> &live, QWidget *parent = nullptr);
+                    const LiveCameras &live, QWidget *parent = nullptr);
 
     QString camera() const;
     int layout() const; ///< its place in the list

@@ -22,7 +22,7 @@ std::optional<Intrinsics> lensOf(const std::vector<FloorCamera> &cameras, const 
 } // namespace
 
 FloorWizard::FloorWizard(std::vector<FloorCamera> cameras, const QString &current, std::vector<LayoutRecord> layouts,
-                         const std::vector<std::pair<QString, QString>> &live, QWidget *parent)
+                         const LiveCameras &live, QWidget *parent)
     : StepDialog(tr("Register camera to the floor"), tr("&Save"), parent), m_cameras(std::move(cameras)), m_layouts(std::move(layouts)),
       m_source(new FloorSourcePage(m_cameras, current, m_layouts, live)), m_markers(new MarkerPage)
 {

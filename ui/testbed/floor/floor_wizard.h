@@ -10,6 +10,7 @@
 namespace odo {
 
 class FloorSourcePage;
+class LiveCameras;
 class MarkerPage;
 
 /// Leads from a picture of the markers to a camera's place over the floor: which camera, layout and picture; the
@@ -20,7 +21,7 @@ class FloorWizard : public StepDialog
     Q_OBJECT
 public:
     FloorWizard(std::vector<FloorCamera> cameras, const QString &current, std::vector<LayoutRecord> layouts,
-                const std::vector<std::pair<QString, QString>> &live, QWidget *parent = nullptr);
+                const LiveCameras &live, QWidget *parent = nullptr);
     ~FloorWizard() override;
 
     FloorSourcePage &source() { return *m_source; }

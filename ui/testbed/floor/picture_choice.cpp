@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/floor/picture_choice.h"
 
+#include "ui/views/live_camera_box.h"
 #include "ui/views/path_field.h"
 
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QRadioButton>
 #include <QVBoxLayout>
@@ -25,16 +25,13 @@ QHBoxLayout *indented(QWidget *widget, bool stretched)
 
 } // namespace
 
-PictureChoice::PictureChoice(const std::vector<std::pair<QString, QString>> &live, const QString &fileName, QWidget *parent)
+PictureChoice::PictureChoice(const LiveCameras &live, const QString &fileName, QWidget *parent)
     : QWidget(parent), m_fromRecording(new QRadioButton(tr("In the camera's &newest recording"))),
       m_fromLive(new QRadioButton(tr("In what a &connected camera sees now"))), m_fromFile(new QRadioButton(tr("In a &picture or video"))),
-      m_live(new QComboBox),
+      m_live(new LiveCameraBox(live)),
       m_file(new PathField(fileName, tr("Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov "
                                         "*.webm);;All files (*)")))
 {
-    for (const auto &[name, uri] : live)
-        m_live->addItem(name, uri);
-    m_live->setAccessibleName(tr("Camera that is connected"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_fromRecording);
@@ -43,11 +40,10 @@ PictureChoice::PictureChoice(const std::vector<std::pair<QString, QString>> &liv
     layout->addWidget(m_fromFile);
     layout->addLayout(indented(m_file, true));
     setFocusProxy(m_fromRecording);
-    m_fromLive->setEnabled(!live.empty());
     m_fromFile->setChecked(true);
     for (QRadioButton *choice : {m_fromRecording, m_fromLive, m_fromFile})
         connect(choice, &QRadioButton::toggled, this, &PictureChoice::updateChoices);
-    connect(m_live, &QComboBox::currentIndexChanged, this, &PictureChoice::changed);
+    connect(m_live, &QComboBox::currentIndexChanged, this, &PictureChoice::updateChoices);
     connect(m_file, &PathField::changed, this, &PictureChoice::changed);
     updateChoices();
 }
@@ -63,6 +59,7 @@ void PictureChoice::setRecording(const std::optional<std::filesystem::path> &fil
 void PictureChoice::updateChoices()
 {
     m_fromRecording->setEnabled(m_recording.has_value());
+    m_fromLive->setEnabled(!m_live->uri().isEmpty() || m_fromLive->isChecked());
     if (!m_recording && m_fromRecording->isChecked())
         m_fromFile->setChecked(true);
     m_live->setEnabled(m_fromLive->isChecked());
@@ -73,7 +70,7 @@ void PictureChoice::updateChoices()
 PictureOrigin PictureChoice::origin() const
 {
     if (m_fromLive->isChecked())
-        return {{}, m_live->currentData().toString()};
+        return {{}, m_live->uri()};
     if (m_fromFile->isChecked())
         return {textOf(m_file->path()), {}};
     return {m_recording ? textOf(*m_recording) : QString(), {}};

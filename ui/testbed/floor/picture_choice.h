@@ -6,14 +6,13 @@
 #include <QWidget>
 #include <filesystem>
 #include <optional>
-#include <utility>
-#include <vector>
 
-class QComboBox;
 class QRadioButton;
 
 namespace odo {
 
+class LiveCameraBox;
+class LiveCameras;
 class PathField;
 
 /// Asks where a picture of the floor comes from: the camera's newest recording, a camera that is connected, or a file.
@@ -21,8 +20,8 @@ class PictureChoice : public QWidget
 {
     Q_OBJECT
 public:
-    /// live: name and address of the cameras that are connected. fileName: of the line for the file, for a screen reader.
-    PictureChoice(const std::vector<std::pair<QString, QString>> &live, const QString &fileName, QWidget *parent = nullptr);
+    /// live must outlive it. fileName: of the line for the file, for a screen reader.
+    PictureChoice(const LiveCameras &live, const QString &fileName, QWidget *parent = nullptr);
 
     /// Of the camera that is chosen; nullopt: it has none. It is taken where there is one, unless something else was chosen.
     void setRecording(const std::optional<std::filesystem::path> &file);
@@ -39,7 +38,7 @@ private:
 
     std::optional<std::filesystem::path> m_recording;
     QRadioButton *m_fromRecording, *m_fromLive, *m_fromFile;
-    QComboBox *m_live;
+    LiveCameraBox *m_live;
     PathField *m_file;
 };
 

@@ -11,6 +11,8 @@ namespace odo {
 namespace {
 
 constexpr int videoStep = 15, mostPictures = 8;
+constexpr double settlingS = 0.5;  // a webcam's first pictures are dark: its exposure is being found
+constexpr int mostRefusals = 6;    // of half a second each: then the camera will not come
 
 Result<void> lookIn(const Frame &frame, const MarkerLayout &layout, const std::optional<Intrinsics> &lens, StillPicture &best)
 {
@@ -36,16 +38,37 @@ Result<void> lookIn(const Frame &frame, const MarkerLayout &layout, const std::o
     return {};
 }
 
-Result<StillPicture> fromCamera(const std::string &uri, const MarkerLayout &layout, const std::optional<Intrinsics> &lens)
+/// The first picture after the camera has settled.
+Result<Frame> settledPicture(CameraSource &camera, const JobControl &control)
+{
+    int refusals = 0;
+    std::optional<Nanoseconds> first;
+    for (;;) {
+        auto captured = camera.next();
+        if (control.isCancelled())
+            return cancelled("the picture");
+        if (!captured && (captured.error().code != ErrorCode::Unavailable || ++refusals == mostRefusals))
+            return tl::unexpected(captured.error());
+        if (!captured)
+            continue;
+        if (!first)
+            first = captured->frame.time;
+        if (toSeconds(captured->frame.time - *first) >= settlingS)
+            return std::move(captured->frame);
+    }
+}
+
+Result<StillPicture> fromCamera(const std::string &uri, const MarkerLayout &layout, const std::optional<Intrinsics> &lens,
+                                const JobControl &control)
 {
     auto camera = openCamera(uri);
     if (!camera)
         return tl::unexpected(camera.error());
-    auto captured = (*camera)->next();
-    if (!captured)
-        return tl::unexpected(captured.error());
+    const auto frame = settledPicture(**camera, control);
+    if (!frame)
+        return tl::unexpected(frame.error());
     StillPicture picture;
-    if (auto looked = lookIn(captured->frame, layout, lens, picture); !looked)
+    if (auto looked = lookIn(*frame, layout, lens, picture); !looked)
         return tl::unexpected(looked.error());
     return picture;
 }
@@ -65,7 +88,7 @@ Result<StillPicture> takeStillPicture(const PictureOrigin &origin, const MarkerL
 {
     Result<StillPicture> picture = StillPicture();
     if (!origin.liveUri.isEmpty()) {
-        picture = fromCamera(origin.liveUri.toStdString(), layout, lens);
+        picture = fromCamera(origin.liveUri.toStdString(), layout, lens, control);
     } else {
         int looked = 0;
         Result<void> problem;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/lens/board_search.h"
 
-#include "core/capture/camera_source.h"
 #include "ui/testbed/lens/board_search_worker.h"
+#include "ui/testbed/lens/watched_camera.h"
 
 namespace odo {
 
@@ -20,7 +20,7 @@ BoardSearch::BoardSearch(QObject *parent) : QObject(parent), m_worker(new BoardS
         m_state = state;
         Q_EMIT changed();
     });
-    connect(m_worker, &BoardSearchWorker::failed, this, &BoardSearch::failed);
+    connect(m_worker, &BoardSearchWorker::troubled, this, &BoardSearch::troubled);
     m_thread.setObjectName(QStringLiteral("board search"));
     m_thread.start();
 }
@@ -48,11 +48,11 @@ void BoardSearch::addFiles(const QStringList &files)
     ask([files](BoardSearchWorker &worker) { worker.addFiles(files); });
 }
 
-void BoardSearch::watch(std::shared_ptr<CameraSource> camera)
+void BoardSearch::watch(OpenCamera open)
 {
     stop();
-    m_camera = camera;
-    ask([camera](BoardSearchWorker &worker) { worker.watch(camera); });
+    m_camera = std::make_shared<WatchedCamera>(std::move(open));
+    ask([camera = m_camera](BoardSearchWorker &worker) { worker.watch(camera); });
 }
 
 void BoardSearch::takeNow()

@@ -16,6 +16,10 @@ namespace odo {
 
 class CameraSource;
 class BoardSearchWorker;
+class WatchedCamera;
+
+/// Opens the camera whose board is to be seen.
+using OpenCamera = std::function<Result<std::shared_ptr<CameraSource>>()>;
 
 /// A picture in which the board was looked for, small enough for the screen.
 struct SearchedPicture
@@ -61,8 +65,8 @@ public:
     void begin(const BoardSpec &spec);
     /// Pictures and videos, one after the other.
     void addFiles(const QStringList &files);
-    /// Until stop(): pictures are taken by themselves.
-    void watch(std::shared_ptr<CameraSource> camera);
+    /// Until stop(): pictures are taken by themselves. open: called on the search's thread, for it may take long.
+    void watch(OpenCamera open);
     /// The next picture of the camera is taken as if a person had chosen it.
     void takeNow();
     void remove(int index);
@@ -75,7 +79,7 @@ public:
 Q_SIGNALS:
     void searched(const odo::SearchedPicture &picture);
     void changed(); ///< state() is new
-    void failed(const QString &message); ///< the camera was lost
+    void troubled(const QString &message); ///< the camera is lost, or gives no picture for the moment
 
 private:
     void ask(std::function<void(BoardSearchWorker &)> what);
@@ -83,7 +87,7 @@ private:
     QThread m_thread;
     BoardSearchWorker *m_worker;
     SearchState m_state;
-    std::shared_ptr<CameraSource> m_camera;
+    std::shared_ptr<WatchedCamera> m_camera;
 };
 
 } // namespace odo

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/lens/board_search_worker.h"
 
-#include "core/capture/camera_source.h"
 #include "core/video/picture.h"
 #include "core/video/picture_writer.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/picture_source.h"
+#include "ui/testbed/lens/watched_camera.h"
 #include "ui/views/path_field.h"
 #include "ui/views/screen_image.h"
 
@@ -44,7 +44,7 @@ void BoardSearchWorker::addFiles(const QStringList &files)
     goOn();
 }
 
-void BoardSearchWorker::watch(std::shared_ptr<CameraSource> camera)
+void BoardSearchWorker::watch(std::shared_ptr<WatchedCamera> camera)
 {
     m_camera = std::move(camera);
     goOn();
@@ -85,9 +85,10 @@ void BoardSearchWorker::lookAtCamera()
 {
     const auto captured = m_camera->next();
     if (!captured) {
-        m_camera.reset();
+        if (captured.error().code != ErrorCode::Unavailable)
+            m_camera.reset();
         if (captured.error().code != ErrorCode::Cancelled)
-            Q_EMIT failed(QString::fromStdString(captured.error().message()));
+            Q_EMIT troubled(QString::fromStdString(captured.error().message()));
         return;
     }
     const bool chosen = std::exchange(m_takeNow, false);

@@ -22,7 +22,7 @@ public:
 
     void begin(const BoardSpec &spec);
     void addFiles(const QStringList &files);
-    void watch(std::shared_ptr<CameraSource> camera);
+    void watch(std::shared_ptr<WatchedCamera> camera);
     void takeNow() { m_takeNow = true; }
     void remove(int index);
     void undoRemove();
@@ -33,7 +33,7 @@ public:
 Q_SIGNALS:
     void searched(const odo::SearchedPicture &picture);
     void stateChanged(const odo::SearchState &state);
-    void failed(const QString &message);
+    void troubled(const QString &message);
 
 private:
     void goOn();
@@ -56,7 +56,7 @@ private:
     std::unique_ptr<VideoReader> m_video;
     QString m_videoName;
     int m_fromVideo = 0;
-    std::shared_ptr<CameraSource> m_camera;
+    std::shared_ptr<WatchedCamera> m_camera;
     bool m_takeNow = false, m_going = false;
     std::atomic<int> m_onTheirWay{0};
 };

@@ -87,7 +87,7 @@ LensPicturesPage::LensPicturesPage(BoardSearch &search, QWidget *parent)
     layout->addWidget(makeStrip());
     connect(&m_search, &BoardSearch::searched, this, &LensPicturesPage::showSearched);
     connect(&m_search, &BoardSearch::changed, this, &LensPicturesPage::showState);
-    connect(&m_search, &BoardSearch::failed, this, [this](const QString &message) { say(tr("The camera is lost"), message); });
+    connect(&m_search, &BoardSearch::troubled, this, [this](const QString &message) { say(tr("No picture from the camera"), message); });
     connect(m_strip, &FilmStrip::removeRequested, &m_search, &BoardSearch::remove);
     connect(m_strip, &FilmStrip::undoRequested, &m_search, &BoardSearch::undoRemove);
     connect(m_strip, &QListWidget::currentRowChanged, this, &LensPicturesPage::showKept);

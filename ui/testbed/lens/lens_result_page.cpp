@@ -181,6 +181,16 @@ void LensResultPage::showAnswer(const LensAnswer &answer)
     Q_EMIT completeChanged();
 }
 
+void LensResultPage::showSaving()
+{
+    m_verdict->setText(tr("Storing the lens and its pictures…"));
+}
+
+void LensResultPage::showSavingFailed(const Error &error)
+{
+    m_verdict->setText(tr("The lens was not stored. %1").arg(QString::fromStdString(error.message())));
+}
+
 void LensResultPage::showFigures()
 {
     const IntrinsicCalibration &calibration = *m_calibration;

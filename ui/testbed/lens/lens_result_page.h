@@ -30,6 +30,9 @@ public:
     /// Solves for these pictures from the start.
     void begin(const SearchState &pictures);
     void cancel() { m_solver.cancel(); }
+    /// While the lens is being stored, and when that failed: it still stands here.
+    void showSaving();
+    void showSavingFailed(const Error &error);
     /// The lens that stands there; none while it is being solved, or where it could not.
     const std::optional<IntrinsicCalibration> &calibration() const { return m_calibration; }
     const std::vector<KeptPicture> &pictures() const { return m_pictures.kept; }

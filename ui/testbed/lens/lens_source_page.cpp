@@ -3,6 +3,7 @@
 
 #include "core/base/units.h"
 #include "ui/testbed/targets/target_dialog.h"
+#include "ui/views/live_camera_box.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -41,9 +42,9 @@ QPushButton *plainButton(const QString &text)
 
 } // namespace
 
-LensSourcePage::LensSourcePage(const QStringList &cameras, const QString &current, const std::vector<CameraDescription> &live,
+LensSourcePage::LensSourcePage(const QStringList &cameras, const QString &current, const LiveCameras &live,
                                QWidget *parent)
-    : QWidget(parent), m_camera(new QComboBox), m_live(new QComboBox), m_square(new QDoubleSpinBox),
+    : QWidget(parent), m_camera(new QComboBox), m_live(new LiveCameraBox(live)), m_square(new QDoubleSpinBox),
       m_fromLive(new QRadioButton(tr("Be&fore the camera: hold the board, pictures are taken by themselves"))),
       m_fromFiles(new QRadioButton(tr("From &pictures or a video that you have taken"))), m_files(new QListWidget),
       m_fileBox(makeFiles())
@@ -56,10 +57,6 @@ LensSourcePage::LensSourcePage(const QStringList &cameras, const QString &curren
     m_square->setDecimals(2);
     m_square->setSuffix(tr(" mm"));
     m_square->setValue(usualSquareMm);
-    for (const CameraDescription &camera : live)
-        m_live->addItem(tr("%1, %2×%3").arg(QString::fromStdString(camera.name)).arg(camera.widthPx).arg(camera.heightPx),
-                        QString::fromStdString(camera.uri));
-    m_live->setAccessibleName(tr("Camera that is connected"));
     auto *print = plainButton(tr("Prin&t a board…"));
     connect(print, &QPushButton::clicked, this, [this] { TargetDialog(TargetKind::Checkerboard, {}, this).exec(); });
     auto *square = new QHBoxLayout;
@@ -92,9 +89,9 @@ LensSourcePage::LensSourcePage(const QStringList &cameras, const QString &curren
     layout->addWidget(m_fromFiles);
     layout->addWidget(m_fileBox, 1);
     m_fromFiles->setChecked(true);
-    m_fromLive->setEnabled(!live.empty());
     for (QRadioButton *choice : {m_fromLive, m_fromFiles})
         connect(choice, &QRadioButton::toggled, this, &LensSourcePage::updateChoices);
+    connect(m_live, &QComboBox::currentIndexChanged, this, &LensSourcePage::updateChoices);
     connect(m_camera, &QComboBox::editTextChanged, this, &LensSourcePage::completeChanged);
     updateChoices();
 }
@@ -133,6 +130,7 @@ QWidget *LensSourcePage::makeFiles()
 
 void LensSourcePage::updateChoices()
 {
+    m_fromLive->setEnabled(!m_live->uri().isEmpty() || m_fromLive->isChecked());
     m_live->setEnabled(m_fromLive->isChecked());
     m_fileBox->setEnabled(m_fromFiles->isChecked());
     Q_EMIT completeChanged();
@@ -141,7 +139,7 @@ void LensSourcePage::updateChoices()
 QString LensSourcePage::camera() const { return m_camera->currentText().trimmed(); }
 double LensSourcePage::squareM() const { return fromMillimetres(m_square->value()); }
 bool LensSourcePage::isLive() const { return m_fromLive->isChecked(); }
-QString LensSourcePage::liveUri() const { return m_live->currentData().toString(); }
+QString LensSourcePage::liveUri() const { return m_live->uri(); }
 
 QStringList LensSourcePage::files() const
 {
@@ -163,7 +161,7 @@ void LensSourcePage::addFiles(const QStringList &files)
 
 bool LensSourcePage::isComplete() const
 {
-    return !camera().isEmpty() && (isLive() ? m_live->count() > 0 : m_files->count() > 0);
+    return !camera().isEmpty() && (isLive() ? !liveUri().isEmpty() : m_files->count() > 0);
 }
 
 void LensSourcePage::dragEnterEvent(QDragEnterEvent *event)

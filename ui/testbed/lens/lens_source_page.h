@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/camera_source.h"
-
 #include <QStringList>
 #include <QWidget>
 
@@ -13,12 +11,16 @@ class QRadioButton;
 
 namespace odo {
 
+class LiveCameraBox;
+class LiveCameras;
+
 /// First page of the lens wizard: which camera, which board, and where its pictures come from.
 class LensSourcePage : public QWidget
 {
     Q_OBJECT
 public:
-    LensSourcePage(const QStringList &cameras, const QString &current, const std::vector<CameraDescription> &live,
+    /// live must outlive it.
+    LensSourcePage(const QStringList &cameras, const QString &current, const LiveCameras &live,
                    QWidget *parent = nullptr);
 
     QString camera() const;
@@ -40,7 +42,8 @@ private:
     QWidget *makeFiles();
     void updateChoices();
 
-    QComboBox *m_camera, *m_live;
+    QComboBox *m_camera;
+    LiveCameraBox *m_live;
     QDoubleSpinBox *m_square;
     QRadioButton *m_fromLive, *m_fromFiles;
     QListWidget *m_files;

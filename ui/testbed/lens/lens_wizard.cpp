@@ -12,9 +12,9 @@ constexpr int fewestPictures = 3;
 
 } // namespace
 
-LensWizard::LensWizard(const QStringList &cameras, const QString &current, const std::vector<CameraDescription> &live,
-                       OpenCamera open, QWidget *parent)
-    : StepDialog(tr("Calibrate camera"), tr("&Save"), parent), m_open(std::move(open)), m_source(new LensSourcePage(cameras, current, live)),
+LensWizard::LensWizard(const QStringList &cameras, const QString &current, const LiveCameras &live, Callbacks callbacks,
+                       QWidget *parent)
+    : StepDialog(tr("Calibrate camera"), tr("&Save"), parent), m_callbacks(std::move(callbacks)), m_source(new LensSourcePage(cameras, current, live)),
       m_pictures(new LensPicturesPage(m_search)), m_result(new LensResultPage)
 {
     addStep(tr("The camera and the board"), m_source);
@@ -25,6 +25,14 @@ LensWizard::LensWizard(const QStringList &cameras, const QString &current, const
     connect(m_result, &LensResultPage::completeChanged, this, &LensWizard::updateButtons);
     connect(&m_search, &BoardSearch::changed, this, &LensWizard::updateButtons);
     connect(m_pictures, &LensPicturesPage::filesDropped, &m_search, &BoardSearch::addFiles);
+    connect(&m_saving, &BackgroundTask::finished, this, [this](const std::optional<Error> &error) {
+        if (!isVisible()) // left meanwhile
+            return;
+        if (!error)
+            return accept();
+        m_result->showSavingFailed(*error);
+        updateButtons();
+    });
     turnTo(Source);
 }
 
@@ -38,7 +46,7 @@ bool LensWizard::isComplete(int step) const
     case Pictures:
         return int(m_search.state().kept.size()) >= fewestPictures && m_search.state().waiting == 0;
     default:
-        return m_result->calibration().has_value();
+        return m_result->calibration().has_value() && !m_saving.isRunning();
     }
 }
 
@@ -52,11 +60,7 @@ void LensWizard::beginPictures()
         m_search.addFiles(m_source->files());
         return;
     }
-    auto camera = m_open(m_source->liveUri());
-    if (camera)
-        m_search.watch(std::move(*camera));
-    else
-        Q_EMIT m_search.failed(QString::fromStdString(camera.error().message()));
+    m_search.watch([open = m_callbacks.open, uri = m_source->liveUri()] { return open(uri); });
 }
 
 void LensWizard::next()
@@ -72,8 +76,15 @@ void LensWizard::next()
         turnTo(Result_);
         break;
     default:
-        accept();
+        save();
     }
+}
+
+void LensWizard::save()
+{
+    m_result->showSaving();
+    m_saving.start([lens = result(), keep = m_callbacks.keepPictures](const JobControl &control) { return keep(lens, control); });
+    updateButtons();
 }
 
 void LensWizard::back()
@@ -91,6 +102,7 @@ void LensWizard::done(int result)
 {
     m_search.stop();
     m_result->cancel();
+    m_saving.cancel();
     QDialog::done(result);
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/capture/camera_source.h"
 #include "core/workflow/calibration_media.h"
+#include "ui/models/background_task.h"
 #include "ui/testbed/lens/board_search.h"
 #include "ui/testbed/lens/lens_solver.h"
 #include "ui/views/step_dialog.h"
@@ -14,6 +15,7 @@ namespace odo {
 class LensPicturesPage;
 class LensResultPage;
 class LensSourcePage;
+class LiveCameras;
 
 /// What the wizard ends with.
 struct MeasuredLens
@@ -24,17 +26,24 @@ struct MeasuredLens
     std::vector<BoardPicture> pictures; ///< of the calibration
 };
 
-/// Leads from a board to a camera's intrinsics: which board and camera, its pictures, the result. Stores nothing: that
-/// is up to whoever opened it, once it is accepted. Closing it at any page leaves nothing behind.
+/// Leads from a board to a camera's intrinsics: which board and camera, its pictures, the result. The project is up to
+/// whoever opened it, once it is accepted. Closing it at any page leaves nothing behind.
 class LensWizard : public StepDialog
 {
     Q_OBJECT
 public:
-    /// Opens a connected camera, by address, so that a board before it is seen.
-    using OpenCamera = std::function<Result<std::shared_ptr<CameraSource>>(const QString &uri)>;
+    /// What it needs from outside. Both are called on threads of their own.
+    struct Callbacks
+    {
+        /// Opens a connected camera, by address, so that a board before it is seen.
+        std::function<Result<std::shared_ptr<CameraSource>>(const QString &uri)> open;
+        /// Writes to the disk what takes long; the wizard closes when it is done, and stays open when it fails.
+        std::function<Result<void>(const MeasuredLens &, const JobControl &)> keepPictures;
+    };
 
-    LensWizard(const QStringList &cameras, const QString &current, const std::vector<CameraDescription> &live,
-               OpenCamera open, QWidget *parent = nullptr);
+    /// live must outlive it.
+    LensWizard(const QStringList &cameras, const QString &current, const LiveCameras &live, Callbacks callbacks,
+               QWidget *parent = nullptr);
     ~LensWizard() override;
 
     LensSourcePage &source() { return *m_source; }
@@ -52,11 +61,14 @@ private:
     enum Page { Source, Pictures, Result_ };
     void beginPictures();
 
-    OpenCamera m_open;
+    void save();
+
+    const Callbacks m_callbacks;
     BoardSearch m_search;
     LensSourcePage *m_source;
     LensPicturesPage *m_pictures;
     LensResultPage *m_result;
+    BackgroundTask m_saving;
 };
 
 } // namespace odo

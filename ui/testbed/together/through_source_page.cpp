@@ -15,7 +15,7 @@ namespace odo {
 
 ThroughSourcePage::ThroughSourcePage(const std::vector<FloorCamera> &cameras, const QString &current,
                                      const std::vector<CheckCamera> &registered,
-                                     const std::vector<std::pair<QString, QString>> &live, QWidget *parent)
+                                     const LiveCameras &live, QWidget *parent)
     : QWidget(parent), m_cameras(cameras), m_registered(registered), m_camera(new QComboBox), m_through(new QComboBox),
       m_picture(new PictureChoice(live, tr("Picture or video of the camera to register"))),
       m_throughPicture(new PictureChoice(live, tr("Picture or video of the registered camera"))),

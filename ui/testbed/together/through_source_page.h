@@ -14,6 +14,7 @@ class QLabel;
 
 namespace odo {
 
+class LiveCameras;
 class PictureChoice;
 
 /// First page of registering a camera through another one: which two, and where a picture of each comes from.
@@ -23,7 +24,7 @@ class ThroughSourcePage : public QWidget
 public:
     /// cameras: those that can be registered. registered: those it can be done through; one at least.
     ThroughSourcePage(const std::vector<FloorCamera> &cameras, const QString &current, const std::vector<CheckCamera> &registered,
-                      const std::vector<std::pair<QString, QString>> &live, QWidget *parent = nullptr);
+                      const LiveCameras &live, QWidget *parent = nullptr);
 
     const FloorCamera &camera() const;
     const CheckCamera &through() const;

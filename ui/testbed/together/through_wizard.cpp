@@ -11,7 +11,7 @@ enum Page { SourcePage, PointsPage };
 } // namespace
 
 ThroughWizard::ThroughWizard(const std::vector<FloorCamera> &cameras, const QString &current, const std::vector<CheckCamera> &registered,
-                             const std::vector<std::pair<QString, QString>> &live, QWidget *parent)
+                             const LiveCameras &live, QWidget *parent)
     : StepDialog(tr("Register through another camera"), tr("&Save"), parent),
       m_source(new ThroughSourcePage(cameras, current, registered, live)), m_page(new SharedPointsPage)
 {

@@ -8,6 +8,8 @@
 
 namespace odo {
 
+class LiveCameras;
+
 /// Registers a camera that sees no markers through another one that sees the same floor: which two and their pictures,
 /// then the same points in both. Stores nothing: that is up to whoever opened it, once it is accepted.
 class ThroughWizard : public StepDialog
@@ -16,7 +18,7 @@ class ThroughWizard : public StepDialog
 public:
     /// cameras and registered: one at least of each.
     ThroughWizard(const std::vector<FloorCamera> &cameras, const QString &current, const std::vector<CheckCamera> &registered,
-                  const std::vector<std::pair<QString, QString>> &live, QWidget *parent = nullptr);
+                  const LiveCameras &live, QWidget *parent = nullptr);
     ~ThroughWizard() override;
 
     ThroughSourcePage &source() { return *m_source; }

@@ -4,6 +4,7 @@
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "tests/ui/testbed/check/found_widgets.h"
+#include "ui/models/live_cameras.h"
 #include "ui/testbed/check/length_page.h"
 #include "ui/testbed/check/length_wizard.h"
 #include "ui/testbed/floor/marker_canvas.h"
@@ -46,12 +47,15 @@ private:
     double trueLengthMm() const;
 
     QTemporaryDir m_folder;
+    LiveCameras m_live{[] { return std::vector<CameraDescription>{{.uri = "sim:A", .kind = "simulated", .name = "Simulated"}}; }};
     SimulatedScene m_scene = demoTestbed(1);
     QString m_picture;
 };
 
 void TestLengthWizard::initTestCase()
 {
+    m_live.look();
+    QTRY_VERIFY(!m_live.isLooking());
     m_picture = m_folder.filePath(QStringLiteral("tags.png"));
     QVERIFY(writePicture(SceneRenderer(m_scene, 0).render(0), m_picture.toStdString()));
 }
@@ -78,7 +82,7 @@ std::unique_ptr<LengthWizard> TestLengthWizard::makeWizard(const QString &pictur
     const FloorView view(truth.camera(), truth.worldFromCamera(), Eigen::Matrix<double, 6, 6>::Identity() * 1e-7);
     auto wizard = std::make_unique<LengthWizard>(
         std::vector<CheckCamera>{{QStringLiteral("A"), view, m_scene.floor.markers, std::nullopt}}, QStringLiteral("A"),
-        std::vector<std::pair<QString, QString>>{{QStringLiteral("Simulated"), QStringLiteral("sim:A")}});
+        m_live);
     if (!picture.isEmpty())
         wizard->picture().setFile(picture);
     wizard->open();
@@ -197,7 +201,7 @@ void TestLengthWizard::tellsWhatIsWrong()
 
 void TestLengthWizard::takesTheNewestRecordingAndALiveCamera()
 {
-    PictureChoice choice({{QStringLiteral("Simulated"), QStringLiteral("sim:A")}}, QStringLiteral("file"));
+    PictureChoice choice(m_live, QStringLiteral("file"));
     QVERIFY(!choice.isComplete());
     choice.setRecording(std::filesystem::path("/somewhere/a.mkv"));
     QCOMPARE(choice.origin().file, QStringLiteral("/somewhere/a.mkv"));

@@ -9,6 +9,7 @@
 #include "core/workflow/registered_view.h"
 #include "tests/ui/testbed/check/found_widgets.h"
 #include "ui/models/camera_list_model.h"
+#include "ui/models/live_cameras.h"
 #include "ui/testbed/check/moved_dialog.h"
 
 #include <QComboBox>
@@ -47,6 +48,7 @@ private:
     std::optional<RegistrationCheck> kept(const char *camera);
 
     QTemporaryDir m_folder;
+    LiveCameras m_live{[] { return std::vector<CameraDescription>(); }};
     SimulatedScene m_scene = demoTestbed(2);
     QString m_still, m_pushed, m_elsewhere, m_covered, m_small;
     std::unique_ptr<Project> m_project;
@@ -103,7 +105,7 @@ std::unique_ptr<MovedDialog> TestMovedDialog::makeDialog()
     for (const CameraRow &row : *rows)
         cameras.push_back({QString::fromStdString(row.camera.name), *floorViewOf(*m_project, *row.registration),
                            m_scene.floor.markers, std::nullopt, {}, cameraBadge(row.registration)});
-    auto dialog = std::make_unique<MovedDialog>(*m_project, std::move(cameras), std::vector<std::pair<QString, QString>>{});
+    auto dialog = std::make_unique<MovedDialog>(*m_project, std::move(cameras), m_live);
     dialog->open();
     return dialog;
 }

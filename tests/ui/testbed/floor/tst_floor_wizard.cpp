@@ -3,6 +3,8 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
+#include "tests/ui/support/busy_watch.h"
+#include "ui/models/live_cameras.h"
 #include "ui/testbed/floor/floor_source_page.h"
 #include "ui/testbed/floor/floor_wizard.h"
 #include "ui/testbed/floor/layout_dialog.h"
@@ -11,9 +13,12 @@
 #include "ui/testbed/floor/marker_page.h"
 
 #include <QFile>
+#include <QApplication>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QStackedWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -49,9 +54,12 @@ class TestFloorWizard : public QObject
 private Q_SLOTS:
     void initTestCase();
     void findsTheMarkersByItself();
+    void byKeyboardFromACamera();
+    void byMouseFromACamera();
     void takesMarkersByMouseAndKeys();
     void takesOutAndUndoes();
     void namesExchangedMarkers();
+    void cancelsAtEveryPage_data();
     void cancelsAtEveryPage();
     void tellsWhatIsWrongWithAPicture();
     void layoutIsEditedInTableAndDrawing();
@@ -66,6 +74,7 @@ private:
     Eigen::Vector2d truth(const char *label) const;
 
     QTemporaryDir m_folder;
+    LiveCameras m_live{[] { return std::vector<CameraDescription>{{.uri = "sim:A", .kind = "simulated", .name = "Simulated"}}; }};
     SimulatedScene m_scene = demoTestbed(1);
     QString m_picture, m_bare; ///< with tags, and without
     LayoutRecord m_layout;
@@ -73,6 +82,8 @@ private:
 
 void TestFloorWizard::initTestCase()
 {
+    m_live.look();
+    QTRY_VERIFY(!m_live.isLooking());
     m_layout = {7, m_scene.floor.markers};
     m_layout.layout.name = "Gym";
     m_picture = m_folder.filePath(QStringLiteral("tags.png"));
@@ -98,8 +109,9 @@ std::unique_ptr<FloorWizard> TestFloorWizard::makeWizard(const QString &picture)
     lens.calibration.intrinsics = m_scene.cameras[0].view.camera().intrinsics();
     auto wizard = std::make_unique<FloorWizard>(std::vector<FloorCamera>{{QStringLiteral("A"), lens, std::nullopt}}, QStringLiteral("A"),
                                                 std::vector<LayoutRecord>{m_layout},
-                                                std::vector<std::pair<QString, QString>>{{QStringLiteral("Simulated"), QStringLiteral("sim:A")}});
-    wizard->source().setFile(picture);
+                                                m_live);
+    if (!picture.isEmpty())
+        wizard->source().setFile(picture);
     wizard->open();
     return wizard;
 }
@@ -126,6 +138,48 @@ void TestFloorWizard::findsTheMarkersByItself()
     QCOMPARE(record.pixels.size(), std::size_t(4));
     const Eigen::Vector3d off = record.registration.worldFromCamera.translation - m_scene.cameras[0].view.cameraInWorld();
     QVERIFY2(off.norm() < 0.02, qPrintable(QString::number(off.norm())));
+}
+
+void TestFloorWizard::byKeyboardFromACamera()
+{
+    const auto wizard = makeWizard({});
+    QVERIFY(QTest::qWaitForWindowActive(wizard.get()));
+    QVERIFY(!button(*wizard, "Next >")->isEnabled());
+    const auto focused = [] { return QApplication::focusWidget(); };
+    QTest::keyClick(wizard.get(), Qt::Key_A, Qt::AltModifier); // the camera, typed
+    QTest::keyClick(focused(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(focused(), QStringLiteral("A"));
+    QTest::keyClick(wizard.get(), Qt::Key_L, Qt::AltModifier);
+    QVERIFY(qobject_cast<QComboBox *>(focused()));
+    QTest::keyClick(wizard.get(), Qt::Key_C, Qt::AltModifier); // what a connected camera sees now
+    QVERIFY(qobject_cast<QRadioButton *>(focused()));
+    QTest::keyClick(focused(), Qt::Key_Tab);
+    QCOMPARE(focused()->accessibleName(), QStringLiteral("Camera that is connected"));
+    BusyWatch busy;
+    QTest::keyClick(wizard.get(), Qt::Key_Return);
+    QCOMPARE(wizard->findChild<QStackedWidget *>()->currentIndex(), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+    QVERIFY2(busy.longestMs() < 50, qPrintable(QStringLiteral("the event loop stood for %1 ms").arg(busy.longestMs())));
+    QTest::keyClick(wizard.get(), Qt::Key_Return);
+    QCOMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
+    QCOMPARE(wizard->camera(), QStringLiteral("A"));
+    const Eigen::Vector3d off = wizard->result().registration.worldFromCamera.translation - m_scene.cameras[0].view.cameraInWorld();
+    QVERIFY2(off.norm() < 0.02, qPrintable(QString::number(off.norm())));
+}
+
+void TestFloorWizard::byMouseFromACamera()
+{
+    const auto wizard = makeWizard({});
+    auto *live = wizard->findChildren<QRadioButton *>().at(1);
+    QTest::mouseClick(live, Qt::LeftButton, {}, {8, live->height() / 2});
+    QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+    QTest::mouseClick(button(*wizard, "< Back"), Qt::LeftButton);
+    QCOMPARE(wizard->findChild<QStackedWidget *>()->currentIndex(), 0);
+    QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+    QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
+    QCOMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
 }
 
 void TestFloorWizard::takesMarkersByMouseAndKeys()
@@ -176,10 +230,20 @@ void TestFloorWizard::namesExchangedMarkers()
     QVERIFY(!button(*wizard, "Save")->isEnabled());
 }
 
+void TestFloorWizard::cancelsAtEveryPage_data()
+{
+    QTest::addColumn<bool>("live");
+    QTest::addRow("from a file") << false;
+    QTest::addRow("from a camera") << true;
+}
+
 void TestFloorWizard::cancelsAtEveryPage()
 {
+    QFETCH(bool, live);
     for (int page = 0; page < 2; ++page) {
-        const auto wizard = makeWizard(m_picture);
+        const auto wizard = makeWizard(live ? QString() : m_picture);
+        if (live)
+            wizard->findChildren<QRadioButton *>().at(1)->setChecked(true);
         if (page > 0)
             QTest::keyClick(wizard.get(), Qt::Key_Return); // and away while the markers are being looked for
         QTest::keyClick(wizard.get(), Qt::Key_Escape);

@@ -5,6 +5,9 @@
 #include "core/simulation/board_poses.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
+#include "tests/ui/support/busy_watch.h"
+#include "tests/ui/support/person.h"
+#include "ui/models/live_cameras.h"
 #include "ui/testbed/lens/board_canvas.h"
 #include "ui/testbed/lens/film_strip.h"
 #include "ui/testbed/lens/lens_pictures_page.h"
@@ -16,7 +19,9 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QRadioButton>
@@ -24,7 +29,6 @@
 #include <QStackedWidget>
 #include <QTemporaryDir>
 #include <QTest>
-#include <ctime>
 
 using namespace odo;
 
@@ -45,33 +49,6 @@ std::shared_ptr<CameraSource> fastCamera()
     return simulatedBoardSource(simulatedCamera(), lens(), {}, heldBoardPoses(lens(), {}, poses, 3), Pace::Kind::None);
 }
 
-double threadCpuMs()
-{
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
-}
-
-/// Of the GUI thread: the longest that anything kept the event loop busy. CPU time, which other programs cannot prolong.
-class BusyWatch : public QObject
-{
-public:
-    BusyWatch() { m_last = threadCpuMs(); m_timer = startTimer(0); }
-    double longestMs() const { return m_longest; }
-
-protected:
-    void timerEvent(QTimerEvent *) override
-    {
-        const double now = threadCpuMs();
-        m_longest = std::max(m_longest, now - m_last);
-        m_last = now;
-    }
-
-private:
-    int m_timer = 0;
-    double m_last = 0, m_longest = 0;
-};
-
 } // namespace
 
 class TestLensWizard : public QObject
@@ -87,6 +64,7 @@ private Q_SLOTS:
     void takesOutAndUndoes();
     void leavesOutWhatIsAboveTheThreshold();
     void tellsOfALostCamera();
+    void staysOpenWhenTheDiskIsFull();
     void everyHintHasItsWords();
 
 private:
@@ -94,14 +72,31 @@ private:
     static QPushButton *button(LensWizard &wizard, const char *text);
     static int page(LensWizard &wizard) { return wizard.findChild<QStackedWidget *>()->currentIndex(); }
     static QWidget *focused() { return QApplication::focusWidget(); }
+    static bool says(const LensWizard &wizard, const char *words)
+    {
+        return std::ranges::any_of(wizard.findChildren<QLabel *>(), [&](const QLabel *label) { return label->text().contains(QString::fromUtf8(words)); });
+    }
     void walkToPictures(LensWizard &wizard);
+    void typeFiles(QDialog &dialog);
+
+    /// On a thread of the wizard's; read by the test once the wizard is accepted.
+    Result<void> keep(const MeasuredLens &lens)
+    {
+        m_kept = lens.pictures.size();
+        return m_problem ? Result<void>(tl::unexpected(*m_problem)) : Result<void>();
+    }
 
     QTemporaryDir m_folder;
     QStringList m_files;
+    LiveCameras m_live{[] { return std::vector<CameraDescription>{simulatedCamera()}; }};
+    std::size_t m_kept = 0;
+    std::optional<Error> m_problem; ///< of keeping
 };
 
 void TestLensWizard::initTestCase()
 {
+    m_live.look();
+    QTRY_VERIFY(!m_live.isLooking());
     SimulatedBoard board;
     int number = 0;
     for (const RigidTransform &pose : heldBoardPoses(lens(), board, poses, 3)) {
@@ -114,13 +109,14 @@ void TestLensWizard::initTestCase()
 std::unique_ptr<LensWizard> TestLensWizard::makeWizard(bool cameraThere)
 {
     auto wizard = std::make_unique<LensWizard>(
-        QStringList{QStringLiteral("A"), QStringLiteral("B")}, QStringLiteral("B"), std::vector<CameraDescription>{simulatedCamera()},
-        [cameraThere](const QString &) -> Result<std::shared_ptr<CameraSource>> {
-            if (!cameraThere)
-                return fail(ErrorCode::Io, "'sim:T'", "the camera does not answer", "plug it in again");
-            return fastCamera();
-        });
-    wizard->open();
+        QStringList{QStringLiteral("A"), QStringLiteral("B")}, QStringLiteral("B"), m_live,
+        LensWizard::Callbacks{[cameraThere](const QString &) -> Result<std::shared_ptr<CameraSource>> {
+                                  if (!cameraThere)
+                                      return fail(ErrorCode::Io, "'sim:T'", "the camera does not answer", "plug it in again");
+                                  return fastCamera();
+                              },
+                              [this](const MeasuredLens &lens, const JobControl &) { return keep(lens); }});
+    wizard->show(); // not modal: who answers dialogs must not take it for one
     return wizard;
 }
 
@@ -139,6 +135,18 @@ void TestLensWizard::walkToPictures(LensWizard &wizard)
     QTRY_VERIFY_WITH_TIMEOUT(button(wizard, "Next >")->isEnabled(), patienceMs);
 }
 
+/// All pictures of the folder, as they are typed into Qt's file dialog.
+void TestLensWizard::typeFiles(QDialog &dialog)
+{
+    auto *line = dialog.findChild<QLineEdit *>(QStringLiteral("fileNameEdit"));
+    QVERIFY(line);
+    QStringList quoted;
+    for (const QString &file : m_files)
+        quoted << QLatin1Char('"') + file + QLatin1Char('"');
+    line->setText(quoted.join(QLatin1Char(' '))); // at once, so that completion stays out of it
+    QTest::keyClick(line, Qt::Key_Return);
+}
+
 void TestLensWizard::byKeyboardFromFiles()
 {
     const auto wizard = makeWizard();
@@ -151,9 +159,12 @@ void TestLensWizard::byKeyboardFromFiles()
     QTest::keyClicks(focused(), QStringLiteral("25.00"));
     QTest::keyClick(wizard.get(), Qt::Key_P, Qt::AltModifier);
     QVERIFY(qobject_cast<QRadioButton *>(focused()));
-    wizard->source().addFiles(m_files);
     BusyWatch busy;
-    QTest::keyClick(focused(), Qt::Key_Return);
+    Person person({[this](QDialog &dialog) { typeFiles(dialog); }});
+    QTest::keyClick(wizard.get(), Qt::Key_A, Qt::AltModifier);
+    QTRY_COMPARE(wizard->source().files().size(), m_files.size());
+    QVERIFY(person.isDone());
+    QTest::keyClick(wizard.get(), Qt::Key_Return);
     QCOMPARE(page(*wizard), 1);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Next >")->isEnabled(), patienceMs);
     const int kept = wizard->findChild<FilmStrip *>()->count();
@@ -163,7 +174,8 @@ void TestLensWizard::byKeyboardFromFiles()
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     QVERIFY2(busy.longestMs() < 50, qPrintable(QStringLiteral("the event loop stood for %1 ms").arg(busy.longestMs())));
     QTest::keyClick(wizard.get(), Qt::Key_Return);
-    QCOMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
+    QTRY_COMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
+    QCOMPARE(m_kept, std::size_t(kept));
     const MeasuredLens measured = wizard->result();
     QCOMPARE(measured.camera, QStringLiteral("B"));
     QCOMPARE(measured.pictures.size(), std::size_t(kept));
@@ -187,7 +199,7 @@ void TestLensWizard::byMouseFromACamera()
     QCOMPARE(page(*wizard), 2);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
-    QCOMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
+    QTRY_COMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
     QVERIFY(std::abs(wizard->result().calibration.intrinsics.fxPx / 560 - 1) < 0.01);
 }
 
@@ -274,10 +286,23 @@ void TestLensWizard::tellsOfALostCamera()
     const auto wizard = makeWizard(false);
     wizard->findChildren<QRadioButton *>().at(0)->setChecked(true);
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
-    bool told = false;
-    for (const QLabel *label : wizard->findChildren<QLabel *>())
-        told = told || label->text().contains(QStringLiteral("the camera does not answer; plug it in again"));
-    QVERIFY(told);
+    QTRY_VERIFY(says(*wizard, "the camera does not answer; plug it in again"));
+}
+
+void TestLensWizard::staysOpenWhenTheDiskIsFull()
+{
+    const auto wizard = makeWizard();
+    walkToPictures(*wizard);
+    QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+    m_problem = Error{ErrorCode::Io, "calibration picture 'B_1'", "no space left on device", "check the free space"};
+    QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
+    QTRY_VERIFY(says(*wizard, "The lens was not stored. calibration picture 'B_1': no space left on device; check the free space"));
+    QVERIFY(wizard->isVisible());
+    m_problem.reset();
+    QTRY_VERIFY(button(*wizard, "Save")->isEnabled());
+    QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
+    QTRY_COMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
 }
 
 void TestLensWizard::everyHintHasItsWords()

@@ -4,6 +4,7 @@
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "tests/ui/testbed/check/found_widgets.h"
+#include "ui/models/live_cameras.h"
 #include "ui/testbed/floor/marker_canvas.h"
 #include "ui/testbed/floor/picture_choice.h"
 #include "ui/testbed/together/through_wizard.h"
@@ -50,6 +51,7 @@ private:
     }
 
     QTemporaryDir m_folder;
+    LiveCameras m_live{[] { return std::vector<CameraDescription>{{.uri = "sim:A", .kind = "simulated", .name = "Simulated"}}; }};
     SimulatedScene m_scene = demoTestbed(1);
     const std::vector<Eigen::Vector2d> m_places{{0.6, 0.5}, {2.4, 0.5}, {2.4, 1.7}, {0.6, 1.7}, {1.5, 1.1}, {1.5, 0.4}};
 };
@@ -65,6 +67,8 @@ QString TestThroughWizard::picture(int camera, bool withMarkers)
 
 void TestThroughWizard::initTestCase()
 {
+    m_live.look();
+    QTRY_VERIFY(!m_live.isLooking());
     for (const int camera : {0, 1})
         for (const bool withMarkers : {true, false})
             QVERIFY(!picture(camera, withMarkers).isEmpty());
@@ -79,7 +83,7 @@ std::unique_ptr<ThroughWizard> TestThroughWizard::makeWizard(const QString &pict
     auto wizard = std::make_unique<ThroughWizard>(
         std::vector<FloorCamera>{{QStringLiteral("A"), lens, std::nullopt}, {QStringLiteral("B"), lens, std::nullopt}},
         QStringLiteral("B"), std::vector<CheckCamera>{{QStringLiteral("A"), view, m_scene.floor.markers, std::nullopt}},
-        std::vector<std::pair<QString, QString>>{{QStringLiteral("Simulated"), QStringLiteral("sim:A")}});
+        m_live);
     if (!picture.isEmpty()) {
         wizard->source().picture().setFile(picture);
         wizard->source().throughPicture().setFile(throughPicture);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/busy_watch.h"
+
+#include <algorithm>
+#include <ctime>
+
+namespace odo {
+namespace {
+
+double threadCpuMs()
+{
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
+}
+
+} // namespace
+
+BusyWatch::BusyWatch() : m_lastMs(threadCpuMs()) { startTimer(0); }
+
+void BusyWatch::timerEvent(QTimerEvent *)
+{
+    const double now = threadCpuMs();
+    m_longestMs = std::max(m_longestMs, now - m_lastMs);
+    m_lastMs = now;
+}
+
+} // namespace odo

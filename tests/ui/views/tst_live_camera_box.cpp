@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/live_cameras.h"
+#include "ui/views/live_camera_box.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <future>
+
+using namespace odo;
+
+class TestLiveCameraBox : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void fillsWhenTheCamerasAreFound()
+    {
+        std::promise<std::vector<CameraDescription>> found;
+        LiveCameras cameras([&] { return found.get_future().get(); });
+        LiveCameraBox box(cameras);
+        QCOMPARE(box.currentText(), QStringLiteral("No camera is connected"));
+        cameras.look();
+        QVERIFY(cameras.isLooking());
+        QCOMPARE(box.currentText(), QStringLiteral("Looking for cameras…"));
+        QVERIFY(box.uri().isEmpty());
+        QSignalSpy chosen(&box, &QComboBox::currentIndexChanged);
+        found.set_value({{.uri = "sim:A", .kind = "simulated", .name = "One", .widthPx = 640, .heightPx = 480}, {.uri = "sim:B", .kind = "simulated", .name = "Two"}});
+        QTRY_COMPARE(box.count(), 2);
+        QCOMPARE(box.currentText(), QStringLiteral("One, 640×480"));
+        QCOMPARE(box.uri(), QStringLiteral("sim:A"));
+        QCOMPARE(chosen.size(), qsizetype(1));
+    }
+    void keepsWhatIsChosenWhileItIsThere()
+    {
+        std::vector<CameraDescription> there{{.uri = "sim:A", .kind = "simulated", .name = "One"}, {.uri = "sim:B", .kind = "simulated", .name = "Two"}};
+        LiveCameras cameras([&] { return there; });
+        LiveCameraBox box(cameras);
+        cameras.look();
+        QTRY_COMPARE(box.count(), 2);
+        box.setCurrentIndex(1);
+        there.insert(there.begin(), {.uri = "sim:C", .kind = "simulated", .name = "Three"});
+        cameras.look();
+        QTRY_COMPARE(box.count(), 3);
+        QCOMPARE(box.uri(), QStringLiteral("sim:B"));
+        there.pop_back();
+        cameras.look();
+        QTRY_COMPARE(box.count(), 2);
+        QCOMPARE(box.uri(), QStringLiteral("sim:C"));
+    }
+};
+
+QTEST_MAIN(TestLiveCameraBox)
+#include "tst_live_camera_box.moc"
