@@ -3,6 +3,8 @@
 
 #include "core/capture/file_source.h"
 #include "core/capture/simulated_source.h"
+#include "core/capture/v4l2/v4l2_address.h"
+#include "core/capture/v4l2/v4l2_source.h"
 #include "core/simulation/board_poses.h"
 #include "core/simulation/demo_testbed.h"
 
@@ -94,7 +96,9 @@ Result<std::unique_ptr<CameraSource>> openCamera(const std::string &uri)
         return openSimulated(uri);
     if (uri.starts_with(fromFile))
         return openFileSource(uri.substr(std::string(fromFile).size()), Pace::Kind::RealTime);
-    return fail(ErrorCode::NotFound, "'" + uri + "'", "no camera has such an address", "give one as sim:A or file:PATH");
+    if (isV4l2Address(uri))
+        return openV4l2Source(uri);
+    return fail(ErrorCode::NotFound, "'" + uri + "'", "no camera has such an address", "give one as v4l2:/dev/video0, sim:A or file:PATH");
 }
 
 std::vector<CameraDescription> listCameras()
@@ -102,6 +106,8 @@ std::vector<CameraDescription> listCameras()
     std::vector<CameraDescription> cameras;
     for (const SimulatedCamera &camera : livingTestbed().cameras)
         cameras.push_back(describe(camera));
+    for (CameraDescription &camera : listV4l2Cameras())
+        cameras.push_back(std::move(camera));
     return cameras;
 }
 

@@ -89,8 +89,8 @@ public:
 std::string formatWords(const std::string &coding, int widthPx, int heightPx, double framesPerSecond);
 
 /// By address: "sim:A" and "sim:B" are the cameras of the demo's testbed, "sim:A?board" the same while somebody holds a
-/// calibration board before it; "file:PATH" plays a video at its own pace. Errors: NotFound for anything else, and
-/// those of VideoReader.
+/// calibration board before it; "file:PATH" plays a video at its own pace; "v4l2:/dev/video0" is a USB camera (core/capture/v4l2/
+/// v4l2_address.h). Errors: NotFound for anything else, those of VideoReader and of openV4l2Source.
 Result<std::unique_ptr<CameraSource>> openCamera(const std::string &uri);
 
 /// The cameras that can be opened now.

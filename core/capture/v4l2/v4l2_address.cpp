@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/v4l2/v4l2_address.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <linux/videodev2.h>
+#include <string_view>
+
+namespace odo {
+
+namespace {
+
+constexpr std::string_view scheme = "v4l2:";
+
+tl::unexpected<Error> notUnderstood(const std::string &uri, std::string_view part)
+{
+    return fail(ErrorCode::InvalidInput, "camera " + uri, std::string("'").append(part).append("' is not understood"),
+                "write for instance v4l2:/dev/video0?size=1280x720&rate=30&format=MJPG");
+}
+
+template <class Number>
+std::optional<Number> numberIn(std::string_view text)
+{
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size() || !(number > 0))
+        return std::nullopt;
+    return number;
+}
+
+bool readSize(std::string_view value, V4l2Request &request)
+{
+    const std::size_t x = value.find('x');
+    if (x == std::string_view::npos)
+        return false;
+    request.widthPx = numberIn<int>(value.substr(0, x));
+    request.heightPx = numberIn<int>(value.substr(x + 1));
+    return request.widthPx && request.heightPx;
+}
+
+bool readFormat(std::string_view value, V4l2Request &request)
+{
+    if (value.empty() || value.size() > 4)
+        return false;
+    const auto letter = [&](std::size_t i) { return i < value.size() ? value[i] : ' '; };
+    request.format = v4l2_fourcc(letter(0), letter(1), letter(2), letter(3));
+    return true;
+}
+
+bool readPart(std::string_view part, V4l2Request &request)
+{
+    const std::size_t equals = part.find('=');
+    if (equals == std::string_view::npos)
+        return false;
+    const std::string_view key = part.substr(0, equals), value = part.substr(equals + 1);
+    if (key == "size")
+        return readSize(value, request);
+    if (key == "format")
+        return readFormat(value, request);
+    if (key != "rate")
+        return false;
+    request.framesPerSecond = numberIn<double>(value);
+    return request.framesPerSecond && std::isfinite(*request.framesPerSecond);
+}
+
+} // namespace
+
+bool isV4l2Address(const std::string &uri)
+{
+    return uri.starts_with(scheme);
+}
+
+Result<V4l2Address> parseV4l2Address(const std::string &uri)
+{
+    const std::string_view all = std::string_view(uri).substr(scheme.size());
+    const std::size_t question = all.find('?');
+    V4l2Address address{uri, std::string(all.substr(0, question)), {}};
+    if (address.place.empty())
+        return notUnderstood(uri, uri);
+    if (question == std::string_view::npos)
+        return address;
+    for (std::string_view rest = all.substr(question + 1); !rest.empty();) {
+        const std::size_t ampersand = rest.find('&');
+        const std::string_view part = rest.substr(0, ampersand);
+        if (!readPart(part, address.request))
+            return notUnderstood(uri, part);
+        rest = ampersand == std::string_view::npos ? std::string_view() : rest.substr(ampersand + 1);
+    }
+    return address;
+}
+
+Result<std::shared_ptr<V4l2Device>> openV4l2Place(const V4l2Address &address)
+{
+    if (address.place.starts_with('/')) {
+        std::error_code error;
+        const std::filesystem::path node = std::filesystem::canonical(address.place, error); // sysfs knows no links
+        return V4l2Device::open(error ? std::filesystem::path(address.place) : node, address.uri);
+    }
+    for (auto &device : openV4l2Devices()) {
+        if (device->identity().busInfo == address.place)
+            return std::move(device);
+    }
+    return tl::unexpected(v4l2Failure(address.uri, ENOENT));
+}
+
+} // namespace odo

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/v4l2/v4l2_description.h"
+
+#include "core/capture/v4l2/v4l2_source.h"
+
+#include <algorithm>
+#include <fstream>
+
+namespace odo {
+
+namespace {
+
+constexpr const char *scheme = "v4l2:", *kind = "v4l2";
+
+std::vector<std::string> formatsOf(const std::vector<V4l2Mode> &modes)
+{
+    std::vector<V4l2Mode> fastest;
+    for (const V4l2Mode &mode : modes) {
+        const auto same = std::ranges::find_if(fastest, [&](const V4l2Mode &other) {
+            return other.format == mode.format && other.widthPx == mode.widthPx && other.heightPx == mode.heightPx;
+        });
+        if (same == fastest.end())
+            fastest.push_back(mode);
+        else if (mode.framesPerSecond() > same->framesPerSecond())
+            *same = mode;
+    }
+    std::vector<std::string> words;
+    for (const V4l2Mode &mode : fastest)
+        words.push_back(modeWords(mode));
+    return words;
+}
+
+std::string firstLine(const std::filesystem::path &file)
+{
+    std::ifstream stream(file);
+    std::string line;
+    std::getline(stream, line);
+    return line;
+}
+
+/// Cameras that may not be opened. Only the first node of a camera is named: whether another one gives pictures cannot be asked.
+std::vector<CameraDescription> forbiddenCameras()
+{
+    std::vector<CameraDescription> cameras;
+    std::error_code ignored; // without cameras there is no such folder
+    for (const auto &entry : std::filesystem::directory_iterator("/sys/class/video4linux", ignored)) {
+        const std::string node = "/dev/" + entry.path().filename().string(), uri = scheme + node;
+        if (!entry.path().filename().string().starts_with("video") || firstLine(entry.path() / "index") != "0")
+            continue;
+        const auto device = V4l2Device::open(node, uri);
+        if (!device && device.error().code == ErrorCode::Io)
+            cameras.push_back({.uri = uri, .kind = kind, .name = firstLine(entry.path() / "name"), .formats = {device.error().why + "; " + device.error().advice}});
+    }
+    return cameras;
+}
+
+} // namespace
+
+CameraDescription describeV4l2(const V4l2Device &device, const std::vector<V4l2Mode> &modes, const V4l2Mode &chosen)
+{
+    return {.uri = scheme + device.node().string(),
+            .kind = kind,
+            .name = device.identity().name,
+            .widthPx = chosen.widthPx,
+            .heightPx = chosen.heightPx,
+            .framesPerSecond = chosen.framesPerSecond(),
+            .serial = device.identity().serial,
+            .formats = formatsOf(modes)};
+}
+
+std::vector<CameraDescription> listV4l2Cameras()
+{
+    std::vector<CameraDescription> cameras;
+    for (const auto &device : openV4l2Devices()) {
+        const std::vector<V4l2Mode> modes = v4l2Modes(*device);
+        const auto mode = chooseMode(modes, {}, device->node().string());
+        if (!mode)
+            continue; // nothing that can be read
+        cameras.push_back(describeV4l2(*device, modes, *mode));
+        cameras.back().busy = device->isBusy();
+    }
+    for (CameraDescription &camera : forbiddenCameras())
+        cameras.push_back(std::move(camera));
+    return cameras;
+}
+
+} // namespace odo

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/v4l2/v4l2_device.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <fcntl.h>
+#include <fstream>
+#include <linux/videodev2.h>
+#include <sys/ioctl.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace odo {
+
+namespace {
+
+constexpr const char *classFolder = "/sys/class/video4linux", *nodePrefix = "video";
+
+template <std::size_t size>
+std::string textOf(const __u8 (&bytes)[size])
+{
+    const auto end = std::find(std::begin(bytes), std::end(bytes), 0);
+    return {std::begin(bytes), end};
+}
+
+/// The USB device is the parent of the interface that the node belongs to.
+std::string serialOf(const std::filesystem::path &node)
+{
+    std::ifstream file(std::filesystem::path(classFolder) / node.filename() / "device" / ".." / "serial");
+    std::string serial;
+    std::getline(file, serial);
+    return serial;
+}
+
+std::vector<int> nodeNumbers()
+{
+    std::vector<int> numbers;
+    std::error_code ignored; // without cameras there is no such folder
+    for (const auto &entry : std::filesystem::directory_iterator(classFolder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        int number = 0;
+        const char *digits = name.data() + std::string(nodePrefix).size(), *end = name.data() + name.size();
+        if (name.starts_with(nodePrefix) && std::from_chars(digits, end, number).ptr == end)
+            numbers.push_back(number);
+    }
+    std::ranges::sort(numbers);
+    return numbers;
+}
+
+} // namespace
+
+Error v4l2Failure(const std::string &uri, int errorNumber)
+{
+    const std::string what = "camera " + uri;
+    switch (errorNumber) {
+    case ENOENT:
+        return {ErrorCode::NotFound, what, "it is not there", "plug it in, or choose one of those that odograph cameras lists"};
+    case EACCES:
+    case EPERM:
+        return {ErrorCode::Io, what, "you may not use it", "join the group video (sudo usermod -aG video YOUR-NAME) and log in again"};
+    case EBUSY:
+        return {ErrorCode::Unavailable, what, "another program uses it", "close that program"};
+    case ENODEV:
+    case ENXIO:
+        return {ErrorCode::Unavailable, what, "it was unplugged", "plug it in again"};
+    case ENOSPC:
+        return {ErrorCode::Unavailable, what, "its USB bus has no room left for its pictures",
+                "plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&size=640x480&rate=30)"};
+    default:
+        return {ErrorCode::Unavailable, what, "it failed (" + std::generic_category().message(errorNumber) + ")",
+                "unplug it and plug it in again if that lasts"};
+    }
+}
+
+Result<std::shared_ptr<V4l2Device>> V4l2Device::open(const std::filesystem::path &node, const std::string &uri)
+{
+    const int descriptor = ::open(node.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0)
+        return tl::unexpected(v4l2Failure(uri, errno));
+    const std::shared_ptr<V4l2Device> device(new V4l2Device(node, descriptor));
+    v4l2_capability capability{};
+    const int failure = device->call(VIDIOC_QUERYCAP, &capability);
+    if (failure != 0 && failure != ENOTTY && failure != EINVAL)
+        return tl::unexpected(v4l2Failure(uri, failure));
+    constexpr __u32 needed = V4L2_CAP_VIDEO_CAPTURE | V4L2_CAP_STREAMING;
+    const __u32 abilities = capability.capabilities & V4L2_CAP_DEVICE_CAPS ? capability.device_caps : capability.capabilities;
+    if (failure != 0 || (abilities & needed) != needed)
+        return fail(ErrorCode::InvalidInput, "camera " + uri, node.string() + " gives no pictures", "choose one of those that odograph cameras lists");
+    device->m_identity = {textOf(capability.driver), textOf(capability.card), textOf(capability.bus_info), serialOf(node)};
+    return device;
+}
+
+V4l2Device::~V4l2Device()
+{
+    ::close(m_descriptor);
+}
+
+int V4l2Device::call(unsigned long request, void *argument) const
+{
+    int result = 0;
+    do {
+        result = ::ioctl(m_descriptor, request, argument);
+    } while (result < 0 && errno == EINTR);
+    return result < 0 ? errno : 0;
+}
+
+bool V4l2Device::isBusy() const
+{
+    v4l2_requestbuffers none{}; // asking for no buffers is refused while they are another's, and does nothing otherwise
+    none.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    none.memory = V4L2_MEMORY_MMAP;
+    return call(VIDIOC_REQBUFS, &none) == EBUSY;
+}
+
+std::vector<std::shared_ptr<V4l2Device>> openV4l2Devices()
+{
+    std::vector<std::shared_ptr<V4l2Device>> devices;
+    for (const int number : nodeNumbers()) {
+        const std::string node = "/dev/video" + std::to_string(number);
+        if (auto device = V4l2Device::open(node, node))
+            devices.push_back(std::move(*device));
+    }
+    return devices;
+}
+
+} // namespace odo

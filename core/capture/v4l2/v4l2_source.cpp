@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/v4l2/v4l2_source.h"
+
+#include "core/capture/v4l2/v4l2_address.h"
+#include "core/capture/v4l2/v4l2_controls.h"
+#include "core/capture/v4l2/v4l2_description.h"
+#include "core/capture/v4l2/v4l2_pictures.h"
+#include "core/capture/v4l2/v4l2_recognition.h"
+#include "core/capture/v4l2/v4l2_stamps.h"
+#include "core/capture/v4l2/v4l2_stream.h"
+#include "core/capture/v4l2/v4l2_watch.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <linux/videodev2.h>
+#include <mutex>
+
+namespace odo {
+
+namespace {
+
+using namespace std::chrono_literals;
+using Time = std::chrono::steady_clock::time_point;
+
+constexpr auto longestSilence = 500ms;
+constexpr auto longestBeginning = 1500ms; ///< many a camera needs a second to its first picture
+constexpr auto betweenAttempts = 100ms;
+constexpr int silencesBeforeRestart = 4;
+constexpr double picturesInSilence = 2.5; ///< a camera slower than that is waited for longer
+
+Time now()
+{
+    return std::chrono::steady_clock::now();
+}
+
+void remember(V4l2Settings &settings, const std::string &id, double value)
+{
+    std::erase_if(settings, [&](const auto &setting) { return setting.first == id; });
+    settings.emplace_back(id, value);
+}
+
+class V4l2Source : public CameraSource
+{
+public:
+    V4l2Source(CameraDescription description, V4l2Mode mode, V4l2KnownCamera camera, std::shared_ptr<V4l2Device> device, std::unique_ptr<V4l2Stream> stream)
+        : m_description(std::move(description)), m_mode(mode), m_camera(std::move(camera))
+    {
+        begin(std::move(device), std::move(stream));
+    }
+    const CameraDescription &description() const override { return m_description; }
+    Result<CapturedFrame> next() override;
+    void stop() override { m_watch.stop(); }
+    CameraCounts counts() const override;
+    Result<std::vector<CameraControl>> controls() override;
+    Result<void> set(const std::string &id, double value) override;
+    std::vector<std::string> holdAutomatics() override;
+
+private:
+    void begin(std::shared_ptr<V4l2Device> device, std::unique_ptr<V4l2Stream> stream);
+    void lose(Error why);
+    bool takeUp();
+    std::optional<CapturedFrame> takePicture();
+    std::optional<CapturedFrame> read(const V4l2Stream::Buffer &buffer);
+    void noteSilence();
+    std::chrono::nanoseconds patience() const;
+    Result<std::shared_ptr<V4l2Device>> device() const;
+
+    const CameraDescription m_description;
+    const V4l2Mode m_mode;
+    const V4l2KnownCamera m_camera;
+    V4l2Watch m_watch;
+
+    // Of the thread that calls next().
+    std::unique_ptr<V4l2Stream> m_stream; ///< none while the camera is lost
+    std::unique_ptr<V4l2Pictures> m_pictures;
+    V4l2Stamps m_stamps;
+    Error m_problem;          ///< the last one
+    bool m_begins = true;     ///< no sound picture since the stream was started
+    bool m_atOnce = false;    ///< it was lost while it delivered, and is to be taken up without waiting
+    bool m_isDamaged = false; ///< what came since the last sound picture was damaged
+    int m_silences = 0;       ///< in a row
+
+    mutable std::mutex m_mutex; ///< guards what follows
+    std::shared_ptr<V4l2Device> m_device;
+    CameraCounts m_counts;
+    V4l2Settings m_settings;
+};
+
+void V4l2Source::begin(std::shared_ptr<V4l2Device> device, std::unique_ptr<V4l2Stream> stream)
+{
+    m_stream = std::move(stream);
+    m_pictures = std::make_unique<V4l2Pictures>(m_stream->format());
+    m_begins = true;
+    m_silences = 0;
+    const std::lock_guard lock(m_mutex);
+    m_device = std::move(device);
+}
+
+void V4l2Source::lose(Error why)
+{
+    m_problem = std::move(why);
+    m_atOnce = !m_begins;
+    m_stamps.beginAnew(m_description.framesPerSecond);
+    m_stream.reset();
+    const std::lock_guard lock(m_mutex);
+    m_device.reset(); // a node that is held cannot come back
+}
+
+bool V4l2Source::takeUp()
+{
+    auto found = m_camera.find();
+    if (!found) {
+        m_problem = found.error();
+        return false;
+    }
+    auto stream = V4l2Stream::start(*found, m_mode, m_description.uri);
+    if (!stream) {
+        m_problem = stream.error();
+        return false;
+    }
+    begin(*found, std::move(*stream));
+    const std::lock_guard lock(m_mutex);
+    ++m_counts.reconnections;
+    for (const auto &[id, value] : m_settings)
+        (void)setV4l2Control(**found, m_description.uri, id, value); // what cannot be set now was not to be set then
+    return true;
+}
+
+std::optional<CapturedFrame> V4l2Source::read(const V4l2Stream::Buffer &buffer)
+{
+    const Nanoseconds arrival = now().time_since_epoch();
+    const V4l2Stamps::Stamp stamp = m_stamps.next(buffer.stamp, arrival);
+    auto picture = buffer.isDamaged ? std::nullopt : m_pictures->read(buffer.bytes);
+    if (!picture) {
+        m_isDamaged = true;
+        const std::lock_guard lock(m_mutex);
+        ++m_counts.damaged;
+        return std::nullopt;
+    }
+    m_begins = m_isDamaged = false;
+    m_silences = 0;
+    CapturedFrame captured{std::move(picture->frame), stamp.sequence, arrival, std::move(picture->jpeg), stamp.clock};
+    captured.frame.index = static_cast<std::int64_t>(stamp.sequence);
+    captured.frame.time = stamp.time;
+    return captured;
+}
+
+std::optional<CapturedFrame> V4l2Source::takePicture()
+{
+    std::optional<CapturedFrame> captured;
+    while (!captured) {
+        V4l2Stream::Buffer buffer;
+        int failure = m_stream->take(buffer);
+        if (failure == EAGAIN)
+            break;
+        if (failure == 0) {
+            captured = read(buffer);
+            failure = m_stream->giveBack(buffer.index);
+        }
+        if (failure != 0) {
+            lose(v4l2Failure(m_description.uri, failure));
+            break;
+        }
+    }
+    return captured;
+}
+
+std::chrono::nanoseconds V4l2Source::patience() const
+{
+    const auto usual = m_begins && m_stream ? longestBeginning : longestSilence;
+    return std::max<std::chrono::nanoseconds>(usual, fromSeconds(picturesInSilence / m_description.framesPerSecond));
+}
+
+/// A camera that is there and says nothing: in the end it is started anew.
+void V4l2Source::noteSilence()
+{
+    const std::string what = "camera " + m_description.uri;
+    m_problem = m_isDamaged ? Error{ErrorCode::Unavailable, what, "all its pictures come damaged", "try another cable or port, or ask for fewer or smaller pictures"}
+                            : Error{ErrorCode::Unavailable, what, "it is there but sends no pictures", "look at its cable, or plug it in again if that lasts"};
+    if (++m_silences == silencesBeforeRestart)
+        lose(m_problem);
+}
+
+Result<CapturedFrame> V4l2Source::next()
+{
+    Time deadline = now() + patience();
+    bool isSound = true;
+    while (!m_watch.isStopped()) {
+        m_atOnce = false;
+        if (!m_stream) {
+            if (takeUp())
+                deadline = now() + patience();
+        } else if (auto captured = takePicture()) {
+            return std::move(*captured);
+        } else if (m_stream && !isSound) {
+            lose(v4l2Failure(m_description.uri, EIO));
+        }
+        if (m_atOnce)
+            continue;
+        if (now() >= deadline) {
+            if (m_stream)
+                noteSilence();
+            return tl::unexpected(m_problem);
+        }
+        isSound = m_watch.wait(m_stream ? m_stream->descriptor() : -1, m_stream ? deadline : std::min(deadline, now() + betweenAttempts));
+    }
+    return cancelled("camera " + m_description.uri);
+}
+
+CameraCounts V4l2Source::counts() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_counts;
+}
+
+Result<std::shared_ptr<V4l2Device>> V4l2Source::device() const
+{
+    const std::lock_guard lock(m_mutex);
+    if (!m_device)
+        return tl::unexpected(v4l2Failure(m_description.uri, ENODEV));
+    return m_device;
+}
+
+Result<std::vector<CameraControl>> V4l2Source::controls()
+{
+    return device().and_then([this](const auto &open) { return v4l2Controls(*open, m_description.uri); });
+}
+
+Result<void> V4l2Source::set(const std::string &id, double value)
+{
+    const auto open = device();
+    if (!open)
+        return tl::unexpected(open.error());
+    auto done = setV4l2Control(**open, m_description.uri, id, value);
+    if (!done)
+        return done;
+    const std::lock_guard lock(m_mutex);
+    remember(m_settings, id, value);
+    return {};
+}
+
+std::vector<std::string> V4l2Source::holdAutomatics()
+{
+    const auto open = device();
+    if (!open)
+        return {};
+    V4l2Settings settings;
+    auto stillOn = holdV4l2Automatics(**open, m_description.uri, settings);
+    const std::lock_guard lock(m_mutex);
+    for (const auto &[id, value] : settings)
+        remember(m_settings, id, value);
+    return stillOn;
+}
+
+} // namespace
+
+Result<std::unique_ptr<CameraSource>> openV4l2Source(const std::string &uri)
+{
+    const auto address = parseV4l2Address(uri);
+    if (!address)
+        return tl::unexpected(address.error());
+    auto device = openV4l2Place(*address);
+    if (!device)
+        return tl::unexpected(device.error());
+    const std::vector<V4l2Mode> modes = v4l2Modes(**device);
+    const auto mode = chooseMode(modes, address->request, uri);
+    if (!mode)
+        return tl::unexpected(mode.error());
+    auto stream = V4l2Stream::start(*device, *mode, uri);
+    if (!stream)
+        return tl::unexpected(stream.error());
+    CameraDescription description = describeV4l2(**device, modes, *mode);
+    description.uri = uri;
+    description.framesPerSecond = (*stream)->framesPerSecond();
+    V4l2KnownCamera camera(*address, **device);
+    return std::make_unique<V4l2Source>(std::move(description), *mode, std::move(camera), std::move(*device), std::move(*stream));
+}
+
+} // namespace odo

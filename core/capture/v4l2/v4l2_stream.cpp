@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/v4l2/v4l2_stream.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <linux/videodev2.h>
+#include <sys/mman.h>
+
+namespace odo {
+
+namespace {
+
+constexpr double bufferedS = 1.0 / 3;
+constexpr int fewestBuffers = 6;
+
+v4l2_buffer bufferOf(unsigned index)
+{
+    v4l2_buffer buffer{};
+    buffer.index = index;
+    buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    buffer.memory = V4L2_MEMORY_MMAP;
+    return buffer;
+}
+
+/// Unsigned, because it may wrap in what it is told in.
+std::uint64_t nanosecondsOf(const timeval &time)
+{
+    return static_cast<std::uint64_t>(time.tv_sec) * 1'000'000'000 + static_cast<std::uint64_t>(time.tv_usec) * 1'000;
+}
+
+} // namespace
+
+V4l2Stream::V4l2Stream(std::shared_ptr<V4l2Device> device) : m_device(std::move(device)), m_format(std::make_unique<v4l2_pix_format>()) {}
+
+V4l2Stream::~V4l2Stream()
+{
+    int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    m_device->call(VIDIOC_STREAMOFF, &type);
+    for (const auto &buffer : m_buffers)
+        munmap(buffer.data(), buffer.size());
+    v4l2_requestbuffers none{};
+    none.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    none.memory = V4L2_MEMORY_MMAP;
+    m_device->call(VIDIOC_REQBUFS, &none);
+}
+
+Result<std::unique_ptr<V4l2Stream>> V4l2Stream::start(std::shared_ptr<V4l2Device> device, const V4l2Mode &mode, const std::string &uri)
+{
+    std::unique_ptr<V4l2Stream> stream(new V4l2Stream(std::move(device)));
+    int failure = stream->setMode(mode);
+    if (failure == 0 && (stream->m_format->pixelformat != mode.format || static_cast<int>(stream->m_format->width) != mode.widthPx ||
+                         static_cast<int>(stream->m_format->height) != mode.heightPx))
+        return fail(ErrorCode::Unavailable, "camera " + uri, "it does not take " + modeWords(mode), "ask for another size or format");
+    if (failure == 0)
+        failure = stream->makeBuffers();
+    int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    if (failure == 0)
+        failure = stream->m_device->call(VIDIOC_STREAMON, &type);
+    if (failure != 0)
+        return tl::unexpected(v4l2Failure(uri, failure));
+    return stream;
+}
+
+int V4l2Stream::setMode(const V4l2Mode &mode)
+{
+    v4l2_format format{};
+    format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    format.fmt.pix.pixelformat = mode.format;
+    format.fmt.pix.width = static_cast<__u32>(mode.widthPx);
+    format.fmt.pix.height = static_cast<__u32>(mode.heightPx);
+    format.fmt.pix.field = V4L2_FIELD_ANY;
+    if (const int failure = m_device->call(VIDIOC_S_FMT, &format); failure != 0)
+        return failure;
+    *m_format = format.fmt.pix;
+    v4l2_streamparm parameters{};
+    parameters.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    parameters.parm.capture.timeperframe = {mode.periodNumerator, mode.periodDenominator};
+    m_framesPerSecond = mode.framesPerSecond();
+    const int failure = m_device->call(VIDIOC_S_PARM, &parameters);
+    const v4l2_fract &period = parameters.parm.capture.timeperframe;
+    if (failure == 0 && period.numerator > 0)
+        m_framesPerSecond = static_cast<double>(period.denominator) / period.numerator;
+    return failure == ENOTTY || failure == EINVAL ? 0 : failure; // a driver that has one rate only
+}
+
+int V4l2Stream::makeBuffers()
+{
+    v4l2_requestbuffers request{};
+    request.count = static_cast<__u32>(std::clamp(static_cast<int>(std::ceil(bufferedS * m_framesPerSecond)), fewestBuffers, VIDEO_MAX_FRAME));
+    request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    request.memory = V4L2_MEMORY_MMAP;
+    if (const int failure = m_device->call(VIDIOC_REQBUFS, &request); failure != 0)
+        return failure;
+    for (__u32 i = 0; i < request.count; ++i) {
+        v4l2_buffer buffer = bufferOf(i);
+        if (const int failure = m_device->call(VIDIOC_QUERYBUF, &buffer); failure != 0)
+            return failure;
+        void *memory = mmap(nullptr, buffer.length, PROT_READ | PROT_WRITE, MAP_SHARED, m_device->descriptor(), buffer.m.offset);
+        if (memory == MAP_FAILED)
+            return errno;
+        m_buffers.emplace_back(static_cast<std::uint8_t *>(memory), buffer.length);
+        if (const int failure = giveBack(i); failure != 0)
+            return failure;
+    }
+    return 0;
+}
+
+int V4l2Stream::take(Buffer &taken)
+{
+    v4l2_buffer buffer = bufferOf(0);
+    if (const int failure = m_device->call(VIDIOC_DQBUF, &buffer); failure != 0)
+        return failure;
+    const std::span<std::uint8_t> memory = m_buffers[buffer.index];
+    taken.index = buffer.index;
+    taken.bytes = memory.first(std::min<std::size_t>(buffer.bytesused, memory.size()));
+    taken.isDamaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0;
+    taken.stamp = {buffer.sequence, nanosecondsOf(buffer.timestamp),
+                   (buffer.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC};
+    return 0;
+}
+
+int V4l2Stream::giveBack(unsigned index)
+{
+    v4l2_buffer buffer = bufferOf(index);
+    return m_device->call(VIDIOC_QBUF, &buffer);
+}
+
+} // namespace odo
