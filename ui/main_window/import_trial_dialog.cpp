@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/import_trial_dialog.h"
 
-#include "ui/main_window/check_list.h"
+#include "ui/views/check_list.h"
 #include "ui/main_window/view_steps.h"
 #include "ui/views/path_field.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/track_dialog.h"
 
-#include "ui/main_window/check_list.h"
+#include "ui/views/check_list.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

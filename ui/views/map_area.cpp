@@ -2,11 +2,11 @@
 #include "ui/views/map_area.h"
 
 #include "ui/models/timeline.h"
-#include "ui/views/axis_ticks.h"
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
 
 #include <QEvent>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -18,9 +18,7 @@ namespace odo {
 
 namespace {
 
-constexpr double sideMargin = 26, topMargin = 24;
-constexpr double dotRadius = 7;
-constexpr double footHeight = 30; ///< for the scale and the legend
+constexpr double footHeight = MapPlan::footHeight;
 
 double topSpeed(const TrialScene &scene)
 {
@@ -58,26 +56,6 @@ std::optional<double> headingAt(const Profile &profile, std::ptrdiff_t index)
     return std::nullopt;
 }
 
-/// The robot seen from above, heading to the right: its footprint where that is known and large enough to be
-/// seen, else a dot; with a point towards the heading.
-QPainterPath robotSign(const RobotRecord &robot, double scalePx, bool headingKnown)
-{
-    QPainterPath sign;
-    const double halfLength = std::max(dotRadius, robot.lengthM.value_or(0) * scalePx / 2);
-    const double halfWidth = std::max(dotRadius, robot.widthM.value_or(0) * scalePx / 2);
-    if (headingKnown && robot.lengthM && robot.widthM)
-        sign.addRoundedRect(QRectF(-halfLength, -halfWidth, 2 * halfLength, 2 * halfWidth), 2, 2);
-    else
-        sign.addEllipse(QPointF(0, 0), dotRadius, dotRadius);
-    if (!headingKnown)
-        return sign;
-    QPainterPath point(QPointF(halfLength + 7, 0));
-    point.lineTo(halfLength - 3, -5.5);
-    point.lineTo(halfLength - 3, 5.5);
-    point.closeSubpath();
-    return sign.united(point);
-}
-
 } // namespace
 
 MapArea::MapArea(Timeline &timeline, QWidget *parent)
@@ -111,57 +89,14 @@ void MapArea::setScene(TrialScenePtr scene)
     update();
 }
 
-double MapArea::scalePx() const
+MapPlan MapArea::plan() const
 {
-    const double wide = std::max(10.0, width() - 2 * sideMargin);
-    const double high = std::max(10.0, height() - topMargin - footHeight - sideMargin);
-    return std::min(wide / std::max(1e-6, m_bounds.sizes().x()), high / std::max(1e-6, m_bounds.sizes().y()));
+    return {m_bounds, QSizeF(size())};
 }
 
 QPointF MapArea::fromWorld(const Eigen::Vector2d &point) const
 {
-    const Eigen::Vector2d apart = (point - m_bounds.center()) * scalePx();
-    return {width() / 2.0 + apart.x(),
-            topMargin + (height() - topMargin - footHeight - sideMargin) / 2.0 - apart.y()};
-}
-
-void MapArea::paintGrid(QPainter &painter) const
-{
-    const ThemeColours colours = ThemeColours::of(palette());
-    const double step = niceTicks(0, m_bounds.sizes().maxCoeff(), 7).step;
-    painter.setRenderHint(QPainter::Antialiasing, false);
-    QColor line = m_floor.image.isNull() ? colours.mapGrid : colours.muted;
-    if (!m_floor.image.isNull())
-        line.setAlpha(60);
-    painter.setPen(QPen(line, 1));
-    const double scale = scalePx();
-    const QPointF origin = fromWorld({0, 0});
-    for (double x = std::fmod(origin.x(), step * scale); x < width(); x += step * scale)
-        painter.drawLine(QPointF(x, 0), QPointF(x, height()));
-    for (double y = std::fmod(origin.y(), step * scale); y < height(); y += step * scale)
-        painter.drawLine(QPointF(0, y), QPointF(width(), y));
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(colours.muted);
-    painter.drawText(QRectF(0, height() - footHeight, width() - 10, footHeight - 6),
-                     Qt::AlignRight | Qt::AlignBottom, tr("grid %1 m").arg(QLocale().toString(step)));
-}
-
-void MapArea::paintMarkers(QPainter &painter) const
-{
-    if (!m_scene->layout)
-        return;
-    const QColor colour = ThemeColours::of(palette()).text;
-    const QFontMetricsF metrics(font());
-    painter.setFont(font());
-    for (const Marker &marker : m_scene->layout->markers) {
-        const QPointF at = fromWorld(marker.pointInWorld);
-        painter.fillRect(QRectF(at.x() - 4, at.y() - 4, 8, 8), colour);
-        painter.setPen(colour);
-        const QString label = QString::fromStdString(marker.label);
-        const bool above = marker.pointInWorld.y() > m_bounds.center().y();
-        const double baseline = above ? at.y() - 8 : at.y() + 8 + metrics.ascent();
-        painter.drawText(QPointF(at.x() - metrics.horizontalAdvance(label) / 2, baseline), label);
-    }
+    return plan().fromWorld(point);
 }
 
 void MapArea::paintTrail(QPainter &painter, const Profile &profile) const
@@ -261,8 +196,9 @@ void MapArea::renderStillLayer()
     QColor foot = colours.mapGround;
     foot.setAlpha(215);
     painter.fillRect(QRectF(0, height() - footHeight, width(), footHeight), foot);
-    paintGrid(painter);
-    paintMarkers(painter);
+    drawMapGrid(painter, plan(), palette(), !m_floor.image.isNull());
+    if (m_scene->layout)
+        drawMapMarkers(painter, plan(), *m_scene->layout, palette());
     const auto toScreen = [this](const Eigen::Vector2d &point) { return fromWorld(point); };
     if (m_scene->task)
         drawReferencePath(painter, m_scene->task->path, toScreen, palette());
@@ -289,29 +225,12 @@ void MapArea::paintRobot(QPainter &painter, std::size_t robot) const
     if (index < 0)
         return;
     const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
-    const QPointF at = fromWorld(point.position);
-    const double scale = scalePx();
-    const ThemeColours colours = ThemeColours::of(palette());
-    const QColor colour = m_scene->robots.size() == 1 ? colours.spike : seriesColour(int(robot), palette());
-    QColor haze = colour;
-    haze.setAlpha(60);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(haze);
-    painter.drawEllipse(at, 2 * point.sigmaXM * scale, 2 * point.sigmaYM * scale);
-
-    const auto heading = headingAt(profile, index);
-    painter.setPen(QPen(colours.card, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.setBrush(colour);
-    painter.save();
-    painter.translate(at);
-    if (heading)
-        painter.rotate(-*heading * 180 / std::numbers::pi); // Y is up on the floor, down on the screen
-    painter.drawPath(robotSign(shown.robot, scale, heading.has_value()));
-    painter.restore();
-    if (m_scene->robots.size() > 1) {
-        painter.setPen(colours.text);
-        painter.drawText(at + QPointF(dotRadius + 9, -dotRadius), QString::fromStdString(shown.robot.name));
-    }
+    const bool alone = m_scene->robots.size() == 1;
+    MapRobot sign{&shown.robot, point.position, point.sigmaXM, point.sigmaYM, headingAt(profile, index),
+                  alone ? ThemeColours::of(palette()).spike : seriesColour(int(robot), palette()), {}};
+    if (!alone)
+        sign.label = QString::fromStdString(shown.robot.name);
+    drawMapRobot(painter, plan(), sign, palette());
 }
 
 void MapArea::paintEvent(QPaintEvent *)

@@ -3,6 +3,7 @@
 
 #include "ui/models/trial_scene.h"
 #include "ui/views/floor_picture.h"
+#include "ui/views/map_painting.h"
 
 #include <QPixmap>
 #include <QWidget>
@@ -35,10 +36,8 @@ protected:
     void mousePressEvent(QMouseEvent *event) override;
 
 private:
-    double scalePx() const; ///< logical pixels a metre
+    MapPlan plan() const;
     void renderStillLayer();
-    void paintGrid(QPainter &painter) const;
-    void paintMarkers(QPainter &painter) const;
     void paintTrail(QPainter &painter, const Profile &profile) const;
     void paintSpikes(QPainter &painter, const Profile &profile) const;
     void paintLegend(QPainter &painter) const;

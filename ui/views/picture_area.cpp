@@ -2,6 +2,7 @@
 #include "ui/views/picture_area.h"
 
 #include "ui/models/timeline.h"
+#include "ui/views/picture_fit.h"
 #include "ui/views/picture_overlay.h"
 #include "ui/views/theme.h"
 
@@ -89,28 +90,20 @@ bool PictureArea::isSettled() const
     return !frame || !m_failure.isEmpty() || (m_shownFrame == *frame && m_fetcher.isIdle());
 }
 
-QRectF PictureArea::pictureRect() const
+QSize PictureArea::pictureSize() const
 {
     const SceneView *view = sceneView();
-    if (!view || view->recording.widthPx <= 0 || view->recording.heightPx <= 0)
-        return rect();
-    const QSizeF size = QSizeF(view->recording.widthPx, view->recording.heightPx)
-                            .scaled(QSizeF(rect().size()), Qt::KeepAspectRatio);
-    // On whole device pixels, so that the picture is not resampled once more.
-    const double ratio = devicePixelRatioF();
-    const auto whole = [ratio](double length) { return std::round(length * ratio) / ratio; };
-    return {whole((width() - size.width()) / 2), whole((height() - size.height()) / 2), whole(size.width()),
-            whole(size.height())};
+    return view ? QSize(view->recording.widthPx, view->recording.heightPx) : QSize();
+}
+
+QRectF PictureArea::pictureRect() const
+{
+    return fittedRect(pictureSize(), QSizeF(size()), devicePixelRatioF());
 }
 
 QPointF PictureArea::fromPicture(const QPointF &pixel) const
 {
-    const SceneView *view = sceneView();
-    if (!view || view->recording.widthPx <= 0)
-        return pixel;
-    // Pixel (0,0) is the centre of the top-left pixel.
-    const QRectF target = pictureRect();
-    return target.topLeft() + (pixel + QPointF(0.5, 0.5)) * (target.width() / view->recording.widthPx);
+    return fromPicturePixel(pixel, pictureSize(), pictureRect());
 }
 
 void PictureArea::renderFloorLayer()

@@ -40,6 +40,7 @@ private:
     void ask();
     void showPicture(qint64 frame, const QImage &picture);
     void showFailure(qint64 frame, const QString &message);
+    QSize pictureSize() const;
     QRectF pictureRect() const;
     void renderFloorLayer();
     void paintRobots(QPainter &painter, qint64 frame) const;

@@ -127,19 +127,15 @@ void paintAxes(QPainter &painter, const TrialScene &scene, const FloorView &view
     }
 }
 
-void paintTrail(QPainter &painter, const TrialScene &scene, std::size_t robot, const FloorView &view,
-                const PictureMap &map)
+void paintWay(QPainter &painter, const std::vector<std::optional<Eigen::Vector2d>> &places, double heightM,
+              const FloorView &view, const PictureMap &map)
 {
-    const auto &analysis = scene.robots[robot].analysis;
-    if (!analysis)
-        return;
     constexpr double closestPx = 0.7; // nearer points change nothing that can be seen
     QPainterPath path;
     bool penDown = false;
     QPointF last;
-    for (const ProfilePoint &point : analysis->profile.points) {
-        const auto at =
-            point.valid ? seen(view, point.position, analysis->profile.heightM, map) : std::nullopt;
+    for (const auto &place : places) {
+        const auto at = place ? seen(view, *place, heightM, map) : std::nullopt;
         if (!at) {
             penDown = false;
             continue;
@@ -156,13 +152,20 @@ void paintTrail(QPainter &painter, const TrialScene &scene, std::size_t robot, c
     strokeWithRim(painter, path, trailColour, 1.8);
 }
 
-void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, std::size_t robot,
-                std::int64_t frame, const PictureMap &map)
+void paintTrail(QPainter &painter, const TrialScene &scene, std::size_t robot, const FloorView &view,
+                const PictureMap &map)
 {
-    const Observation *observation = scene.observationAt(view, robot, frame);
-    if (!observation)
+    const auto &analysis = scene.robots[robot].analysis;
+    if (!analysis)
         return;
-    const Ellipse &ellipse = observation->ellipse;
+    std::vector<std::optional<Eigen::Vector2d>> places;
+    for (const ProfilePoint &point : analysis->profile.points)
+        places.push_back(point.valid ? std::optional(point.position) : std::nullopt);
+    paintWay(painter, places, analysis->profile.heightM, view, map);
+}
+
+QPointF paintEllipse(QPainter &painter, const Ellipse &ellipse, const QString &name, const PictureMap &map)
+{
     const QPointF origin = map({0, 0});
     const double scale = map({1, 0}).x() - origin.x();
     constexpr double clearance = 4; // beside the robot, not on it
@@ -179,9 +182,17 @@ void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, st
     // Half extents of the turned ellipse.
     const double c = std::cos(ellipse.angleRad), s = std::sin(ellipse.angleRad);
     const double halfWidth = std::hypot(a * c, b * s), halfHeight = std::hypot(a * s, b * c);
-    drawTag(painter, centre + QPointF(halfWidth + 5, 0),
-            QString::fromStdString(scene.robots[robot].robot.name), ellipseColour,
-            painter.clipBoundingRect());
+    drawTag(painter, centre + QPointF(halfWidth + 5, 0), name, ellipseColour, painter.clipBoundingRect());
+    return centre - QPointF(0, halfHeight);
+}
+
+void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, std::size_t robot,
+                std::int64_t frame, const PictureMap &map)
+{
+    const Observation *observation = scene.observationAt(view, robot, frame);
+    if (!observation)
+        return;
+    const QPointF top = paintEllipse(painter, observation->ellipse, QString::fromStdString(scene.robots[robot].robot.name), map);
     const auto &analysis = scene.robots[robot].analysis;
     if (!analysis)
         return;
@@ -190,7 +201,7 @@ void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, st
     const auto first = scene.frameAt(0, time);
     const Nanoseconds sampleTime = first ? scene.frameTimes()[static_cast<std::size_t>(*first)] : time;
     if (const Spike *spike = spikeAt(analysis->profile, sampleTime))
-        paintSpike(painter, centre - QPointF(0, halfHeight), *spike);
+        paintSpike(painter, top, *spike);
 }
 
 } // namespace odo

@@ -17,6 +17,11 @@ using PictureMap = std::function<QPointF(const QPointF &pixel)>;
 void paintFloorGrid(QPainter &painter, const TrialScene &scene, const FloorView &view, const PictureMap &map);
 /// O→U and O→V as lines and the markers' labels.
 void paintAxes(QPainter &painter, const TrialScene &scene, const FloorView &view, const PictureMap &map);
+/// A way on the floor at a height; broken where a place is missing.
+void paintWay(QPainter &painter, const std::vector<std::optional<Eigen::Vector2d>> &places, double heightM,
+              const FloorView &view, const PictureMap &map);
+/// What the tracker found, with the robot's name beside it; gives the middle of its upper side.
+QPointF paintEllipse(QPainter &painter, const Ellipse &ellipse, const QString &name, const PictureMap &map);
 /// A robot's smoothed track at the height that its positions were computed for.
 void paintTrail(QPainter &painter, const TrialScene &scene, std::size_t robot, const FloorView &view,
                 const PictureMap &map);

@@ -2,6 +2,7 @@
 #include "ui/views/result_panel.h"
 
 #include "ui/models/figure_text.h"
+#include "ui/models/metric_choice.h"
 #include "ui/views/figure_grid.h"
 
 #include <QComboBox>
@@ -11,32 +12,8 @@
 namespace odo {
 
 namespace {
-
-/// The most telling ones first; what else there is fills the grid up.
-std::vector<Metric> chosenMetrics(const std::vector<Metric> &all)
-{
-    constexpr std::size_t shown = 6;
-    static const std::vector<std::string> order = {"gate_time",       "best_lap",  "laps",       "cross_track_rms",
-                                                   "duration",        "path_length", "max_speed", "mean_speed",
-                                                   "max_accel",       "moving_time"};
-    std::vector<Metric> chosen;
-    for (const std::string &name : order) {
-        const auto found = std::find_if(all.begin(), all.end(),
-                                        [&name](const Metric &metric) { return metric.name == name; });
-        if (found != all.end())
-            chosen.push_back(*found);
-    }
-    for (const Metric &metric : all) {
-        const bool there = std::any_of(chosen.begin(), chosen.end(),
-                                       [&metric](const Metric &each) { return each.name == metric.name; });
-        if (!there)
-            chosen.push_back(metric);
-    }
-    chosen.resize(std::min(chosen.size(), shown));
-    return chosen;
+constexpr std::size_t shownFigures = 6;
 }
-
-} // namespace
 
 ResultPanel::ResultPanel(QWidget *parent)
     : Card(tr("Result"), parent), m_grid(new FigureGrid(this)), m_robots(new QComboBox(this))
@@ -77,7 +54,7 @@ void ResultPanel::showRobot(int robot)
     setRemark(remark.join(QStringLiteral(" \u00b7 ")));
     std::vector<NamedFigure> figures;
     if (shown.analysis) {
-        for (const Metric &metric : chosenMetrics(shown.analysis->profile.metrics))
+        for (const Metric &metric : tellingMetrics(shown.analysis->profile.metrics, shownFigures))
             figures.push_back({metricName(metric.name), metricFigure(metric)});
     }
     m_grid->setFigures(std::move(figures));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/main_window/check_list.h"
+#include "ui/views/check_list.h"
 
 namespace odo {
 namespace {

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/map_painting.h"
+
+#include "ui/views/axis_ticks.h"
+#include "ui/views/theme.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace odo {
+namespace {
+
+constexpr double dotRadius = 7;
+
+class Words
+{
+    Q_DECLARE_TR_FUNCTIONS(MapPainting)
+};
+
+/// Heading to the right.
+QPainterPath robotSign(const MapRobot &robot, double scalePx)
+{
+    QPainterPath sign;
+    const double halfLength = std::max(dotRadius, robot.robot->lengthM.value_or(0) * scalePx / 2);
+    const double halfWidth = std::max(dotRadius, robot.robot->widthM.value_or(0) * scalePx / 2);
+    if (robot.headingRad && robot.robot->lengthM && robot.robot->widthM)
+        sign.addRoundedRect(QRectF(-halfLength, -halfWidth, 2 * halfLength, 2 * halfWidth), 2, 2);
+    else
+        sign.addEllipse(QPointF(0, 0), dotRadius, dotRadius);
+    if (!robot.headingRad)
+        return sign;
+    QPainterPath point(QPointF(halfLength + 7, 0));
+    point.lineTo(halfLength - 3, -5.5);
+    point.lineTo(halfLength - 3, 5.5);
+    point.closeSubpath();
+    return sign.united(point);
+}
+
+} // namespace
+
+double MapPlan::scalePx() const
+{
+    const double wide = std::max(10.0, size.width() - 2 * sideMargin);
+    const double high = std::max(10.0, size.height() - topMargin - footHeight - sideMargin);
+    return std::min(wide / std::max(1e-6, bounds.sizes().x()), high / std::max(1e-6, bounds.sizes().y()));
+}
+
+QPointF MapPlan::fromWorld(const Eigen::Vector2d &point) const
+{
+    const Eigen::Vector2d apart = (point - bounds.center()) * scalePx();
+    return {size.width() / 2.0 + apart.x(), topMargin + (size.height() - topMargin - footHeight - sideMargin) / 2.0 - apart.y()};
+}
+
+void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette, bool overPicture)
+{
+    const ThemeColours colours = ThemeColours::of(palette);
+    const double step = niceTicks(0, plan.bounds.sizes().maxCoeff(), 7).step;
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    QColor line = overPicture ? colours.muted : colours.mapGrid;
+    if (overPicture)
+        line.setAlpha(60);
+    painter.setPen(QPen(line, 1));
+    const double scale = plan.scalePx();
+    const QPointF origin = plan.fromWorld({0, 0});
+    for (double x = std::fmod(origin.x(), step * scale); x < plan.size.width(); x += step * scale)
+        painter.drawLine(QPointF(x, 0), QPointF(x, plan.size.height()));
+    for (double y = std::fmod(origin.y(), step * scale); y < plan.size.height(); y += step * scale)
+        painter.drawLine(QPointF(0, y), QPointF(plan.size.width(), y));
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(colours.muted);
+    painter.drawText(QRectF(0, plan.size.height() - MapPlan::footHeight, plan.size.width() - 10, MapPlan::footHeight - 6),
+                     Qt::AlignRight | Qt::AlignBottom, Words::tr("grid %1 m").arg(QLocale().toString(step)));
+}
+
+void drawMapMarkers(QPainter &painter, const MapPlan &plan, const MarkerLayout &layout, const QPalette &palette)
+{
+    const QColor colour = ThemeColours::of(palette).text;
+    const QFontMetricsF metrics(painter.font());
+    for (const Marker &marker : layout.markers) {
+        const QPointF at = plan.fromWorld(marker.pointInWorld);
+        painter.fillRect(QRectF(at.x() - 4, at.y() - 4, 8, 8), colour);
+        painter.setPen(colour);
+        const QString label = QString::fromStdString(marker.label);
+        const bool above = marker.pointInWorld.y() > plan.bounds.center().y();
+        const double baseline = above ? at.y() - 8 : at.y() + 8 + metrics.ascent();
+        painter.drawText(QPointF(at.x() - metrics.horizontalAdvance(label) / 2, baseline), label);
+    }
+}
+
+void drawMapRobot(QPainter &painter, const MapPlan &plan, const MapRobot &robot, const QPalette &palette)
+{
+    const ThemeColours colours = ThemeColours::of(palette);
+    const double scale = plan.scalePx();
+    const QPointF at = plan.fromWorld(robot.position);
+    QColor haze = robot.colour;
+    haze.setAlpha(60);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(haze);
+    painter.drawEllipse(at, 2 * robot.sigmaXM * scale, 2 * robot.sigmaYM * scale);
+
+    painter.setPen(QPen(colours.card, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(robot.colour);
+    painter.save();
+    painter.translate(at);
+    if (robot.headingRad)
+        painter.rotate(-*robot.headingRad * 180 / std::numbers::pi); // Y is up on the floor, down on the screen
+    painter.drawPath(robotSign(robot, scale));
+    painter.restore();
+    if (robot.label.isEmpty())
+        return;
+    painter.setPen(colours.text);
+    painter.drawText(at + QPointF(dotRadius + 9, -dotRadius), robot.label);
+}
+
+} // namespace odo

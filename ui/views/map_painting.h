@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/marker_layout.h"
+#include "core/project/records.h"
+
+#include <Eigen/Geometry>
+#include <QColor>
+#include <QPointF>
+#include <QSizeF>
+#include <optional>
+
+class QPainter;
+class QPalette;
+
+namespace odo {
+
+/// Where the floor lies in a map seen from above: X to the right, Y up.
+struct MapPlan
+{
+    static constexpr double sideMargin = 26, topMargin = 24;
+    static constexpr double footHeight = 30; ///< for the scale and the legend
+
+    Eigen::AlignedBox2d bounds{Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)}; ///< that must be seen, metres
+    QSizeF size;                                                               ///< of the widget
+
+    double scalePx() const; ///< logical pixels a metre
+    QPointF fromWorld(const Eigen::Vector2d &point) const;
+};
+
+/// A line every round distance, and the distance at the foot.
+void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette, bool overPicture);
+/// The markers of a layout with their labels, outside of the field.
+void drawMapMarkers(QPainter &painter, const MapPlan &plan, const MarkerLayout &layout, const QPalette &palette);
+
+/// A robot where it is now.
+struct MapRobot
+{
+    const RobotRecord *robot = nullptr;
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();
+    double sigmaXM = 0, sigmaYM = 0;
+    std::optional<double> headingRad; ///< empty: not known
+    QColor colour;
+    QString label; ///< may be empty
+};
+/// A haze of two σ, and the robot's footprint where it is known and large enough, else a dot, with a point towards the heading.
+void drawMapRobot(QPainter &painter, const MapPlan &plan, const MapRobot &robot, const QPalette &palette);
+
+} // namespace odo
