@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/line_up.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+
+#include <algorithm>
+#include <set>
+
+namespace odo {
+
+Result<LineUp> LineUp::read(Project &project)
+{
+    auto teams = project.teams().all();
+    auto tasks = project.tasks().all();
+    auto robots = project.robots().all();
+    auto trials = project.trials().all();
+    if (!teams)
+        return tl::unexpected(teams.error());
+    if (!tasks)
+        return tl::unexpected(tasks.error());
+    if (!robots)
+        return tl::unexpected(robots.error());
+    if (!trials)
+        return tl::unexpected(trials.error());
+    LineUp up;
+    up.m_teams = std::move(*teams);
+    up.m_tasks = std::move(*tasks);
+    up.m_robots = std::move(*robots);
+    up.m_trials = std::move(*trials);
+    std::ranges::sort(up.m_teams, {}, &TeamRecord::name);
+    return up;
+}
+
+std::vector<std::string> LineUp::classes() const
+{
+    std::set<std::string> names;
+    for (const TeamRecord &team : m_teams)
+        names.insert(team.className);
+    return {names.begin(), names.end()};
+}
+
+std::vector<std::string> LineUp::teams(const std::string &className) const
+{
+    std::vector<std::string> names;
+    for (const TeamRecord &team : m_teams) {
+        if (team.className == className)
+            names.push_back(team.name);
+    }
+    return names;
+}
+
+const TaskRecord *LineUp::task(const std::string &name) const
+{
+    const auto task = std::ranges::find(m_tasks, name, &TaskRecord::name);
+    return task == m_tasks.end() ? nullptr : &*task;
+}
+
+const TrialRecord *LineUp::newestOf(const std::string &team) const
+{
+    const auto trial = std::ranges::find_if(m_trials, [&](const TrialRecord &each) { return each.teamName == team; });
+    return trial == m_trials.end() ? nullptr : &*trial;
+}
+
+NextRun LineUp::run(const std::string &className, const std::string &team) const
+{
+    NextRun run{className, team, {}, {}, freeTrialName(team)};
+    const TrialRecord *newest = newestOf(team);
+    if (newest)
+        run.robots = newest->robotNames;
+    if (run.robots.empty()) {
+        for (const RobotRecord &robot : m_robots)
+            run.robots.push_back(robot.name);
+    }
+    const TrialRecord *last = newest ? newest : m_trials.empty() ? nullptr : &m_trials.front();
+    run.task = last ? last->task : std::string();
+    return run;
+}
+
+NextRun LineUp::next(const NextRun &before) const
+{
+    const std::vector<std::string> all = teams(before.className);
+    if (all.empty() || before.team.empty()) {
+        NextRun again = before;
+        again.trial = freeTrialName(before.team);
+        return again;
+    }
+    const auto now = std::ranges::find(all, before.team);
+    const bool last = now == all.end() || now + 1 == all.end();
+    NextRun next = run(before.className, last ? all.front() : *(now + 1));
+    next.task = before.task;
+    return next;
+}
+
+NextRun LineUp::first() const
+{
+    if (m_teams.empty())
+        return run({}, {});
+    const auto last = std::ranges::find_if(m_trials, [](const TrialRecord &trial) { return !trial.teamName.empty(); });
+    if (last == m_trials.end())
+        return run(m_teams.front().className, m_teams.front().name);
+    NextRun before = run(last->className, last->teamName);
+    before.task = last->task;
+    return next(before);
+}
+
+std::string LineUp::freeTrialName(const std::string &team) const
+{
+    const std::string stem = team.empty() ? "Trial" : team;
+    const auto same = std::ranges::count_if(m_trials, [&](const TrialRecord &trial) { return team.empty() || trial.teamName == team; });
+    for (auto number = same + 1;; ++number) {
+        std::string name = stem + " " + std::to_string(number);
+        if (std::ranges::find(m_trials, name, &TrialRecord::name) == m_trials.end())
+            return name;
+    }
+}
+
+} // namespace odo
