@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/camera_source.h"
 
+#include "core/capture/aravis/aravis_address.h"
+#include "core/capture/aravis/aravis_source.h"
 #include "core/capture/file_source.h"
 #include "core/capture/simulated_source.h"
 #include "core/capture/v4l2/v4l2_address.h"
@@ -98,7 +100,10 @@ Result<std::unique_ptr<CameraSource>> openCamera(const std::string &uri)
         return openFileSource(uri.substr(std::string(fromFile).size()), Pace::Kind::RealTime);
     if (isV4l2Address(uri))
         return openV4l2Source(uri);
-    return fail(ErrorCode::NotFound, "'" + uri + "'", "no camera has such an address", "give one as v4l2:/dev/video0, sim:A or file:PATH");
+    if (isAravisAddress(uri))
+        return openAravisSource(uri);
+    return fail(ErrorCode::NotFound, "'" + uri + "'", "no camera has such an address",
+                "give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH");
 }
 
 std::vector<CameraDescription> listCameras()
@@ -107,6 +112,8 @@ std::vector<CameraDescription> listCameras()
     for (const SimulatedCamera &camera : livingTestbed().cameras)
         cameras.push_back(describe(camera));
     for (CameraDescription &camera : listV4l2Cameras())
+        cameras.push_back(std::move(camera));
+    for (CameraDescription &camera : listAravisCameras())
         cameras.push_back(std::move(camera));
     return cameras;
 }

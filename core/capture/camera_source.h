@@ -90,10 +90,13 @@ std::string formatWords(const std::string &coding, int widthPx, int heightPx, do
 
 /// By address: "sim:A" and "sim:B" are the cameras of the demo's testbed, "sim:A?board" the same while somebody holds a
 /// calibration board before it; "file:PATH" plays a video at its own pace; "v4l2:/dev/video0" is a USB camera (core/capture/v4l2/
-/// v4l2_address.h). Errors: NotFound for anything else, those of VideoReader and of openV4l2Source.
+/// v4l2_address.h); "aravis:192.168.1.20" and "aravis:SERIAL" are GigE Vision and USB3 Vision cameras (core/capture/aravis/
+/// aravis_address.h), which take up to two seconds to open. Errors: NotFound for anything else, those of VideoReader, of
+/// openV4l2Source and of openAravisSource.
 Result<std::unique_ptr<CameraSource>> openCamera(const std::string &uri);
 
-/// The cameras that can be opened now.
+/// The cameras that can be opened now. Those on a network have a second to answer: takes up to two seconds, so never on a window's
+/// thread.
 std::vector<CameraDescription> listCameras();
 
 } // namespace odo

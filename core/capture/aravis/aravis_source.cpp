@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/aravis/aravis_source.h"
+
+#include "core/capture/aravis/aravis_controls.h"
+#include "core/capture/aravis/aravis_library.h"
+#include "core/capture/aravis/aravis_worker.h"
+#include "core/capture/aravis/gvcp.h"
+
+#include <thread>
+
+namespace odo {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Nanoseconds pictureWithin = 500ms, answerWithin = 2s, openWithin = 8s, endWithin = 300ms;
+constexpr auto discoveryPatience = 1000ms, askPatience = 100ms;
+
+tl::unexpected<Error> noAnswer(const std::string &uri)
+{
+    return fail(ErrorCode::Unavailable, "camera " + uri, "it does not answer", "check its power and cable");
+}
+
+class AravisSource : public CameraSource
+{
+public:
+    AravisSource(AravisAddress address, std::promise<Result<CameraDescription>> opened)
+        : m_session(std::make_shared<AravisSession>(address.uri)),
+          m_worker(std::make_shared<AravisWorker>(std::move(address), m_session, std::move(opened))), m_thread([worker = m_worker] { worker->run(); })
+    {
+    }
+    ~AravisSource() override
+    {
+        m_session->stop();
+        if (m_session->waitForEnd(endWithin))
+            m_thread.join();
+        else
+            AravisLibrary::instance().finishLater(std::move(m_thread));
+    }
+
+    void describe(CameraDescription description) { m_description = std::move(description); }
+
+    const CameraDescription &description() const override { return m_description; }
+    Result<CapturedFrame> next() override { return m_session->next(pictureWithin); }
+    void stop() override { m_session->stop(); }
+    CameraCounts counts() const override { return m_session->counts(); }
+
+    Result<std::vector<CameraControl>> controls() override
+    {
+        return onCamera<Result<std::vector<CameraControl>>>([](AravisDevice &device, AravisWorker &) { return readAravisControls(device.camera()); },
+                                                            noAnswer(m_description.uri));
+    }
+    Result<void> set(const std::string &id, double value) override
+    {
+        const auto setIt = [id, value, uri = m_description.uri](AravisDevice &device, AravisWorker &worker) {
+            auto done = setAravisControl(device.camera(), uri, id, value);
+            if (done)
+                worker.remember(id, value);
+            device.readExposure();
+            return done;
+        };
+        return onCamera<Result<void>>(setIt, noAnswer(m_description.uri));
+    }
+    std::vector<std::string> holdAutomatics() override
+    {
+        const auto hold = [](AravisDevice &device, AravisWorker &worker) {
+            HeldAutomatics held = holdAravisAutomatics(device.camera());
+            for (const auto &[id, value] : held.settings)
+                worker.remember(id, value);
+            device.readExposure();
+            return held.notHeld;
+        };
+        return onCamera<std::vector<std::string>>(hold, {"the camera, which does not answer"});
+    }
+
+private:
+    /// Has the camera's thread do something, and waits for it; the answer is otherwise where the camera is not there.
+    template <class Answer, class Work>
+    Answer onCamera(Work work, Answer otherwise)
+    {
+        auto answer = std::make_shared<std::promise<Answer>>();
+        std::future<Answer> future = answer->get_future();
+        // The worker runs its tasks itself, and so outlives them.
+        m_session->ask([answer, work, otherwise, worker = m_worker.get()](AravisDevice *device) {
+            answer->set_value(device ? Answer(work(*device, *worker)) : otherwise);
+        });
+        return future.wait_for(answerWithin) == std::future_status::ready ? future.get() : otherwise;
+    }
+
+    CameraDescription m_description; ///< set before anybody else has the source
+    const std::shared_ptr<AravisSession> m_session;
+    const std::shared_ptr<AravisWorker> m_worker;
+    std::thread m_thread;
+};
+
+CameraDescription describeFound(const std::string &place, const std::string &vendor, const std::string &model, const std::string &serial, bool busy)
+{
+    CameraDescription camera;
+    camera.uri = "aravis:" + (serial.empty() ? place : serial);
+    camera.kind = "aravis";
+    camera.name = vendor + " " + model;
+    camera.serial = serial;
+    camera.busy = busy;
+    return camera;
+}
+
+} // namespace
+
+Result<std::unique_ptr<CameraSource>> openAravisSource(const std::string &uri)
+{
+    auto address = parseAravisAddress(uri);
+    if (!address)
+        return tl::unexpected(address.error());
+    AravisLibrary::instance();
+    std::promise<Result<CameraDescription>> promise;
+    auto opened = promise.get_future();
+    auto source = std::make_unique<AravisSource>(std::move(*address), std::move(promise));
+    if (opened.wait_for(openWithin) != std::future_status::ready)
+        return noAnswer(uri);
+    auto description = opened.get();
+    if (!description)
+        return tl::unexpected(description.error());
+    source->describe(std::move(*description));
+    return source;
+}
+
+std::vector<CameraDescription> listAravisCameras()
+{
+    std::vector<CameraDescription> cameras;
+    for (const GvcpCamera &camera : discoverGvcpCameras(discoveryPatience))
+        cameras.push_back(describeFound(camera.address, camera.vendor, camera.model, camera.serial, isGvcpControlled(camera.address, askPatience).value_or(false)));
+    for (const UsbVisionCamera &camera : AravisLibrary::instance().usbCameras())
+        cameras.push_back(describeFound(camera.id, camera.vendor, camera.model, camera.serial, false));
+    return cameras;
+}
+
+} // namespace odo

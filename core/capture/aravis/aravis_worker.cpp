@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/aravis/aravis_worker.h"
+
+#include "core/capture/aravis/aravis_controls.h"
+#include "core/capture/aravis/gvcp.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Nanoseconds popPatience = 20ms, retryEvery = 250ms, readClockEvery = 500ms;
+constexpr int firstReadings = 4; // with the first pictures, for the clock to be known at once
+constexpr Nanoseconds shortestSilence = 200ms, longestStall = 3s;
+constexpr double silentIntervals = 3;
+constexpr auto askPatience = 150ms;
+constexpr int mostUnanswered = 2;
+
+Nanoseconds steadyNow()
+{
+    return std::chrono::steady_clock::now().time_since_epoch();
+}
+
+CameraDescription describe(const AravisAddress &address, const AravisDevice &device)
+{
+    const AravisMode &mode = device.mode();
+    const AravisPlace &place = device.place();
+    return {.uri = address.uri,
+            .kind = "aravis",
+            .name = place.vendor + " " + place.model,
+            .widthPx = mode.widthPx,
+            .heightPx = mode.heightPx,
+            .framesPerSecond = mode.framesPerSecond,
+            .serial = place.serial,
+            .formats = {formatWords(mode.format.name, mode.widthPx, mode.heightPx, mode.framesPerSecond)}};
+}
+
+} // namespace
+
+AravisWorker::AravisWorker(AravisAddress address, std::shared_ptr<AravisSession> session, std::promise<Result<CameraDescription>> opened)
+    : m_address(std::move(address)), m_session(std::move(session)), m_opened(std::move(opened))
+{
+}
+
+void AravisWorker::remember(const std::string &id, double value)
+{
+    std::erase_if(m_settings, [&](const auto &one) { return one.first == id; });
+    m_settings.emplace_back(id, value);
+}
+
+void AravisWorker::tell(const std::string &why, const std::string &advice)
+{
+    m_session->trouble({ErrorCode::Unavailable, "camera " + m_address.uri, why, advice});
+}
+
+void AravisWorker::run()
+{
+    auto device = takeUp();
+    m_opened.set_value(device.map([&](const auto &opened) { return describe(m_address, *opened); }));
+    const bool opened = device.has_value();
+    while (opened && !m_session->isStopped()) {
+        if (device) {
+            takePictures(**device);
+            device->reset(); // of one that is gone: takes Aravis seconds
+            m_times.interrupt();
+            m_resumed = true;
+        } else if (device.error().code == ErrorCode::Io) {
+            m_session->giveUp(device.error());
+            break;
+        } else {
+            m_session->trouble(device.error());
+            m_session->waitWithoutCamera(retryEvery);
+        }
+        if (!m_session->isStopped())
+            device = takeUp();
+        if (device && *device)
+            ++m_counts.reconnections;
+    }
+    device = Opened(nullptr);
+    m_session->end();
+}
+
+/// Where it is now. Errors: Io when another camera is in its place.
+Result<AravisPlace> AravisWorker::findAgain()
+{
+    auto found = AravisDevice::find(m_address);
+    if (found && m_place && found->serial != m_place->serial)
+        return fail(ErrorCode::Io, "camera " + m_address.uri, "another camera (" + found->serial + ") is in the place of camera " + m_place->serial,
+                    "connect the one that belongs there, or begin anew with this one");
+    return found;
+}
+
+AravisWorker::Opened AravisWorker::takeUp()
+{
+    // A camera that was found by its serial number is most likely where it was; looking for it takes two seconds.
+    const bool where = m_place && m_place->onNetwork && !isIpAddress(m_address.place);
+    const auto there = where ? askGvcpCamera(m_place->openId, askPatience) : std::nullopt;
+    auto place = there && there->serial == m_place->serial ? Result<AravisPlace>(*m_place) : findAgain();
+    if (!place)
+        return tl::unexpected(place.error());
+    auto device = AravisDevice::open(*place, m_address);
+    if (!device)
+        return device;
+    m_place = *place;
+    for (const auto &[id, value] : m_settings)
+        setAravisControl((*device)->camera(), m_address.uri, id, value);
+    if (!m_settings.empty())
+        (*device)->readExposure();
+    m_reading.reset();
+    m_readings = 0;
+    return device;
+}
+
+void AravisWorker::takePictures(AravisDevice &device)
+{
+    auto stream = AravisStream::start(device, m_address);
+    if (!stream)
+        return m_session->trouble(stream.error());
+    m_before = m_counts;
+    m_lastPicture = steadyNow();
+    m_unanswered = 0;
+    m_damagedBefore = 0;
+    while (!m_session->isStopped()) {
+        m_session->runTasks(&device);
+        const Nanoseconds patience = std::min(popPatience, fireIfDue(device));
+        if (auto picture = (*stream)->next(patience))
+            deliver(device, **stream, std::move(*picture));
+        else if (!stillStreams(device, **stream))
+            return;
+        updateCounts(**stream);
+    }
+}
+
+void AravisWorker::updateCounts(const AravisStream &stream)
+{
+    m_counts.damaged = m_before.damaged + stream.damaged();
+    m_counts.resent = m_before.resent + stream.resent();
+    m_session->count(m_counts);
+}
+
+/// How long until the next one. All cameras that are fired by the same rate keep to the same grid of the steady clock, so that
+/// they see the same moments without knowing of one another.
+Nanoseconds AravisWorker::fireIfDue(AravisDevice &device)
+{
+    if (m_address.trigger != AravisAddress::Trigger::Software)
+        return Nanoseconds::max();
+    const Nanoseconds interval = fromSeconds(1 / device.mode().framesPerSecond), now = steadyNow();
+    if (now >= m_nextFire) {
+        // A camera that is gone would hold us up.
+        if (m_nextFire != 0ns && now - m_lastPicture < shortestSilence + interval)
+            device.fireTrigger();
+        else if (m_nextFire != 0ns && askGvcpCamera(device.place().openId, askPatience))
+            device.fireTrigger();
+        m_nextFire = (steadyNow() / interval + 1) * interval;
+    }
+    return std::max(m_nextFire - steadyNow(), Nanoseconds(0));
+}
+
+/// Asks before it touches a camera that may be gone: that would take Aravis seconds.
+void AravisWorker::readClockIfDue(AravisDevice &device)
+{
+    const Nanoseconds now = steadyNow();
+    if (m_readings >= firstReadings && m_reading && now - m_reading->after < readClockEvery)
+        return;
+    if (device.place().onNetwork && !askGvcpCamera(device.place().openId, askPatience))
+        return;
+    if (const auto reading = device.readClock()) {
+        m_reading = reading;
+        m_readingIsNew = true;
+        ++m_readings;
+    }
+}
+
+void AravisWorker::deliver(AravisDevice &device, AravisStream &stream, AravisPicture picture)
+{
+    readClockIfDue(device);
+    CapturedFrame captured;
+    captured.hostTime = picture.arrival;
+    // The stamp is of the beginning of the exposure (SFNC), the picture of its middle.
+    captured.frame = std::move(picture.frame);
+    captured.frame.time = m_times.place(picture.stamp + device.mode().exposure / 2, picture.arrival, m_reading);
+    if (std::exchange(m_resumed, false) && m_lastTime) {
+        const double missed = toSeconds(captured.frame.time - *m_lastTime) * device.mode().framesPerSecond - 1;
+        m_numbering.interrupt(static_cast<std::uint64_t>(std::max(0.0, std::round(missed))));
+    }
+    m_lastTime = captured.frame.time;
+    captured.sequence = m_numbering.number(picture.id);
+    captured.frame.index = static_cast<std::int64_t>(captured.sequence);
+    if (std::exchange(m_readingIsNew, false))
+        captured.clock = ClockReading{m_times.onScale(m_reading->device), m_reading->before, m_reading->after};
+    m_lastPicture = steadyNow();
+    m_unanswered = 0;
+    m_damagedBefore = stream.damaged();
+    m_session->deliver(std::move(captured));
+}
+
+/// Whether to go on waiting for pictures, when none came for a moment. Says what is wrong.
+bool AravisWorker::stillStreams(AravisDevice &device, AravisStream &stream)
+{
+    const AravisMode &mode = device.mode();
+    const Nanoseconds silence = steadyNow() - m_lastPicture;
+    const Nanoseconds usual = fromSeconds(silentIntervals / mode.framesPerSecond) + mode.exposure;
+    if (silence < std::max(shortestSilence, usual))
+        return true;
+    if (!device.place().onNetwork) {
+        if (!device.isLost())
+            return silence < longestStall + usual;
+        tell("it is not there any more", "connect it again");
+        stream.abandon();
+        return false;
+    }
+    const auto controlled = isGvcpControlled(device.place().openId, askPatience);
+    if (!controlled) {
+        tell("it does not answer", "check its power and cable; it is taken up again by itself");
+        if (++m_unanswered < mostUnanswered)
+            return true;
+        stream.abandon();
+        return false;
+    }
+    m_unanswered = 0;
+    if (!*controlled || device.isLost()) {
+        tell("it has been away", "wait: it is taken up again");
+        return false;
+    }
+    if (stream.damaged() > m_damagedBefore)
+        tell("its pictures come incomplete", stream.warning().empty() ? "check its cable and the network; ask for a smaller size or rate" : stream.warning());
+    else
+        tell("it answers, but sends no pictures", "check its trigger and this computer's firewall");
+    return silence < longestStall + usual;
+}
+
+} // namespace odo

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/camera_source.h"
+
+namespace odo {
+
+/// A camera's time stamps on one scale, zero at its first picture, that goes on when the camera was away and its clock begins
+/// anew: then the time between is taken from this machine's clock. Not thread-safe.
+class CameraTimeScale
+{
+public:
+    /// The camera was taken up anew.
+    void interrupt() { m_interrupted = true; }
+
+    /// The time of a picture; they come in order. reading: of the camera's clock, within some seconds of the picture.
+    Nanoseconds place(Nanoseconds stamp, Nanoseconds arrival, const std::optional<ClockReading> &reading);
+
+    /// Any time of the camera's clock; after the first picture.
+    Nanoseconds onScale(Nanoseconds device) const { return device - m_zero; }
+
+private:
+    struct Picture
+    {
+        Nanoseconds stamp, arrival;
+        std::optional<Nanoseconds> host; ///< by a reading of the clock; the arrival is late
+    };
+    std::optional<Picture> m_last;
+    Nanoseconds m_zero{0}; ///< of the scale, by the camera's clock
+    bool m_interrupted = false;
+};
+
+/// Numbers pictures without an end, from a camera's numbers of 16 bits that go from 65535 to 1, or of 64. Not thread-safe.
+class PictureNumbering
+{
+public:
+    /// Gaps in the camera's numbers are gaps here.
+    std::uint64_t number(std::uint64_t cameraNumber);
+    /// The camera was taken up anew and counts anew; meanwhile it would have taken so many.
+    void interrupt(std::uint64_t missed);
+
+private:
+    std::optional<std::uint64_t> m_last; ///< the camera's; none: begins
+    std::uint64_t m_next = 0;
+};
+
+} // namespace odo
