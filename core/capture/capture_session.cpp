@@ -58,6 +58,11 @@ const CameraDescription &CaptureSession::description(std::size_t view) const
     return m_views[view]->description();
 }
 
+Result<std::vector<CameraControl>> CaptureSession::controls(std::size_t view) const
+{
+    return m_views[view]->controls();
+}
+
 std::shared_ptr<FrameFeed> CaptureSession::subscribeFrames(std::size_t view, std::size_t capacity)
 {
     return m_views[view]->subscribe(capacity);

@@ -50,6 +50,8 @@ public:
 
     std::size_t viewCount() const { return m_views.size(); }
     const CameraDescription &description(std::size_t view) const;
+    /// What can be set at a camera, as it stands now. May take seconds where it does not answer. Errors: Unavailable.
+    Result<std::vector<CameraControl>> controls(std::size_t view) const;
 
     /// Every picture of a view, as it arrives, its time as it is known by then. capacity: how many may wait.
     std::shared_ptr<FrameFeed> subscribeFrames(std::size_t view, std::size_t capacity = 1);

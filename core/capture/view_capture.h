@@ -31,6 +31,7 @@ public:
     void join(std::chrono::steady_clock::time_point deadline);
 
     const CameraDescription &description() const { return m_camera->description(); }
+    Result<std::vector<CameraControl>> controls() { return m_camera->controls(); }
     std::shared_ptr<BoundedQueue<TimedFrame>> subscribe(std::size_t capacity);
     ViewHealth health(Nanoseconds now) const;
     /// Why nothing more will come; nullopt while something may.

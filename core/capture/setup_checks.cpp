@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/setup_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace odo {
+
+namespace {
+
+using Verdict = SetupFinding::Verdict;
+
+constexpr std::int64_t enoughReceiveBuffer = 4 << 20; // some pictures of a megapixel camera (packets come in bursts)
+constexpr int largePackets = 8000;
+constexpr double usb2Mbps = 480;
+constexpr double rateApart = 0.02; // of the rate
+constexpr double badStepS = 0.017; // half an interval of 30 frames/s
+constexpr double flickerPart = 0.05; // of a lamp's period that an exposure may be off
+
+std::string number(double value, const char *format = "%g")
+{
+    char text[32];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string joined(const std::vector<std::string> &names)
+{
+    std::string all;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        all += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return all;
+}
+
+bool isOnNetwork(const CheckedCamera &camera)
+{
+    return camera.description.kind == "aravis" && camera.usbBus.empty();
+}
+
+std::vector<std::string> networkCameras(const std::vector<CheckedCamera> &cameras)
+{
+    std::vector<std::string> names;
+    for (const CheckedCamera &camera : cameras) {
+        if (isOnNetwork(camera))
+            names.push_back(camera.name);
+    }
+    return names;
+}
+
+std::string lowered(std::string text)
+{
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
+/// A control whose name holds all of these words.
+const CameraControl *controlNamed(const CheckedCamera &camera, std::initializer_list<const char *> words)
+{
+    const auto found = std::ranges::find_if(camera.controls, [&](const CameraControl &control) {
+        const std::string name = lowered(control.name + " " + control.id);
+        return std::ranges::all_of(words, [&](const char *word) { return name.find(word) != std::string::npos; });
+    });
+    return found == camera.controls.end() ? nullptr : &*found;
+}
+
+/// Seconds; nullopt: in no unit that is known.
+std::optional<double> exposureS(const CameraControl &control)
+{
+    static const std::map<std::string, double> units{{"s", 1}, {"ms", 1e-3}, {"µs", 1e-6}, {"us", 1e-6}, {"100 µs", 1e-4}};
+    const auto unit = units.find(control.unit);
+    return unit == units.end() ? std::nullopt : std::optional(control.value * unit->second);
+}
+
+bool fitsLamps(double exposure, double mainsHz)
+{
+    const double periods = exposure * 2 * mainsHz;
+    return periods > 0.5 && std::abs(periods - std::round(periods)) < flickerPart;
+}
+
+} // namespace
+
+SetupFinding checkUsbBuses(const std::vector<CheckedCamera> &cameras)
+{
+    SetupFinding finding{Verdict::Good, "USB buses", "each USB camera has a bus of its own", ""};
+    std::map<std::string, std::vector<std::string>> onBus;
+    double slowest = 0;
+    for (const CheckedCamera &camera : cameras) {
+        if (camera.usbBus.empty())
+            continue;
+        onBus[camera.usbBus].push_back(camera.name);
+        slowest = slowest == 0 ? camera.usbMbps : std::min(slowest, camera.usbMbps);
+    }
+    if (onBus.empty())
+        return {Verdict::Good, finding.what, "no USB camera is used", ""};
+    for (const auto &[bus, names] : onBus) {
+        if (names.size() < 2)
+            continue;
+        finding.words = "cameras " + joined(names) + " share the bus " + bus;
+        if (slowest > 0)
+            finding.words += ", of " + number(slowest) + " Mbit/s";
+        finding.verdict = slowest > usb2Mbps ? Verdict::Good : Verdict::Warning;
+        if (finding.verdict == Verdict::Warning)
+            finding.advice = "plug one into a port on the other side of the computer, or a card of its own; or let both send MJPEG, or smaller pictures";
+    }
+    return finding;
+}
+
+SetupFinding checkPermissions(const std::vector<VideoNode> &nodes)
+{
+    const std::string what = "Access to cameras";
+    std::vector<std::string> closed;
+    for (const VideoNode &node : nodes) {
+        if (!node.usable)
+            closed.push_back(node.path);
+    }
+    if (!closed.empty())
+        return {Verdict::Bad, what, "you may not use " + joined(closed),
+                "add yourself to the group video (sudo usermod -aG video $USER), then log out and in again"};
+    if (nodes.empty())
+        return {Verdict::NotKnown, what, "this machine shows no USB or built-in camera (/dev/video*)",
+                "if one is connected, try another cable and port, without a hub"};
+    return {Verdict::Good, what, "you may use all " + std::to_string(nodes.size()) + " video devices", ""};
+}
+
+SetupFinding checkReceiveBuffer(const std::vector<CheckedCamera> &cameras, std::optional<std::int64_t> bytes)
+{
+    const std::string what = "Receive buffer";
+    if (!bytes)
+        return {Verdict::NotKnown, what, "the system does not say how large it may be (net.core.rmem_max)", ""};
+    const std::string size = number(static_cast<double>(*bytes) / (1 << 20), "%.1f") + " MiB";
+    if (*bytes >= enoughReceiveBuffer)
+        return {Verdict::Good, what, "up to " + size + ", enough for network cameras", ""};
+    const std::vector<std::string> names = networkCameras(cameras);
+    if (names.empty())
+        return {Verdict::Good, what, size + ", which only network cameras would find too small", ""};
+    return {Verdict::Bad, what, "only " + size + ": " + joined(names) + " will lose pictures",
+            "sudo sysctl -w net.core.rmem_max=" + std::to_string(enoughReceiveBuffer) + ", and put the same into /etc/sysctl.d/ to keep it"};
+}
+
+SetupFinding checkPacketSize(const std::vector<CheckedCamera> &cameras, const std::vector<NetworkPort> &ports)
+{
+    const std::string what = "Packet size";
+    if (networkCameras(cameras).empty())
+        return {Verdict::Good, what, "no network camera is used", ""};
+    std::vector<std::string> small;
+    for (const NetworkPort &port : ports) {
+        if (port.mtu < largePackets)
+            small.push_back(port.name + " (" + std::to_string(port.mtu) + ")");
+    }
+    if (small.empty())
+        return {Verdict::Good, what, "large packets are allowed", ""};
+    return {Verdict::Warning, what, "small packets on " + joined(small),
+            "give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it"};
+}
+
+SetupFinding checkFlicker(const CheckedCamera &camera)
+{
+    const std::string what = "Lamps' flicker, camera " + camera.name;
+    const CameraControl *filter = controlNamed(camera, {"power", "line"});
+    if (filter && filter->kind == CameraControl::Kind::Choice) {
+        const auto chosen = static_cast<std::size_t>(std::max(0.0, filter->value));
+        const std::string word = chosen < filter->choices.size() ? filter->choices[chosen] : "";
+        if (lowered(word).find("disabled") == std::string::npos)
+            return {Verdict::Good, what, "filtered by the camera (" + word + ")", ""};
+        return {Verdict::Warning, what, "its filter is off: pictures may pulse under lamps", "set '" + filter->name + "' to your mains: 50 Hz in most countries, 60 Hz in the Americas"};
+    }
+    const CameraControl *exposure = controlNamed(camera, {"exposure", "time"});
+    const auto seconds = exposure ? exposureS(*exposure) : std::nullopt;
+    if (!seconds)
+        return {Verdict::NotKnown, what, "it does not tell its exposure", ""};
+    const std::string words = "exposed for " + number(1e3 * *seconds, "%.1f") + " ms";
+    if (fitsLamps(*seconds, 50) || fitsLamps(*seconds, 60))
+        return {Verdict::Good, what, words + ", which suits lamps", ""};
+    return {Verdict::Warning, what, words + ": pictures may pulse under lamps",
+            "expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz; or use daylight"};
+}
+
+SetupFinding checkAutomatics(const CheckedCamera &camera)
+{
+    const std::string what = "Automatics, camera " + camera.name;
+    if (!camera.health.notHeld.empty())
+        return {Verdict::Warning, what, joined(camera.health.notHeld) + (camera.health.notHeld.size() > 1 ? " go on changing by themselves" : " goes on changing by itself"),
+                "turn it off in the camera's own program, or keep the light steady while robots run"};
+    if (camera.health.automaticsHeld.value_or(false))
+        return {Verdict::Good, what, "exposure, gain, white balance and focus are held", ""};
+    if (camera.controls.empty())
+        return {Verdict::Good, what, "it has none", ""};
+    return {Verdict::Good, what, "they are held while recording", ""};
+}
+
+SetupFinding checkStep(const std::vector<CheckedCamera> &cameras, const PairHealth &pairs)
+{
+    const std::string what = "Step";
+    if (cameras.size() < 2)
+        return {Verdict::Good, what, "one camera is always in step", ""};
+    double least = HUGE_VAL, most = 0;
+    for (const CheckedCamera &camera : cameras) {
+        least = std::min(least, camera.health.framesPerSecond);
+        most = std::max(most, camera.health.framesPerSecond);
+    }
+    if (least <= 0)
+        return {Verdict::NotKnown, what, "a camera does not deliver", "see its own line"};
+    if (most - least > rateApart * most)
+        return {Verdict::Warning, what, "the cameras run at " + number(least, "%.1f") + " and " + number(most, "%.1f") + " frames/s",
+                "set both to one rate; in dim light a camera halves its rate by itself, unless its automatic exposure is off"};
+    if (pairs.pairs == 0)
+        return {Verdict::NotKnown, what, "no two pictures have been taken together yet", "wait a few seconds, and look again"};
+    if (pairs.p95S > badStepS)
+        return {Verdict::Warning, what, inStepWords(pairs.p95S), "set both to one rate, or trigger them together"};
+    return {Verdict::Good, what, inStepWords(pairs.p95S), ""};
+}
+
+SetupFinding checkPictureSize(const CheckedCamera &camera)
+{
+    const std::string what = "Picture size, camera " + camera.name;
+    const auto size = [](int width, int height) { return std::to_string(width) + "×" + std::to_string(height); };
+    const std::string is = size(camera.description.widthPx, camera.description.heightPx);
+    if (camera.registeredWidthPx == 0)
+        return {Verdict::Warning, what, "it is not registered to the floor", "register it in Testbed, or its pictures cannot tell where a robot is"};
+    if (camera.registeredWidthPx == camera.description.widthPx && camera.registeredHeightPx == camera.description.heightPx)
+        return {Verdict::Good, what, is + ", as it was registered", ""};
+    return {Verdict::Bad, what, is + ", but registered at " + size(camera.registeredWidthPx, camera.registeredHeightPx),
+            "let it send the size it was registered at, or calibrate and register it anew"};
+}
+
+std::vector<SetupFinding> checkSetup(std::vector<CheckedCamera> cameras, const PairHealth &pairs, const MachineFacts &machine)
+{
+    for (CheckedCamera &camera : cameras) {
+        const auto node = std::ranges::find_if(machine.nodes, [&](const VideoNode &each) {
+            const std::string address = camera.description.uri.substr(0, camera.description.uri.find('?'));
+            return camera.description.kind == "v4l2" && address.ends_with(":" + each.path);
+        });
+        if (node == machine.nodes.end())
+            continue;
+        camera.usbBus = node->usbBus;
+        camera.usbMbps = node->usbMbps;
+    }
+    std::vector<SetupFinding> findings;
+    for (const CheckedCamera &camera : cameras) {
+        findings.push_back(checkPictureSize(camera));
+        findings.push_back(checkAutomatics(camera));
+        findings.push_back(checkFlicker(camera));
+    }
+    findings.push_back(checkStep(cameras, pairs));
+    findings.push_back(checkUsbBuses(cameras));
+    findings.push_back(checkPermissions(machine.nodes));
+    findings.push_back(checkReceiveBuffer(cameras, machine.receiveBufferBytes));
+    findings.push_back(checkPacketSize(cameras, machine.ports));
+    const auto rank = [](const SetupFinding &finding) {
+        switch (finding.verdict) {
+        case Verdict::Bad:
+            return 0;
+        case Verdict::Warning:
+            return 1;
+        case Verdict::Good:
+            return 2;
+        case Verdict::NotKnown:
+            break;
+        }
+        return 3;
+    };
+    std::ranges::stable_sort(findings, {}, rank);
+    return findings;
+}
+
+} // namespace odo
