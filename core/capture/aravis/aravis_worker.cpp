@@ -164,14 +164,15 @@ Nanoseconds AravisWorker::fireIfDue(AravisDevice &device)
 void AravisWorker::readClockIfDue(AravisDevice &device)
 {
     const Nanoseconds now = steadyNow();
-    if (m_readings >= firstReadings && m_reading && now - m_reading->after < readClockEvery)
+    if (m_readings >= firstReadings && now < m_nextReading)
         return;
+    m_nextReading = now + readClockEvery;
+    ++m_readings;
     if (device.place().onNetwork && !askGvcpCamera(device.place().openId, askPatience))
         return;
     if (const auto reading = device.readClock()) {
         m_reading = reading;
         m_readingIsNew = true;
-        ++m_readings;
     }
 }
 

@@ -46,7 +46,8 @@ private:
     PictureNumbering m_numbering;
     std::optional<ClockReading> m_reading; ///< the last one of the camera's own clock
     bool m_readingIsNew = false;
-    int m_readings = 0;                    ///< since the camera was taken up
+    int m_readings = 0;                    ///< tried since the camera was taken up
+    Nanoseconds m_nextReading{0};
     Nanoseconds m_lastPicture{0};          ///< or the start of the stream
     Nanoseconds m_nextFire{0};
     std::optional<Nanoseconds> m_lastTime; ///< of a picture, on the scale

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of simulated GigE cameras as they come through Aravis: what is in them, what is missing, how the camera is set.
 #include "core/capture/aravis/gvcp.h"
-#include "core/capture/camera_source.h"
-#include "tests/support/gige/raw_painters.h"
-
-#include <QTest>
+#include "frame_taker.h"
 
 #include <algorithm>
 
@@ -14,14 +11,6 @@ using namespace odo::test;
 namespace {
 
 constexpr RgbColour orange{220, 120, 40};
-
-std::unique_ptr<CameraSource> opened(const std::string &uri)
-{
-    auto source = openCamera(uri);
-    if (!source)
-        QTest::qFail(source.error().message().c_str(), __FILE__, __LINE__);
-    return source ? std::move(*source) : nullptr;
-}
 
 /// So many pictures, or fewer when none comes for half a second.
 std::vector<CapturedFrame> take(CameraSource &source, int count)

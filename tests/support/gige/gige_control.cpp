@@ -116,6 +116,12 @@ void SimulatedGigeCamera::updatePayload()
     m_registers.set(reg::Payload, m_registers.get(reg::Width) * m_registers.get(reg::Height) * bytesPerPixel);
 }
 
+void SimulatedGigeCamera::resetClock()
+{
+    const std::lock_guard lock(m_mutex);
+    m_clock.reset(steadyNow());
+}
+
 bool SimulatedGigeCamera::isControlled() const
 {
     const std::lock_guard lock(m_mutex);

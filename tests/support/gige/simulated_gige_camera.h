@@ -69,6 +69,8 @@ public:
     // What happened; any thread.
     std::atomic<std::uint64_t> pictures = 0, resent = 0, refused = 0, triggered = 0;
 
+    /// Its clock begins anew, as after a loss of power that nobody noticed.
+    void resetClock();
     bool isControlled() const;
     std::uint32_t read(std::uint32_t address) const;
     float readFloat(std::uint32_t address) const;
