@@ -181,6 +181,24 @@ private Q_SLOTS:
         QVERIFY2(std::abs(perPicture / 0.1 - 1) < 0.1, QByteArray::number(perPicture));
     }
 
+    /// Not even what is no camera ends it.
+    void somethingElseInItsPlaceIsWaitedOut()
+    {
+        const auto source = camera();
+        QVERIFY(!take(*source, 5).pictures.empty());
+        QVERIFY(shell("echo vivid.0 >/sys/bus/platform/drivers/vivid/unbind && touch /dev/video0"));
+        (void)take(*source, 100, 1); // those that were under way
+        QVERIFY(source->holdAutomatics().empty()); // while it is not there
+        const auto none = source->next();
+        QVERIFY(!none);
+        QCOMPARE(none.error().code, ErrorCode::Unavailable);
+        QVERIFY2(none.error().message().find("/dev/video0 gives no pictures") != std::string::npos, none.error().message().c_str());
+        QVERIFY(shell("rm /dev/video0 && echo vivid.0 >/sys/bus/platform/drivers/vivid/bind"));
+        QCOMPARE(take(*source, 5).pictures.size(), std::size_t(5));
+        const auto controls = source->controls();
+        QCOMPARE(std::ranges::find(*controls, "gain_automatic", &CameraControl::id)->value, 0.0); // held when it came back
+    }
+
     /// As when a hub is unplugged: both nodes go. The session says so at once, and goes on when they are back.
     void removedAndBroughtBack()
     {

@@ -58,8 +58,10 @@ public:
 
 private:
     void begin(std::shared_ptr<V4l2Device> device, std::unique_ptr<V4l2Stream> stream);
-    void lose(Error why);
+    void lose(const Error &why);
+    void notePassing(Error problem);
     bool takeUp();
+    void restore(const V4l2Device &device);
     std::optional<CapturedFrame> takePicture();
     std::optional<CapturedFrame> read(const V4l2Stream::Buffer &buffer);
     void noteSilence();
@@ -85,6 +87,7 @@ private:
     std::shared_ptr<V4l2Device> m_device;
     CameraCounts m_counts;
     V4l2Settings m_settings;
+    bool m_isHoldMissed = false; ///< it was not there when its automatics were to be held
 };
 
 void V4l2Source::begin(std::shared_ptr<V4l2Device> device, std::unique_ptr<V4l2Stream> stream)
@@ -97,34 +100,57 @@ void V4l2Source::begin(std::shared_ptr<V4l2Device> device, std::unique_ptr<V4l2S
     m_device = std::move(device);
 }
 
-void V4l2Source::lose(Error why)
+void V4l2Source::lose(const Error &why)
 {
-    m_problem = std::move(why);
+    notePassing(why);
     m_atOnce = !m_begins;
     m_stamps.beginAnew(m_description.framesPerSecond);
     m_stream.reset();
+    std::shared_ptr<V4l2Device> device; // a node that is held cannot come back; closing it takes a while
     const std::lock_guard lock(m_mutex);
-    m_device.reset(); // a node that is held cannot come back
+    device.swap(m_device);
+}
+
+/// Whatever is the matter with a camera that was there, it may pass.
+void V4l2Source::notePassing(Error problem)
+{
+    m_problem = std::move(problem);
+    m_problem.code = ErrorCode::Unavailable;
 }
 
 bool V4l2Source::takeUp()
 {
-    auto found = m_camera.find();
+    const auto found = m_camera.find();
     if (!found) {
-        m_problem = found.error();
+        notePassing(found.error());
         return false;
     }
     auto stream = V4l2Stream::start(*found, m_mode, m_description.uri);
     if (!stream) {
-        m_problem = stream.error();
+        notePassing(stream.error());
         return false;
     }
     begin(*found, std::move(*stream));
-    const std::lock_guard lock(m_mutex);
-    ++m_counts.reconnections;
-    for (const auto &[id, value] : m_settings)
-        (void)setV4l2Control(**found, m_description.uri, id, value); // what cannot be set now was not to be set then
+    restore(**found);
     return true;
+}
+
+/// Camera calls block, so that none is made under the lock.
+void V4l2Source::restore(const V4l2Device &device)
+{
+    V4l2Settings settings;
+    bool hold = false;
+    {
+        const std::lock_guard lock(m_mutex);
+        ++m_counts.reconnections;
+        settings = m_settings;
+        hold = m_isHoldMissed;
+        m_isHoldMissed = false;
+    }
+    for (const auto &[id, value] : settings)
+        (void)setV4l2Control(device, m_description.uri, id, value); // what cannot be set now could not be set then
+    if (hold)
+        holdAutomatics();
 }
 
 std::optional<CapturedFrame> V4l2Source::read(const V4l2Stream::Buffer &buffer)
@@ -176,10 +202,10 @@ std::chrono::nanoseconds V4l2Source::patience() const
 void V4l2Source::noteSilence()
 {
     const std::string what = "camera " + m_description.uri;
-    m_problem = m_isDamaged ? Error{ErrorCode::Unavailable, what, "all its pictures come damaged", "try another cable or port, or ask for fewer or smaller pictures"}
-                            : Error{ErrorCode::Unavailable, what, "it is there but sends no pictures", "look at its cable, or plug it in again if that lasts"};
+    notePassing(m_isDamaged ? Error{ErrorCode::Unavailable, what, "all its pictures come damaged", "try another cable or port, or ask for fewer or smaller pictures"}
+                            : Error{ErrorCode::Unavailable, what, "it is there but sends no pictures", "look at its cable, or plug it in again if that lasts"});
     if (++m_silences == silencesBeforeRestart)
-        lose(m_problem);
+        lose(Error(m_problem));
 }
 
 Result<CapturedFrame> V4l2Source::next()
@@ -243,8 +269,11 @@ Result<void> V4l2Source::set(const std::string &id, double value)
 std::vector<std::string> V4l2Source::holdAutomatics()
 {
     const auto open = device();
-    if (!open)
+    if (!open) {
+        const std::lock_guard lock(m_mutex);
+        m_isHoldMissed = true;
         return {};
+    }
     V4l2Settings settings;
     auto stillOn = holdV4l2Automatics(**open, m_description.uri, settings);
     const std::lock_guard lock(m_mutex);
