@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 constexpr Nanoseconds memory = 30s, oneArrivalEach = 250ms, largestJump = 50ms;
 constexpr double largestRate = 500e-6;
 constexpr std::size_t fewestLatches = 3;
-constexpr double longestRoundTrip = 2; // times the shortest
+constexpr Nanoseconds shortestRoundTrip = 1us; // none is better known than that
 // Between the two halves of a round trip there may be this share of it.
 constexpr double roundTripAsymmetry = 0.25;
 
@@ -117,7 +117,7 @@ void ClockMap::addArrival(Nanoseconds device, Nanoseconds host)
 void ClockMap::addLatch(Nanoseconds device, Nanoseconds before, Nanoseconds after)
 {
     const Nanoseconds host = before + (after - before) / 2;
-    startAnewIfSet(m_lastLatch, device, host);
+    startAnewIfSet(m_lastLatch, device, after); // like a picture it may be late, and is never early
     m_latches.push_back({device, host, after - before});
     while (m_latches.front().device < device - memory)
         m_latches.pop_front();
@@ -149,41 +149,40 @@ ClockFit ClockMap::fitArrivals() const
     return fit;
 }
 
+/// The line of least squares, each reading weighed by how well its round trip bounds it: one that was held up counts
+/// next to nothing, and those that are far apart in time still tell the rate when few were quick.
 std::optional<ClockFit> ClockMap::fitLatches() const
 {
-    Nanoseconds shortest = Nanoseconds::max();
-    for (const Latch &latch : m_latches)
-        shortest = std::min(shortest, latch.roundTrip);
-    std::vector<Latch> good;
-    for (const Latch &latch : m_latches) {
-        if (toSeconds(latch.roundTrip) <= longestRoundTrip * toSeconds(shortest))
-            good.push_back(latch);
-    }
-    if (good.size() < fewestLatches)
+    if (m_latches.size() < fewestLatches)
         return std::nullopt;
-
-    const std::vector<Point> points = pointsOf(good);
-    const double count = static_cast<double>(points.size()), middle = meanDevice(points);
-    double behind = 0, spread = 0, product = 0;
-    for (const Point &point : points)
-        behind += point.behindS / count;
-    for (const Point &point : points) {
-        spread += (point.deviceS - middle) * (point.deviceS - middle);
-        product += (point.deviceS - middle) * (point.behindS - behind);
+    const std::vector<Point> points = pointsOf(m_latches);
+    std::vector<double> weights;
+    double weight = 0, middle = 0, behind = 0, shortestS = toSeconds(m_latches.front().roundTrip);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double roundTripS = toSeconds(std::max(m_latches[i].roundTrip, shortestRoundTrip));
+        weights.push_back(1 / std::pow(roundTripAsymmetry * roundTripS, 2));
+        weight += weights[i];
+        middle += weights[i] * points[i].deviceS;
+        behind += weights[i] * points[i].behindS;
+        shortestS = std::min(shortestS, roundTripS);
+    }
+    middle /= weight;
+    behind /= weight;
+    double spread = 0, product = 0, squares = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        spread += weights[i] * (points[i].deviceS - middle) * (points[i].deviceS - middle);
+        product += weights[i] * (points[i].deviceS - middle) * (points[i].behindS - behind);
     }
     ClockFit fit;
     fit.source = ClockFit::Source::Latch;
     fit.rate = spread > 0 ? std::clamp(product / spread, -largestRate, largestRate) : 0;
-    double squares = 0;
-    for (const Point &point : points) {
-        const double off = point.behindS - behind - fit.rate * (point.deviceS - middle);
-        squares += off * off;
-    }
-    const double atNewest = 1 / count + (spread > 0 ? middle * middle / spread : 0);
-    fit.sigmaS = std::hypot(std::sqrt(squares / (count - 2) * atNewest),
-                            roundTripAsymmetry * toSeconds(shortest));
-    fit.device = good.back().device;
-    fit.host = good.back().host + fromSeconds(behind - fit.rate * middle);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        squares += weights[i] * std::pow(points[i].behindS - behind - fit.rate * (points[i].deviceS - middle), 2);
+    const double scatter = std::max(1.0, squares / static_cast<double>(points.size() - 2));
+    const double atNewest = 1 / weight + (spread > 0 ? middle * middle / spread : 0);
+    fit.sigmaS = std::hypot(std::sqrt(scatter * atNewest), roundTripAsymmetry * shortestS);
+    fit.device = m_latches.back().device;
+    fit.host = m_latches.back().host + fromSeconds(behind - fit.rate * middle);
     return fit;
 }
 

@@ -33,7 +33,7 @@ struct ClockFit
 /// line would be dragged by every delay: 50 to 75 ppm.
 ///
 /// From latches, which are preferred as soon as three are there: the camera's clock is read and lies between
-/// two readings of ours; those that took less than twice the shortest round trip count, by least squares.
+/// two readings of ours; by least squares, each weighed by how short its round trip was.
 ///
 /// Both forget what is older than 30 s, so that a quartz that warms up is followed. A device time that goes
 /// backwards, or that jumps against ours by more than 50 ms, is a clock that was set anew: all is forgotten

@@ -122,6 +122,29 @@ private Q_SLOTS:
         }
     }
 
+    /// Some quick readings at once, and later only slow ones, some of them held up wholly: the machine is busy.
+    void slowReadingsCountByWhatTheyBound()
+    {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> share(0, 1);
+        ClockMap map;
+        const Quartz quartz{5000, 60};
+        const auto read = [&](double readS, double roundTripS) {
+            const double thereS = share(random) * roundTripS;
+            map.addLatch(quartz.at(readS), fromSeconds(readS - thereS), fromSeconds(readS - thereS + roundTripS));
+        };
+        for (int i = 0; i < 4; ++i)
+            read(2000 + i * frameS, 60e-6);
+        for (int i = 1; i <= 20; ++i)
+            read(2000 + 0.5 * i, i % 5 == 0 ? 0.3 : 400e-6);
+        QCOMPARE(map.epoch(), 0); // held up, not set anew
+        QCOMPARE(map.fit()->source, ClockFit::Source::Latch);
+        // Of 16 readings known to 0.1 ms; the four quick ones alone would tell a rate 400 ppm off, 4 ms after ten seconds.
+        const double error = toSeconds(map.fit()->hostTime(quartz.at(2010))) - 2010;
+        QVERIFY2(std::abs(error) < 150e-6, qPrintable(QString::number(error * 1e6)));
+        QVERIFY(std::abs(error) < 4 * map.fit()->sigmaS);
+    }
+
     void aClockThatIsSetAnewBeginsAnEpoch_data()
     {
         QTest::addColumn<double>("byS");
