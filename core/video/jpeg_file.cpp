@@ -11,7 +11,8 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-constexpr std::uint8_t startOfImage = 0xd8, startOfScan = 0xda, huffmanTables = 0xc4, arithmeticTables = 0xcc, jpegExtension = 0xc8;
+constexpr std::uint8_t startOfImage = 0xd8, startOfScan = 0xda, huffmanTables = 0xc4, arithmeticTables = 0xcc,
+                       jpegExtension = 0xc8;
 
 struct Segment
 {
@@ -20,7 +21,8 @@ struct Segment
     Bytes content;         ///< without marker and length
 };
 
-/// The segments before the coded picture, the start of the scan being the last; nothing where they do not lead there.
+/// The segments before the coded picture, the start of the scan being the last; nothing where they do not
+/// lead there.
 std::vector<Segment> segmentsOf(Bytes jpeg)
 {
     std::vector<Segment> segments;
@@ -46,7 +48,8 @@ std::vector<Segment> segmentsOf(Bytes jpeg)
 
 bool isFrameHeader(std::uint8_t marker)
 {
-    return marker >= 0xc0 && marker <= 0xcf && marker != huffmanTables && marker != jpegExtension && marker != arithmeticTables;
+    return marker >= 0xc0 && marker <= 0xcf && marker != huffmanTables && marker != jpegExtension &&
+           marker != arithmeticTables;
 }
 
 /// Of luma's samples to chroma's; nullopt unless it is a power of two.
@@ -64,7 +67,8 @@ std::optional<FrameFormat> formatOf(Bytes header)
     FrameFormat format;
     format.height = header[1] << 8 | header[2];
     format.width = header[3] << 8 | header[4];
-    const auto shiftX = shiftBetween(header[7] >> 4, header[10] >> 4), shiftY = shiftBetween(header[7] & 15, header[10] & 15);
+    const auto shiftX = shiftBetween(header[7] >> 4, header[10] >> 4),
+               shiftY = shiftBetween(header[7] & 15, header[10] & 15);
     if (format.width == 0 || format.height == 0 || !shiftX || !shiftY)
         return std::nullopt;
     format.chromaShiftX = *shiftX;

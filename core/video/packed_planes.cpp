@@ -28,7 +28,8 @@ std::size_t product(int a, int b)
 
 std::size_t planeBytes(const FrameFormat &format)
 {
-    const int chromaWidth = (format.width + 1) / 2, chromaHeight = (format.height + (1 << format.chromaShiftY) - 1) >> format.chromaShiftY;
+    const int chromaWidth = (format.width + 1) / 2,
+              chromaHeight = (format.height + (1 << format.chromaShiftY) - 1) >> format.chromaShiftY;
     return product(format.width, format.height) + 2 * product(chromaWidth, chromaHeight);
 }
 
@@ -36,13 +37,15 @@ std::size_t planeBytes(const FrameFormat &format)
 
 PackedPlanes::PackedPlanes(const PackedFormat &format)
     : m_packed(format), m_format(formatOf(format)), m_chromaWidth((m_format.width + 1) / 2),
-      m_chromaHeight((m_format.height + (1 << m_format.chromaShiftY) - 1) >> m_format.chromaShiftY), m_pool(planeBytes(m_format))
+      m_chromaHeight((m_format.height + (1 << m_format.chromaShiftY) - 1) >> m_format.chromaShiftY),
+      m_pool(planeBytes(m_format))
 {
 }
 
 std::size_t PackedPlanes::packedBytes() const
 {
-    const int rows = m_packed.layout == PackedLayout::Nv12 ? m_packed.height + m_chromaHeight : m_packed.height;
+    const int rows =
+        m_packed.layout == PackedLayout::Nv12 ? m_packed.height + m_chromaHeight : m_packed.height;
     return product(m_packed.stride, rows);
 }
 
@@ -63,7 +66,8 @@ void PackedPlanes::split(const std::uint8_t *packed, std::uint8_t *y, std::uint8
         break;
     case PackedLayout::Nv12:
         libyuv::CopyPlane(packed, stride, y, width, width, height);
-        libyuv::SplitUVPlane(packed + product(stride, height), stride, u, m_chromaWidth, v, m_chromaWidth, m_chromaWidth, m_chromaHeight);
+        libyuv::SplitUVPlane(packed + product(stride, height), stride, u, m_chromaWidth, v, m_chromaWidth,
+                             m_chromaWidth, m_chromaHeight);
         break;
     }
 }

@@ -9,8 +9,8 @@
 
 namespace odo {
 
-/// How a camera lays luma and chroma into memory. Yuyv, Uyvy: 4:2:2, samples in the order of the name. Nv12: 4:2:0, a plane of
-/// luma, then one of U and V in turn.
+/// How a camera lays luma and chroma into memory. Yuyv, Uyvy: 4:2:2, samples in the order of the name. Nv12:
+/// 4:2:0, a plane of luma, then one of U and V in turn.
 enum class PackedLayout { Yuyv, Uyvy, Nv12 };
 
 struct PackedFormat
@@ -22,8 +22,9 @@ struct PackedFormat
     bool fullRange = false;
 };
 
-/// Takes pictures of one packed format apart into planes (libyuv). Chroma lies midway between the luma samples it
-/// belongs to, which is where the V4L2 interface puts it ("Color Sample Location"). Any thread, one at a time.
+/// Takes pictures of one packed format apart into planes (libyuv). Chroma lies midway between the luma
+/// samples it belongs to, which is where the V4L2 interface puts it ("Color Sample Location"). Any thread,
+/// one at a time.
 class PackedPlanes
 {
 public:

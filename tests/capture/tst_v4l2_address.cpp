@@ -29,16 +29,20 @@ private Q_SLOTS:
         QVERIFY(address);
         QCOMPARE(address->place, std::string("usb-0000:00:14.0-1"));
         QVERIFY(!address->request.widthPx && !address->request.framesPerSecond && !address->request.format);
-        QCOMPARE(parseV4l2Address("v4l2:/dev/video0?format=Y16")->request.format, std::optional<std::uint32_t>(V4L2_PIX_FMT_Y16));
+        QCOMPARE(parseV4l2Address("v4l2:/dev/video0?format=Y16")->request.format,
+                 std::optional<std::uint32_t>(V4L2_PIX_FMT_Y16));
     }
 
     void nonsenseIsRefused_data()
     {
         QTest::addColumn<QByteArray>("uri");
-        for (const char *uri : {"v4l2:", "v4l2:?rate=30", "v4l2:/dev/video0?speed=3", "v4l2:/dev/video0?rate", "v4l2:/dev/video0?rate=0",
-                                "v4l2:/dev/video0?rate=-5", "v4l2:/dev/video0?rate=nan", "v4l2:/dev/video0?rate=30x", "v4l2:/dev/video0?rate=inf",
-                                "v4l2:/dev/video0?size=640", "v4l2:/dev/video0?size=x480", "v4l2:/dev/video0?size=640x-1",
-                                "v4l2:/dev/video0?size=99999999999x1", "v4l2:/dev/video0?format=", "v4l2:/dev/video0?format=MJPEG", "v4l2:/dev/video0?&"})
+        for (const char *uri :
+             {"v4l2:", "v4l2:?rate=30", "v4l2:/dev/video0?speed=3", "v4l2:/dev/video0?rate",
+              "v4l2:/dev/video0?rate=0", "v4l2:/dev/video0?rate=-5", "v4l2:/dev/video0?rate=nan",
+              "v4l2:/dev/video0?rate=30x", "v4l2:/dev/video0?rate=inf", "v4l2:/dev/video0?size=640",
+              "v4l2:/dev/video0?size=x480", "v4l2:/dev/video0?size=640x-1",
+              "v4l2:/dev/video0?size=99999999999x1",
+              "v4l2:/dev/video0?format=", "v4l2:/dev/video0?format=MJPEG", "v4l2:/dev/video0?&"})
             QTest::newRow(uri) << QByteArray(uri);
     }
 
@@ -48,7 +52,8 @@ private Q_SLOTS:
         const auto address = parseV4l2Address(uri.toStdString());
         QVERIFY(!address);
         QCOMPARE(address.error().code, ErrorCode::InvalidInput);
-        QVERIFY(address.error().message().find("is not understood; write for instance v4l2:/dev/video0") != std::string::npos);
+        QVERIFY(address.error().message().find("is not understood; write for instance v4l2:/dev/video0") !=
+                std::string::npos);
     }
 
     void aCameraThatIsNotThereIsNotFound()
@@ -57,7 +62,9 @@ private Q_SLOTS:
             const auto source = openCamera(uri);
             QVERIFY(!source);
             QCOMPARE(source.error().code, ErrorCode::NotFound);
-            QVERIFY(source.error().message().find("it is not there; plug it in, or choose one of those that odograph cameras lists") != std::string::npos);
+            QVERIFY(source.error().message().find(
+                        "it is not there; plug it in, or choose one of those that odograph cameras lists") !=
+                    std::string::npos);
         }
         // A file that is no camera.
         const auto source = openCamera("v4l2:/dev/null");
@@ -67,7 +74,9 @@ private Q_SLOTS:
 
     void everyCauseHasItsOwnWords()
     {
-        const auto message = [](int number) { return QString::fromStdString(v4l2Failure("v4l2:/dev/video0", number).message()); };
+        const auto message = [](int number) {
+            return QString::fromStdString(v4l2Failure("v4l2:/dev/video0", number).message());
+        };
         QVERIFY(message(EBUSY).endsWith(QStringLiteral("another program uses it; close that program")));
         QVERIFY(message(EACCES).contains(QStringLiteral("join the group video")));
         QVERIFY(message(ENODEV).endsWith(QStringLiteral("it was unplugged; plug it in again")));

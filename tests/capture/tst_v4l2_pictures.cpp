@@ -54,12 +54,16 @@ private Q_SLOTS:
 
     void everyRawFormatIsRead()
     {
-        const std::vector<std::pair<std::uint32_t, int>> formats{{V4L2_PIX_FMT_YUYV, 2},  {V4L2_PIX_FMT_UYVY, 2},   {V4L2_PIX_FMT_NV12, 1},
-                                                                 {V4L2_PIX_FMT_GREY, 1},  {V4L2_PIX_FMT_RGB24, 3},  {V4L2_PIX_FMT_BGR24, 3},
-                                                                 {V4L2_PIX_FMT_SRGGB8, 1}, {V4L2_PIX_FMT_SGRBG8, 1}, {V4L2_PIX_FMT_SGBRG8, 1}, {V4L2_PIX_FMT_SBGGR8, 1}};
+        const std::vector<std::pair<std::uint32_t, int>> formats{
+            {V4L2_PIX_FMT_YUYV, 2},   {V4L2_PIX_FMT_UYVY, 2},   {V4L2_PIX_FMT_NV12, 1},
+            {V4L2_PIX_FMT_GREY, 1},   {V4L2_PIX_FMT_RGB24, 3},  {V4L2_PIX_FMT_BGR24, 3},
+            {V4L2_PIX_FMT_SRGGB8, 1}, {V4L2_PIX_FMT_SGRBG8, 1}, {V4L2_PIX_FMT_SGBRG8, 1},
+            {V4L2_PIX_FMT_SBGGR8, 1}};
         for (const auto &[fourcc, bytesPerPixel] : formats) {
             QVERIFY(v4l2FormatRank(fourcc) >= 0);
-            const std::size_t bytes = fourcc == V4L2_PIX_FMT_NV12 ? 64 * 48 * 3 / 2 : 64 * 48 * static_cast<std::size_t>(bytesPerPixel);
+            const std::size_t bytes = fourcc == V4L2_PIX_FMT_NV12
+                                          ? 64 * 48 * 3 / 2
+                                          : 64 * 48 * static_cast<std::size_t>(bytesPerPixel);
             const std::vector<std::uint8_t> buffer(bytes, 128);
             V4l2Pictures pictures(format(fourcc, bytesPerPixel, static_cast<std::uint32_t>(bytes)));
             const auto picture = pictures.read(buffer);

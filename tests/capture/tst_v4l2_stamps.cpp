@@ -29,7 +29,8 @@ private Q_SLOTS:
     {
         V4l2Stamps stamps;
         for (int i = 0; i < 5; ++i) {
-            const auto stamp = stamps.next({100U + static_cast<std::uint32_t>(i), raw(taken(i)), true}, taken(i) + delay);
+            const auto stamp =
+                stamps.next({100U + static_cast<std::uint32_t>(i), raw(taken(i)), true}, taken(i) + delay);
             QCOMPARE(stamp.sequence, std::uint64_t(i));
             QCOMPARE(stamp.time, i * period);
             QVERIFY(stamp.clock);
@@ -80,7 +81,8 @@ private Q_SLOTS:
         for (const std::uint64_t last : {0x7fffffffffffffffULL - 60'000'000ULL, ~0ULL - 60'000'000ULL}) {
             V4l2Stamps stamps;
             for (int i = 0; i < 5; ++i) {
-                const auto stamp = stamps.next({static_cast<std::uint32_t>(i), last + raw(i * period), true}, taken(i));
+                const auto stamp =
+                    stamps.next({static_cast<std::uint32_t>(i), last + raw(i * period), true}, taken(i));
                 QCOMPARE(stamp.time, i * period);
                 QVERIFY(!stamp.clock);
             }
@@ -93,7 +95,8 @@ private Q_SLOTS:
         Nanoseconds last = -1ns;
         const std::vector<Nanoseconds> told{0s, 40ms, 80ms, 20ms, 60ms, 5000s, 5000s + 40ms, 5000s + 40ms};
         for (int i = 0; i < int(told.size()); ++i) {
-            const auto stamp = stamps.next({static_cast<std::uint32_t>(i), raw(start + told[std::size_t(i)]), true}, taken(i) + delay);
+            const auto stamp = stamps.next(
+                {static_cast<std::uint32_t>(i), raw(start + told[std::size_t(i)]), true}, taken(i) + delay);
             QVERIFY(stamp.time > last);
             QCOMPARE(stamp.time, i * period);
             QCOMPARE(stamp.clock.has_value(), i < 3); // a clock that has gone wrong once is trusted no more

@@ -48,7 +48,8 @@ private Q_SLOTS:
         QVERIFY(bare.size() < whole.size());
         const auto mended = withHuffmanTables(bare);
         QCOMPARE(mended.size(), whole.size() - 3 * 4); // one segment in place of four
-        const Frame wanted = decodedByLibavcodec(whole, formatOf(1, 0)), got = decodedByLibavcodec(mended, formatOf(1, 0));
+        const Frame wanted = decodedByLibavcodec(whole, formatOf(1, 0)),
+                    got = decodedByLibavcodec(mended, formatOf(1, 0));
         QVERIFY(got.owner);
         for (int y = 0; y < wanted.y.height; ++y)
             QVERIFY(std::equal(wanted.y.row(y), wanted.y.row(y) + wanted.y.width, got.y.row(y)));
@@ -60,7 +61,8 @@ private Q_SLOTS:
         QVERIFY(withHuffmanTables(whole) == whole);
         const auto bare = withoutHuffmanTables(whole);
         for (std::size_t length = 0; length < bare.size(); ++length) {
-            const std::vector<std::uint8_t> cut(bare.begin(), bare.begin() + static_cast<std::ptrdiff_t>(length));
+            const std::vector<std::uint8_t> cut(bare.begin(),
+                                                bare.begin() + static_cast<std::ptrdiff_t>(length));
             const auto mended = withHuffmanTables(cut); // must not read beyond the end
             QVERIFY(mended.size() >= cut.size());
             if (length < 100) // within the quantisation tables

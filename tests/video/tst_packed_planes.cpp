@@ -25,7 +25,8 @@ std::vector<std::uint8_t> packed(const PackedFormat &format)
 {
     const bool planar = format.layout == PackedLayout::Nv12;
     const int rows = planar ? format.height + (format.height + 1) / 2 : format.height;
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(format.stride) * static_cast<std::size_t>(rows), 77);
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(format.stride) * static_cast<std::size_t>(rows),
+                                    77);
     const int lumaFirst = format.layout == PackedLayout::Yuyv ? 0 : 1;
     for (int y = 0; y < rows; ++y) {
         std::uint8_t *row = bytes.data() + y * format.stride;

@@ -22,7 +22,8 @@ const UsbBytes &playedPicture()
 
 std::unique_ptr<UvcCamera> playedCamera(unsigned port, const std::string &name, const std::string &serial)
 {
-    auto camera = std::make_unique<UvcCamera>(port, UvcCamera::Identity{name, serial}, std::vector<UsbBytes>{withoutHuffmanTables(playedPicture())});
+    auto camera = std::make_unique<UvcCamera>(port, UvcCamera::Identity{name, serial},
+                                              std::vector<UsbBytes>{withoutHuffmanTables(playedPicture())});
     if (QTest::qWaitFor([&] { return camera->plug(); })) // a port is free only a while after it was left
         return camera;
     QTest::qFail("the kernel does not take the played camera", __FILE__, __LINE__);

@@ -11,7 +11,8 @@ namespace odo::test {
 /// The picture of all played cameras' MJPEG: 320×240, 4:2:2, with its Huffman tables.
 const UsbBytes &playedPicture();
 
-/// A webcam that sends it without the tables, plugged in; nullptr (and the test fails) when the kernel does not take it.
+/// A webcam that sends it without the tables, plugged in; nullptr (and the test fails) when the kernel does
+/// not take it.
 std::unique_ptr<UvcCamera> playedCamera(unsigned port, const std::string &name, const std::string &serial);
 
 /// The USB cameras that are listed now.

@@ -45,14 +45,17 @@ private Q_SLOTS:
     void initTestCase()
     {
         QVERIFY(QDir(m_folder.path()).mkdir(QStringLiteral("empty")));
-        QCOMPARE(QProcess::execute(qEnvironmentVariable("ODOGRAPH_PROGRAM"), {QStringLiteral("new"), m_folder.filePath(QStringLiteral("empty/p.odo"))}), 0);
+        QCOMPARE(QProcess::execute(qEnvironmentVariable("ODOGRAPH_PROGRAM"),
+                                   {QStringLiteral("new"), m_folder.filePath(QStringLiteral("empty/p.odo"))}),
+                 0);
     }
 
     /// ODOGRAPH_POWER_CUTS says how many; each at a moment of its own.
     void atMostTheLastSecondsAreMissing()
     {
         bool isNumber = false;
-        const int asked = qEnvironmentVariableIntValue("ODOGRAPH_POWER_CUTS", &isNumber), cuts = isNumber ? asked : 3;
+        const int asked = qEnvironmentVariableIntValue("ODOGRAPH_POWER_CUTS", &isNumber),
+                  cuts = isNumber ? asked : 3;
         std::mt19937 random(7);
         std::uniform_real_distribution<double> moment(1.5, 4);
         for (int first = 0; first < cuts; first += cutsTogether) {
@@ -78,7 +81,11 @@ private:
         QFile image(file);
         QVERIFY(image.open(QIODevice::WriteOnly | QIODevice::Truncate) && image.resize(diskBytes));
         image.close();
-        QCOMPARE(QProcess::execute(QStringLiteral("/sbin/mke2fs"), {QStringLiteral("-q"), QStringLiteral("-F"), QStringLiteral("-t"), QStringLiteral("ext4"), QStringLiteral("-d"), m_folder.filePath(QStringLiteral("empty")), file}), 0);
+        QCOMPARE(QProcess::execute(QStringLiteral("/sbin/mke2fs"),
+                                   {QStringLiteral("-q"), QStringLiteral("-F"), QStringLiteral("-t"),
+                                    QStringLiteral("ext4"), QStringLiteral("-d"),
+                                    m_folder.filePath(QStringLiteral("empty")), file}),
+                 0);
     }
 
     void recordAndCut(double afterS)
@@ -88,11 +95,13 @@ private:
         QProcess machine;
         machine.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         machine.start(vmFolder() + QStringLiteral("vm_run"),
-                      {QStringLiteral("--or-skip"), QStringLiteral("--pid"), pidFile, QStringLiteral("--disk"), image, QStringLiteral("/run/disk"),
+                      {QStringLiteral("--or-skip"), QStringLiteral("--pid"), pidFile,
+                       QStringLiteral("--disk"), image, QStringLiteral("/run/disk"),
                        vmFolder() + QStringLiteral("record_until_cut"), QStringLiteral("/run/disk")});
         double beganS = -1, nowS = -1;
         while (beganS < 0 || nowS < beganS + afterS) {
-            QVERIFY2(machine.canReadLine() || machine.waitForReadyRead(patienceMs) || machine.canReadLine(), "the machine does not record");
+            QVERIFY2(machine.canReadLine() || machine.waitForReadyRead(patienceMs) || machine.canReadLine(),
+                     "the machine does not record");
             while (machine.canReadLine()) {
                 const QByteArray line = machine.readLine();
                 m_skipped = m_skipped || line.startsWith("ODOGRAPH-SKIPPED");
@@ -123,15 +132,24 @@ private:
             call << QStringLiteral("--disk") << disk(i) << QStringLiteral("/run/disk%1").arg(i);
             copying += QStringLiteral(" && cp -r /run/disk%1 %2/").arg(i).arg(found);
         }
-        QCOMPARE(QProcess::execute(vmFolder() + QStringLiteral("vm_run"), call << QStringLiteral("bash") << QStringLiteral("-c") << copying), 0);
+        QCOMPARE(QProcess::execute(vmFolder() + QStringLiteral("vm_run"),
+                                   call << QStringLiteral("bash") << QStringLiteral("-c") << copying),
+                 0);
         for (std::size_t i = 0; i < m_recordedS.size(); ++i) {
             const QString folder = QStringLiteral("%1/disk%2/").arg(found).arg(i);
-            QCOMPARE(QProcess::execute(qEnvironmentVariable("ODOGRAPH_PROGRAM"), {QStringLiteral("list"), folder + QStringLiteral("p.odo")}), 0);
-            const QStringList videos = QDir(folder + QStringLiteral("p.media")).entryList({QStringLiteral("*.mkv")}, QDir::Files);
+            QCOMPARE(QProcess::execute(qEnvironmentVariable("ODOGRAPH_PROGRAM"),
+                                       {QStringLiteral("list"), folder + QStringLiteral("p.odo")}),
+                     0);
+            const QStringList videos =
+                QDir(folder + QStringLiteral("p.media")).entryList({QStringLiteral("*.mkv")}, QDir::Files);
             QCOMPARE(videos.size(), 2);
             for (const QString &video : videos) {
-                const double missingS = m_recordedS[i] - lengthOf(folder + QStringLiteral("p.media/") + video);
-                QVERIFY2(missingS <= mostMissingS, qPrintable(QStringLiteral("%1: of %2 s %3 are missing").arg(video).arg(m_recordedS[i]).arg(missingS)));
+                const double missingS =
+                    m_recordedS[i] - lengthOf(folder + QStringLiteral("p.media/") + video);
+                QVERIFY2(missingS <= mostMissingS, qPrintable(QStringLiteral("%1: of %2 s %3 are missing")
+                                                                  .arg(video)
+                                                                  .arg(m_recordedS[i])
+                                                                  .arg(missingS)));
                 m_worstS = std::max(m_worstS, missingS);
             }
         }

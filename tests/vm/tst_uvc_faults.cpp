@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs in the emulated machine: webcams that are unplugged, frozen, swapped, taken by another program, and that return, while
-// a session records two of them.
+// Runs in the emulated machine: webcams that are unplugged, frozen, swapped, taken by another program, and
+// that return, while a session records two of them.
 #include "core/capture/capture_session.h"
 #include "core/capture/v4l2/v4l2_stream.h"
 #include "core/video/video_reader.h"
@@ -28,7 +28,9 @@ bool isWaiting(const CaptureSession &session, std::size_t view)
 QByteArray troubleOf(const CaptureSession &session, std::size_t view)
 {
     const auto health = session.health();
-    return health.views.at(view).trouble ? QByteArray::fromStdString(health.views[view].trouble->error.message()) : QByteArray();
+    return health.views.at(view).trouble
+               ? QByteArray::fromStdString(health.views[view].trouble->error.message())
+               : QByteArray();
 }
 
 } // namespace
@@ -91,7 +93,8 @@ private Q_SLOTS:
     void frozen()
     {
         m_a->setStalled(true);
-        isToldSoon(0, "it is there but sends no pictures; look at its cable, or plug it in again if that lasts");
+        isToldSoon(0,
+                   "it is there but sends no pictures; look at its cable, or plug it in again if that lasts");
         theOtherGoesOn();
         m_a->setStalled(false);
         returns(0);
@@ -102,7 +105,8 @@ private Q_SLOTS:
         m_a->unplug();
         isToldSoon(0, "plug it in again");
         auto stranger = playedCamera(0, "Camera C", "C3");
-        QTRY_VERIFY2(troubleOf(*m_session, 0).contains("is in its place; plug Camera A"), troubleOf(*m_session, 0));
+        QTRY_VERIFY2(troubleOf(*m_session, 0).contains("is in its place; plug Camera A"),
+                     troubleOf(*m_session, 0));
         theOtherGoesOn();
         stranger.reset();
         m_a = playedCamera(0, "Camera A", "A1");
@@ -130,11 +134,13 @@ private Q_SLOTS:
         QTRY_VERIFY(!playedUri("A1").empty()); // at another node, because the source still holds the former
         {
             const std::string place = playedUri("A1"), node = place.substr(5, place.find('?') - 5);
-            const auto other = V4l2Stream::start(*V4l2Device::open(node, node), {V4L2_PIX_FMT_YUYV, 320, 240, 1, 5}, node);
+            const auto other =
+                V4l2Stream::start(*V4l2Device::open(node, node), {V4L2_PIX_FMT_YUYV, 320, 240, 1, 5}, node);
             QVERIFY2(other, other ? "" : other.error().message().c_str());
             const Taken none = take(*source, 1, 2);
             QVERIFY(none.pictures.empty());
-            QVERIFY2(none.problems.back().message().ends_with("another program uses it; close that program"), none.problems.back().message().c_str());
+            QVERIFY2(none.problems.back().message().ends_with("another program uses it; close that program"),
+                     none.problems.back().message().c_str());
             QVERIFY(usbCameras().at(0).busy || usbCameras().at(1).busy);
         }
         QCOMPARE(take(*source, 3).pictures.size(), std::size_t(3));

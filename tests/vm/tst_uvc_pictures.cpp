@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs in the emulated machine: the kernel's driver of USB webcams, fed by two played ones. What they are, MJPEG, damaged
-// pictures, controls.
+// Runs in the emulated machine: the kernel's driver of USB webcams, fed by two played ones. What they are,
+// MJPEG, damaged pictures, controls.
 #include "core/video/jpeg_decoder.h"
 #include "core/video/jpeg_file.h"
 #include "played_cameras.h"
@@ -29,11 +29,14 @@ private Q_SLOTS:
         QVERIFY(cameras[0].name.find("Camera A") != std::string::npos);
         QCOMPARE(cameras[0].serial, std::string("A1"));
         QCOMPARE(cameras[1].serial, std::string("B2"));
-        QCOMPARE(cameras[0].formats, (std::vector<std::string>{"YUYV 640×480 at 30 frames/s", "YUYV 320×240 at 30 frames/s", "MJPG 640×480 at 30 frames/s", "MJPG 320×240 at 30 frames/s"}));
+        QCOMPARE(cameras[0].formats,
+                 (std::vector<std::string>{"YUYV 640×480 at 30 frames/s", "YUYV 320×240 at 30 frames/s",
+                                           "MJPG 640×480 at 30 frames/s", "MJPG 320×240 at 30 frames/s"}));
         const auto source = opened(cameras[0].uri);
         QVERIFY(source);
         QCOMPARE(source->description().widthPx, 640);
-        QVERIFY(std::abs(source->description().framesPerSecond - 30) < 1e-3); // periods are whole numbers of 100 ns
+        QVERIFY(std::abs(source->description().framesPerSecond - 30) <
+                1e-3); // periods are whole numbers of 100 ns
     }
 
     void mjpegComesAsItIs()
@@ -47,7 +50,8 @@ private Q_SLOTS:
         QVERIFY(captured.jpeg);
         QVERIFY(captured.clock);
         Frame wanted;
-        QCOMPARE(JpegDecoder(*jpegFormat(playedPicture())).decode(playedPicture(), std::nullopt, wanted), JpegDecoder::Outcome::Decoded);
+        QCOMPARE(JpegDecoder(*jpegFormat(playedPicture())).decode(playedPicture(), std::nullopt, wanted),
+                 JpegDecoder::Outcome::Decoded);
         QCOMPARE(captured.frame.format.chromaShiftY, 0);
         for (int y = 0; y < 240; ++y)
             QVERIFY(std::equal(wanted.y.row(y), wanted.y.row(y) + 320, captured.frame.y.row(y)));
@@ -81,7 +85,8 @@ private Q_SLOTS:
         QFETCH(bool, kept);
         QFETCH(QByteArray, format);
         m_a.reset(); // the driver heeds that when a camera is plugged in
-        QVERIFY(shell(kept ? "echo 1 >/sys/module/uvcvideo/parameters/nodrop" : "echo 0 >/sys/module/uvcvideo/parameters/nodrop"));
+        QVERIFY(shell(kept ? "echo 1 >/sys/module/uvcvideo/parameters/nodrop"
+                           : "echo 0 >/sys/module/uvcvideo/parameters/nodrop"));
         m_a = playedCamera(0, "Camera A", "A1");
         QTRY_COMPARE(usbCameras().size(), std::size_t(2));
         const auto source = opened(playedUri("A1", format.toStdString()));

@@ -39,13 +39,20 @@ private Q_SLOTS:
         QCOMPARE(control("integer_menu").kind, Kind::Choice);
         QVERIFY(control("read_only_integer_32_bits").readOnly);
         const auto all = m_source->controls();
-        QVERIFY(std::ranges::none_of(*all, [](const CameraControl &one) { return one.id == "string" || one.id == "u32_1_element_array"; }));
+        QVERIFY(std::ranges::none_of(*all, [](const CameraControl &one) {
+            return one.id == "string" || one.id == "u32_1_element_array";
+        }));
     }
 
     void whatIsSetIsKept()
     {
-        for (const auto &[id, value] : {std::pair<const char *, double>{"brightness", 77}, {"integer_64_bits", -5e9}, {"boolean", 0}, {"menu", 1},
-                                        {"integer_menu", 0}, {"bitmask", 0x2000}, {"brightness", 128}}) {
+        for (const auto &[id, value] : {std::pair<const char *, double>{"brightness", 77},
+                                        {"integer_64_bits", -5e9},
+                                        {"boolean", 0},
+                                        {"menu", 1},
+                                        {"integer_menu", 0},
+                                        {"bitmask", 0x2000},
+                                        {"brightness", 128}}) {
             const auto set = m_source->set(id, value);
             QVERIFY2(set, set ? "" : set.error().message().c_str());
             QCOMPARE(control(id).value, value);
@@ -55,10 +62,16 @@ private Q_SLOTS:
 
     void whatCannotBeSetSaysWhy()
     {
-        const auto message = [&](const char *id, double value) { return m_source->set(id, value).error().message(); };
-        QCOMPARE(message("brightness", 300), std::string("camera v4l2:/dev/video0?size=320x180&rate=25&format=YUYV: Brightness goes from 0 to 255; choose a value between"));
+        const auto message = [&](const char *id, double value) {
+            return m_source->set(id, value).error().message();
+        };
+        QCOMPARE(message("brightness", 300),
+                 std::string("camera v4l2:/dev/video0?size=320x180&rate=25&format=YUYV: Brightness goes from "
+                             "0 to 255; choose a value between"));
         QVERIFY(message("brightness", std::nan("")).find("goes from") != std::string::npos);
-        QVERIFY(message("read_only_integer_32_bits", 1).find("cannot be set as the camera stands now; turn off the automatic") != std::string::npos);
+        QVERIFY(message("read_only_integer_32_bits", 1)
+                    .find("cannot be set as the camera stands now; turn off the automatic") !=
+                std::string::npos);
         QCOMPARE(m_source->set("warp", 1).error().code, ErrorCode::NotFound);
         QCOMPARE(m_source->set("menu", 3).error().code, ErrorCode::InvalidInput);
     }

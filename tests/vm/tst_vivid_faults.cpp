@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs in the emulated machine: drops, errors, clocks and counts that go wrong, and a camera that is taken away.
+// Runs in the emulated machine: drops, errors, clocks and counts that go wrong, and a camera that is taken
+// away.
 #include "core/capture/capture_session.h"
 #include "core/capture/v4l2/v4l2_device.h"
 #include "vivid_cameras.h"
@@ -96,8 +97,10 @@ private Q_SLOTS:
         }
         QCOMPARE(clock.epoch(), 0);
         // Nothing was taken after it arrived, nor half a second before.
-        const Nanoseconds latency = taken.pictures.back().hostTime - clock.fit()->hostTime(taken.pictures.back().frame.time);
-        QVERIFY2(latency >= Nanoseconds(-1000000) && latency < std::chrono::milliseconds(500), QByteArray::number(qint64(latency.count())));
+        const Nanoseconds latency =
+            taken.pictures.back().hostTime - clock.fit()->hostTime(taken.pictures.back().frame.time);
+        QVERIFY2(latency >= Nanoseconds(-1000000) && latency < std::chrono::milliseconds(500),
+                 QByteArray::number(qint64(latency.count())));
     }
 
     void aDamagedPictureIsThrownAwayAndCounted()
@@ -153,7 +156,9 @@ private Q_SLOTS:
         const auto source = openCamera("v4l2:" + node + mode);
         QVERIFY(!source);
         QCOMPARE(source.error().code, ErrorCode::Unavailable);
-        QVERIFY(source.error().message().find("it failed (Invalid argument); unplug it and plug it in again if that lasts") != std::string::npos);
+        QVERIFY(source.error().message().find(
+                    "it failed (Invalid argument); unplug it and plug it in again if that lasts") !=
+                std::string::npos);
         QVERIFY(camera()); // the error is gone, and nothing was left open
     }
 
@@ -167,7 +172,8 @@ private Q_SLOTS:
         QVERIFY(take(*source, 5).problems.empty());
     }
 
-    /// The driver lets any program change the rate under us: what comes stays true, and nothing counts as lost for it.
+    /// The driver lets any program change the rate under us: what comes stays true, and nothing counts as
+    /// lost for it.
     void anotherRateByAnotherProgram()
     {
         const auto source = camera();
@@ -177,7 +183,9 @@ private Q_SLOTS:
         const Taken slow = take(*source, 15);
         QVERIFY(slow.problems.empty());
         QVERIFY(rises(slow));
-        const double perPicture = toSeconds(slow.pictures.back().frame.time - slow.pictures.front().frame.time) / double(slow.span() - 1);
+        const double perPicture =
+            toSeconds(slow.pictures.back().frame.time - slow.pictures.front().frame.time) /
+            double(slow.span() - 1);
         QVERIFY2(std::abs(perPicture / 0.1 - 1) < 0.1, QByteArray::number(perPicture));
     }
 
@@ -187,19 +195,22 @@ private Q_SLOTS:
         const auto source = camera();
         QVERIFY(!take(*source, 5).pictures.empty());
         QVERIFY(shell("echo vivid.0 >/sys/bus/platform/drivers/vivid/unbind && touch /dev/video0"));
-        (void)take(*source, 100, 1); // those that were under way
+        (void)take(*source, 100, 1);               // those that were under way
         QVERIFY(source->holdAutomatics().empty()); // while it is not there
         const auto none = source->next();
         QVERIFY(!none);
         QCOMPARE(none.error().code, ErrorCode::Unavailable);
-        QVERIFY2(none.error().message().find("/dev/video0 gives no pictures") != std::string::npos, none.error().message().c_str());
+        QVERIFY2(none.error().message().find("/dev/video0 gives no pictures") != std::string::npos,
+                 none.error().message().c_str());
         QVERIFY(shell("rm /dev/video0 && echo vivid.0 >/sys/bus/platform/drivers/vivid/bind"));
         QCOMPARE(take(*source, 5).pictures.size(), std::size_t(5));
         const auto controls = source->controls();
-        QCOMPARE(std::ranges::find(*controls, "gain_automatic", &CameraControl::id)->value, 0.0); // held when it came back
+        QCOMPARE(std::ranges::find(*controls, "gain_automatic", &CameraControl::id)->value,
+                 0.0); // held when it came back
     }
 
-    /// As when a hub is unplugged: both nodes go. The session says so at once, and goes on when they are back.
+    /// As when a hub is unplugged: both nodes go. The session says so at once, and goes on when they are
+    /// back.
     void removedAndBroughtBack()
     {
         std::vector<std::unique_ptr<CameraSource>> cameras;
@@ -210,9 +221,11 @@ private Q_SLOTS:
         QVERIFY(shell("echo vivid.0 >/sys/bus/platform/drivers/vivid/unbind"));
         const auto gone = std::chrono::steady_clock::now();
         QTRY_VERIFY(state() == ViewHealth::State::Waiting);
-        QVERIFY(std::chrono::steady_clock::now() - gone < std::chrono::seconds(2)); // 1 s, and the emulated machine's leisure
+        QVERIFY(std::chrono::steady_clock::now() - gone <
+                std::chrono::seconds(2)); // 1 s, and the emulated machine's leisure
         QTRY_VERIFY(session.health().views[0].trouble);
-        QVERIFY2(session.health().views[0].trouble->error.message().ends_with("it was unplugged; plug it in again"),
+        QVERIFY2(session.health().views[0].trouble->error.message().ends_with(
+                     "it was unplugged; plug it in again"),
                  session.health().views[0].trouble->error.message().c_str());
         const std::uint64_t before = session.health().views[0].delivered;
         QVERIFY(shell("echo vivid.0 >/sys/bus/platform/drivers/vivid/bind"));

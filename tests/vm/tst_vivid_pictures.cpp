@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs in the emulated machine: what the kernel's emulated cameras offer, and whether their pictures are read rightly.
+// Runs in the emulated machine: what the kernel's emulated cameras offer, and whether their pictures are read
+// rightly.
 #include "core/capture/v4l2/v4l2_source.h"
 #include "vivid_cameras.h"
 
@@ -31,7 +32,8 @@ Rgb colourAt(const Frame &frame, int x, int y)
     const double luma = format.fullRange ? frame.y.at(x, y) : (frame.y.at(x, y) - 16) * 255.0 / 219;
     const double scale = format.fullRange ? 1 : 255.0 / 224;
     const double u = (sample(frame.u) - 128) * scale, v = (sample(frame.v) - 128) * scale;
-    const double kr = format.matrix == YuvMatrix::Bt709 ? 0.2126 : 0.299, kb = format.matrix == YuvMatrix::Bt709 ? 0.0722 : 0.114;
+    const double kr = format.matrix == YuvMatrix::Bt709 ? 0.2126 : 0.299,
+                 kb = format.matrix == YuvMatrix::Bt709 ? 0.0722 : 0.114;
     const double red = luma + 2 * (1 - kr) * v, blue = luma + 2 * (1 - kb) * u;
     return {red, (luma - kr * red - kb * blue) / (1 - kr - kb), blue};
 }
@@ -65,7 +67,8 @@ private Q_SLOTS:
         QCOMPARE(cameras[0].name, std::string("vivid"));
         QCOMPARE(cameras[0].widthPx, 640); // 30 frames/s or more, nearest to 1280×720
         QCOMPARE(cameras[0].heightPx, 360);
-        QVERIFY(std::ranges::find(cameras[1].formats, "YUYV 640×480 at 25 frames/s") != cameras[1].formats.end());
+        QVERIFY(std::ranges::find(cameras[1].formats, "YUYV 640×480 at 25 frames/s") !=
+                cameras[1].formats.end());
     }
 
     void aCameraInUseIsListedAsBusyAndNotDisturbed()
@@ -96,14 +99,18 @@ private Q_SLOTS:
         {
             std::vector<std::jthread> threads;
             for (std::size_t i = 0; i < 2; ++i)
-                threads.emplace_back([&, i] { taken[i] = take(*opened("v4l2:/dev/video" + std::to_string(i) + small + "YUYV"), 50); });
+                threads.emplace_back([&, i] {
+                    taken[i] = take(*opened("v4l2:/dev/video" + std::to_string(i) + small + "YUYV"), 50);
+                });
         }
         for (const Taken &one : taken) {
             QCOMPARE(one.pictures.size(), std::size_t(50));
             QVERIFY(rises(one));
             QCOMPARE(one.pictures.size() + one.lost, one.span());
-            // By its own times the camera keeps its rate, whatever was lost on the way. A hundredth: vivid counts in 4 ms.
-            const double seconds = toSeconds(one.pictures.back().frame.time - one.pictures.front().frame.time);
+            // By its own times the camera keeps its rate, whatever was lost on the way. A hundredth: vivid
+            // counts in 4 ms.
+            const double seconds =
+                toSeconds(one.pictures.back().frame.time - one.pictures.front().frame.time);
             QVERIFY2(std::abs(seconds * 25 / double(one.span() - 1) - 1) < 0.05, QByteArray::number(seconds));
             QVERIFY(one.pictures.back().clock);
         }
@@ -112,11 +119,13 @@ private Q_SLOTS:
     void coloursAreRight_data()
     {
         QTest::addColumn<QByteArray>("format");
-        for (const char *format : {"YUYV", "UYVY", "NV12", "RGB3", "BGR3", "RGGB", "GRBG", "GBRG", "BA81", "GREY"})
+        for (const char *format :
+             {"YUYV", "UYVY", "NV12", "RGB3", "BGR3", "RGGB", "GRBG", "GBRG", "BA81", "GREY"})
             QTest::newRow(format) << QByteArray(format);
     }
 
-    /// Eight bars, from white to black; a tolerance of four for the rounding to limited range and back, twice.
+    /// Eight bars, from white to black; a tolerance of four for the rounding to limited range and back,
+    /// twice.
     void coloursAreRight()
     {
         QFETCH(QByteArray, format);
@@ -129,18 +138,27 @@ private Q_SLOTS:
         QCOMPARE(frame.format.width, 320);
         QCOMPARE(frame.format.height, 180);
         QVERIFY(!taken.pictures.back().jpeg);
-        const std::array<Rgb, 8> bars{{{1, 1, 1}, {1, 1, 0}, {0, 1, 1}, {0, 1, 0}, {1, 0, 1}, {1, 0, 0}, {0, 0, 1}, {0, 0, 0}}};
+        const std::array<Rgb, 8> bars{
+            {{1, 1, 1}, {1, 1, 0}, {0, 1, 1}, {0, 1, 0}, {1, 0, 1}, {1, 0, 0}, {0, 0, 1}, {0, 0, 0}}};
         double before = 300;
         for (std::size_t i = 0; i < bars.size(); ++i) {
             const Rgb seen = colourAt(frame, int(40 * i + 20), 90);
             const Rgb &bar = bars[i];
-            const QByteArray words = "bar " + QByteArray::number(int(i)) + ": " + QByteArray::number(seen.red) + ' ' + QByteArray::number(seen.green) + ' ' + QByteArray::number(seen.blue);
+            const QByteArray words = "bar " + QByteArray::number(int(i)) + ": " +
+                                     QByteArray::number(seen.red) + ' ' + QByteArray::number(seen.green) +
+                                     ' ' + QByteArray::number(seen.blue);
             if (format == "GREY") { // how dark the colours between white and black are is vivid's own choice
-                QVERIFY2(std::abs(seen.red - seen.green) < 1 && std::abs(seen.blue - seen.green) < 1 && seen.green < before, words);
-                QVERIFY2((i > 0 || std::abs(seen.green - 255) <= 4) && (i < 7 || std::abs(seen.green) <= 4), words);
+                QVERIFY2(std::abs(seen.red - seen.green) < 1 && std::abs(seen.blue - seen.green) < 1 &&
+                             seen.green < before,
+                         words);
+                QVERIFY2((i > 0 || std::abs(seen.green - 255) <= 4) && (i < 7 || std::abs(seen.green) <= 4),
+                         words);
                 before = seen.green;
             } else {
-                QVERIFY2(std::abs(seen.red - 255 * bar.red) <= 4 && std::abs(seen.green - 255 * bar.green) <= 4 && std::abs(seen.blue - 255 * bar.blue) <= 4, words);
+                QVERIFY2(std::abs(seen.red - 255 * bar.red) <= 4 &&
+                             std::abs(seen.green - 255 * bar.green) <= 4 &&
+                             std::abs(seen.blue - 255 * bar.blue) <= 4,
+                         words);
             }
         }
     }
@@ -149,7 +167,8 @@ private Q_SLOTS:
     {
         const auto source = openCamera("v4l2:/dev/video0?format=MJPG");
         QVERIFY(!source);
-        QVERIFY(source.error().message().find("it does not offer what was asked for; choose of what it offers: ") != std::string::npos);
+        QVERIFY(source.error().message().find(
+                    "it does not offer what was asked for; choose of what it offers: ") != std::string::npos);
     }
 
     void whoMayNotIsToldWhatToDo()
@@ -159,7 +178,8 @@ private Q_SLOTS:
         const auto cameras = usbCameras();
         QVERIFY(seteuid(0) == 0);
         QVERIFY(!source);
-        QVERIFY(source.error().message().ends_with("you may not use it; join the group video (sudo usermod -aG video YOUR-NAME) and log in again"));
+        QVERIFY(source.error().message().ends_with(
+            "you may not use it; join the group video (sudo usermod -aG video YOUR-NAME) and log in again"));
         QCOMPARE(cameras.size(), std::size_t(2));
         QVERIFY(cameras[0].formats.at(0).find("join the group video") != std::string::npos);
     }

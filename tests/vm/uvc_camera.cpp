@@ -35,7 +35,8 @@ constexpr std::uint32_t submit = 1, unlinkRequest = 2, submitted = 3, unlinked =
 constexpr const char *attachFile = "/sys/devices/platform/vhci_hcd.0/attach";
 constexpr int highSpeed = 3;
 constexpr std::uint32_t payloadSize = 16384; // what the driver asks for at a time, at most
-constexpr std::size_t probeSize = 26, probeFormat = 2, probeFrame = 3, probePeriod = 4, probePictureSize = 18, probePayloadSize = 22;
+constexpr std::size_t probeSize = 26, probeFormat = 2, probeFrame = 3, probePeriod = 4, probePictureSize = 18,
+                      probePayloadSize = 22;
 constexpr std::uint8_t mjpegFormat = 2, streamInterface = 1;
 constexpr auto tooLate = std::chrono::milliseconds(500);
 
@@ -55,13 +56,15 @@ void set32(UsbBytes &bytes, std::size_t at, std::uint32_t value)
 
 bool readAll(int socket, std::span<std::uint8_t> bytes)
 {
-    return bytes.empty() || recv(socket, bytes.data(), bytes.size(), MSG_WAITALL) == static_cast<ssize_t>(bytes.size());
+    return bytes.empty() ||
+           recv(socket, bytes.data(), bytes.size(), MSG_WAITALL) == static_cast<ssize_t>(bytes.size());
 }
 
 } // namespace
 
 UvcCamera::UvcCamera(unsigned port, Identity identity, std::vector<UsbBytes> pictures)
-    : m_port(port), m_identity(std::move(identity)), m_pictures(std::move(pictures)), m_wake(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), m_probe(probeSize, 0)
+    : m_port(port), m_identity(std::move(identity)), m_pictures(std::move(pictures)),
+      m_wake(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), m_probe(probeSize, 0)
 {
     settle();
 }
@@ -77,7 +80,8 @@ bool UvcCamera::plug()
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
         return false;
-    const std::string line = std::to_string(m_port) + ' ' + std::to_string(ends[1]) + ' ' + std::to_string(m_port + 1) + ' ' + std::to_string(highSpeed);
+    const std::string line = std::to_string(m_port) + ' ' + std::to_string(ends[1]) + ' ' +
+                             std::to_string(m_port + 1) + ' ' + std::to_string(highSpeed);
     const int attach = open(attachFile, O_WRONLY | O_CLOEXEC);
     const bool taken = attach >= 0 && write(attach, line.data(), line.size()) > 0;
     close(attach);
@@ -151,7 +155,8 @@ int UvcCamera::waitMs() const
 {
     if (!m_streaming || m_stalled || m_pending.empty())
         return -1;
-    return static_cast<int>(std::max<std::int64_t>(std::chrono::ceil<std::chrono::milliseconds>(m_due - Clock::now()).count(), 0));
+    return static_cast<int>(std::max<std::int64_t>(
+        std::chrono::ceil<std::chrono::milliseconds>(m_due - Clock::now()).count(), 0));
 }
 
 void UvcCamera::run()
@@ -198,9 +203,16 @@ bool UvcCamera::readable()
     return true;
 }
 
-void UvcCamera::reply(std::uint32_t command, std::uint32_t sequence, int status, std::size_t actual, const UsbBytes &data)
+void UvcCamera::reply(std::uint32_t command, std::uint32_t sequence, int status, std::size_t actual,
+                      const UsbBytes &data)
 {
-    const std::array<std::uint32_t, 12> words{htobe32(command), htobe32(sequence), 0, 0, 0, htobe32(static_cast<std::uint32_t>(status)), htobe32(static_cast<std::uint32_t>(actual))};
+    const std::array<std::uint32_t, 12> words{htobe32(command),
+                                              htobe32(sequence),
+                                              0,
+                                              0,
+                                              0,
+                                              htobe32(static_cast<std::uint32_t>(status)),
+                                              htobe32(static_cast<std::uint32_t>(actual))};
     UsbBytes packet(sizeof words);
     std::memcpy(packet.data(), words.data(), sizeof words);
     packet.insert(packet.end(), data.begin(), data.end());
@@ -214,11 +226,13 @@ void UvcCamera::reply(std::uint32_t command, std::uint32_t sequence, int status,
 
 void UvcCamera::unlink(std::uint32_t sequence, std::uint32_t victim)
 {
-    const bool found = std::erase_if(m_pending, [&](const Request &request) { return request.sequence == victim; }) > 0;
+    const bool found =
+        std::erase_if(m_pending, [&](const Request &request) { return request.sequence == victim; }) > 0;
     reply(unlinked, sequence, found ? -ECONNRESET : 0, 0, {});
 }
 
-void UvcCamera::control(std::uint32_t sequence, const Setup &setup, std::uint32_t length, std::span<const std::uint8_t> data)
+void UvcCamera::control(std::uint32_t sequence, const Setup &setup, std::uint32_t length,
+                        std::span<const std::uint8_t> data)
 {
     std::optional<UsbBytes> answer;
     if (!setup.isClass())
@@ -237,7 +251,8 @@ void UvcCamera::control(std::uint32_t sequence, const Setup &setup, std::uint32_
 
 std::optional<UsbBytes> UvcCamera::standardAnswer(const Setup &setup)
 {
-    constexpr std::uint8_t getStatus = 0, clearFeature = 1, getDescriptor = 6, device = 1, configuration = 2, string = 3, ofEndpoint = 2;
+    constexpr std::uint8_t getStatus = 0, clearFeature = 1, getDescriptor = 6, device = 1, configuration = 2,
+                           string = 3, ofEndpoint = 2;
     if (!setup.isIn()) {
         if (setup.type == ofEndpoint && setup.request == clearFeature)
             m_streaming = false;
@@ -288,7 +303,9 @@ void UvcCamera::settle()
     m_probe[probeFormat] = std::clamp<std::uint8_t>(m_probe[probeFormat], 1, mjpegFormat);
     m_probe[probeFrame] = std::clamp<std::uint8_t>(m_probe[probeFrame], 1, uvcSizes.size());
     const std::uint32_t asked = get32(std::span(m_probe).subspan(probePeriod));
-    const auto off = [&](std::uint32_t period) { return std::abs(static_cast<std::int64_t>(period) - asked); };
+    const auto off = [&](std::uint32_t period) {
+        return std::abs(static_cast<std::int64_t>(period) - asked);
+    };
     set32(m_probe, probePeriod, asked == 0 ? uvcPeriods[0] : *std::ranges::min_element(uvcPeriods, {}, off));
     const UvcSize size = uvcSizes[m_probe[probeFrame] - 1U];
     set32(m_probe, probePictureSize, size.widthPx * size.heightPx * 2U);
@@ -315,7 +332,8 @@ UsbBytes UvcCamera::nextPicture()
         const UvcSize size = uvcSizes[m_probe[probeFrame] - 1U];
         UsbBytes row(size.widthPx * 2U, 128);
         for (unsigned x = 0; x < size.widthPx; ++x)
-            row[2 * x] = static_cast<std::uint8_t>(x + 4 * m_count + static_cast<unsigned>(m_controls.brightness()));
+            row[2 * x] =
+                static_cast<std::uint8_t>(x + 4 * m_count + static_cast<unsigned>(m_controls.brightness()));
         for (unsigned y = 0; y < size.heightPx; ++y)
             picture.insert(picture.end(), row.begin(), row.end());
     }
@@ -329,11 +347,13 @@ UsbBytes UvcCamera::nextPicture()
 UsbBytes UvcCamera::payload()
 {
     constexpr std::uint8_t endOfHeader = 0x80, error = 0x40, endOfPicture = 0x02;
-    const std::size_t size = std::min(std::min(m_pending.front().length, payloadSize) - 2, static_cast<std::uint32_t>(m_picture.size() - m_sent));
+    const std::size_t size = std::min(std::min(m_pending.front().length, payloadSize) - 2,
+                                      static_cast<std::uint32_t>(m_picture.size() - m_sent));
     const bool isLast = m_sent + size == m_picture.size();
     UsbBytes bytes(2 + size);
     bytes[0] = 2;
-    bytes[1] = static_cast<std::uint8_t>(endOfHeader | (m_toggle ? 1 : 0) | (isLast ? endOfPicture : 0) | (m_break ? error : 0));
+    bytes[1] = static_cast<std::uint8_t>(endOfHeader | (m_toggle ? 1 : 0) | (isLast ? endOfPicture : 0) |
+                                         (m_break ? error : 0));
     m_break = false;
     std::copy_n(m_picture.begin() + static_cast<std::ptrdiff_t>(m_sent), size, bytes.begin() + 2);
     m_sent += size;

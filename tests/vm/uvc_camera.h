@@ -10,8 +10,9 @@
 
 namespace odo::test {
 
-/// A USB webcam that this process plays for the kernel's own driver, through the USB/IP host (module vhci_hcd) and a pair of
-/// sockets. YUYV is a gradient that moves, brighter with the control; MJPEG the pictures given, in turn. Needs root. Any thread.
+/// A USB webcam that this process plays for the kernel's own driver, through the USB/IP host (module
+/// vhci_hcd) and a pair of sockets. YUYV is a gradient that moves, brighter with the control; MJPEG the
+/// pictures given, in turn. Needs root. Any thread.
 class UvcCamera
 {
 public:
@@ -42,11 +43,13 @@ private:
 
     void run();
     bool readable();
-    void control(std::uint32_t sequence, const Setup &setup, std::uint32_t length, std::span<const std::uint8_t> data);
+    void control(std::uint32_t sequence, const Setup &setup, std::uint32_t length,
+                 std::span<const std::uint8_t> data);
     std::optional<UsbBytes> standardAnswer(const Setup &setup);
     std::optional<UsbBytes> streamAnswer(const Setup &setup, std::span<const std::uint8_t> data);
     void unlink(std::uint32_t sequence, std::uint32_t victim);
-    void reply(std::uint32_t command, std::uint32_t sequence, int status, std::size_t actual, const UsbBytes &data);
+    void reply(std::uint32_t command, std::uint32_t sequence, int status, std::size_t actual,
+               const UsbBytes &data);
     void settle();
     void startStream();
     void sendWhatIsDue();
@@ -64,7 +67,8 @@ private:
     mutable std::mutex m_mutex; ///< guards what follows
     UvcControls m_controls;
     UsbBytes m_probe; ///< what was negotiated (USB Video Class 1.0, table 4-47)
-    bool m_ending = false, m_streaming = false, m_stalled = false, m_drop = false, m_break = false, m_shorten = false;
+    bool m_ending = false, m_streaming = false, m_stalled = false, m_drop = false, m_break = false,
+         m_shorten = false;
     bool m_toggle = false;
     unsigned m_count = 0;
     std::chrono::steady_clock::time_point m_due;

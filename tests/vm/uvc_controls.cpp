@@ -7,8 +7,8 @@ namespace odo::test {
 
 namespace {
 
-constexpr std::uint8_t setCurrent = 0x01, getCurrent = 0x81, getLeast = 0x82, getMost = 0x83, getResolution = 0x84, getLength = 0x85, getInfo = 0x86,
-                       getStandard = 0x87;
+constexpr std::uint8_t setCurrent = 0x01, getCurrent = 0x81, getLeast = 0x82, getMost = 0x83,
+                       getResolution = 0x84, getLength = 0x85, getInfo = 0x86, getStandard = 0x87;
 constexpr std::uint8_t exposureMode = 2, byHand = 1;
 constexpr std::uint8_t canGetAndSet = 3, movesByItself = 8;
 
@@ -24,7 +24,8 @@ UsbBytes bytesOf(std::int32_t value, std::uint8_t size)
 
 const UvcControls::Control *UvcControls::find(std::uint8_t entity, std::uint8_t selector) const
 {
-    const auto found = std::ranges::find_if(m_controls, [&](const Control &one) { return one.entity == entity && one.selector == selector; });
+    const auto found = std::ranges::find_if(
+        m_controls, [&](const Control &one) { return one.entity == entity && one.selector == selector; });
     return found == m_controls.end() ? nullptr : &*found;
 }
 
@@ -38,7 +39,8 @@ bool UvcControls::isAutomatic(const Control &control) const
 
 bool UvcControls::isAnyAutomaticOn() const
 {
-    return std::ranges::any_of(m_controls, [this](const Control &one) { return isAutomatic(one); }) || find(uvcTerminal, 3)->value != 0;
+    return std::ranges::any_of(m_controls, [this](const Control &one) { return isAutomatic(one); }) ||
+           find(uvcTerminal, 3)->value != 0;
 }
 
 std::int32_t UvcControls::valueOf(std::uint8_t entity, std::uint8_t selector) const
@@ -47,7 +49,8 @@ std::int32_t UvcControls::valueOf(std::uint8_t entity, std::uint8_t selector) co
     return isAutomatic(*control) ? control->automatic : control->value;
 }
 
-std::optional<UsbBytes> UvcControls::answer(std::uint8_t request, std::uint8_t entity, std::uint8_t selector, std::span<const std::uint8_t> data)
+std::optional<UsbBytes> UvcControls::answer(std::uint8_t request, std::uint8_t entity, std::uint8_t selector,
+                                            std::span<const std::uint8_t> data)
 {
     const Control *control = find(entity, selector);
     if (!control)
@@ -56,7 +59,8 @@ std::optional<UsbBytes> UvcControls::answer(std::uint8_t request, std::uint8_t e
     case setCurrent: {
         UsbBytes whole(data.begin(), data.end());
         whole.resize(4);
-        m_controls[static_cast<std::size_t>(control - m_controls.data())].value = static_cast<std::int32_t>(get32(whole));
+        m_controls[static_cast<std::size_t>(control - m_controls.data())].value =
+            static_cast<std::int32_t>(get32(whole));
         return UsbBytes{};
     }
     case getCurrent:
@@ -72,7 +76,8 @@ std::optional<UsbBytes> UvcControls::answer(std::uint8_t request, std::uint8_t e
     case getLength:
         return UsbBytes{control->size, 0};
     case getInfo:
-        return UsbBytes{static_cast<std::uint8_t>(canGetAndSet | (control->automaticSelector != 0 ? movesByItself : 0))};
+        return UsbBytes{
+            static_cast<std::uint8_t>(canGetAndSet | (control->automaticSelector != 0 ? movesByItself : 0))};
     default:
         return std::nullopt;
     }

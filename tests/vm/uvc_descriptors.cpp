@@ -24,7 +24,8 @@ UsbBytes frames(std::uint8_t kind)
     UsbBytes all;
     for (std::size_t i = 0; i < uvcSizes.size(); ++i) {
         const std::uint32_t bytes = uvcSizes[i].widthPx * uvcSizes[i].heightPx * 2U;
-        UsbBytes frame{static_cast<std::uint8_t>(26 + 4 * uvcPeriods.size()), videoControl, kind, static_cast<std::uint8_t>(i + 1), 0};
+        UsbBytes frame{static_cast<std::uint8_t>(26 + 4 * uvcPeriods.size()), videoControl, kind,
+                       static_cast<std::uint8_t>(i + 1), 0};
         put16(frame, uvcSizes[i].widthPx);
         put16(frame, uvcSizes[i].heightPx);
         put32(frame, bytes * 8 * 5);
@@ -42,7 +43,33 @@ UsbBytes frames(std::uint8_t kind)
 UsbBytes formats()
 {
     const UsbBytes colours{6, videoControl, 0x0d, 1, 1, 4};
-    UsbBytes all{27, videoControl, 4, 1, uvcSizes.size(), 'Y', 'U', 'Y', '2', 0, 0, 0x10, 0, 0x80, 0, 0, 0xaa, 0, 0x38, 0x9b, 0x71, 16, 1, 0, 0, 0, 0};
+    UsbBytes all{27,
+                 videoControl,
+                 4,
+                 1,
+                 uvcSizes.size(),
+                 'Y',
+                 'U',
+                 'Y',
+                 '2',
+                 0,
+                 0,
+                 0x10,
+                 0,
+                 0x80,
+                 0,
+                 0,
+                 0xaa,
+                 0,
+                 0x38,
+                 0x9b,
+                 0x71,
+                 16,
+                 1,
+                 0,
+                 0,
+                 0,
+                 0};
     append(all, frames(uncompressedFrame));
     append(all, colours);
     append(all, {11, videoControl, 6, 2, uvcSizes.size(), 1, 1, 0, 0, 0, 0});
@@ -67,7 +94,8 @@ void put32(UsbBytes &bytes, std::uint32_t value)
 
 std::uint32_t get32(std::span<const std::uint8_t> bytes)
 {
-    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 | static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 | static_cast<std::uint32_t>(bytes[2]) << 16 |
+           static_cast<std::uint32_t>(bytes[3]) << 24;
 }
 
 UsbBytes deviceDescriptor()
@@ -79,7 +107,8 @@ UsbBytes configurationDescriptor()
 {
     UsbBytes control{13, videoControl, 1, 0x00, 0x01, 0, 0, 0x80, 0x8d, 0x5b, 0x00, 1, 1};
     // Exposure: mode, priority, time; focus, and its automatic.
-    append(control, {18, videoControl, 2, uvcTerminal, 0x01, 0x02, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0x2e, 0x00, 0x02});
+    append(control,
+           {18, videoControl, 2, uvcTerminal, 0x01, 0x02, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0x2e, 0x00, 0x02});
     // Brightness, white balance, gain; the automatic of white balance.
     append(control, {11, videoControl, 5, uvcProcessing, uvcTerminal, 0, 0, 2, 0x41, 0x12, 0});
     append(control, {9, videoControl, 3, 3, 0x01, 0x01, 0, uvcProcessing, 0}); // where it leaves

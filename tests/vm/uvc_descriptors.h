@@ -24,8 +24,8 @@ void put16(UsbBytes &bytes, unsigned value);
 void put32(UsbBytes &bytes, std::uint32_t value);
 std::uint32_t get32(std::span<const std::uint8_t> bytes);
 
-/// The descriptors (USB 2.0 §9.6; USB Video Class 1.0 §3) of a webcam with a bulk endpoint that gives YUYV and MJPEG, with
-/// exposure, focus, brightness, gain and white balance, the automatic ones too.
+/// The descriptors (USB 2.0 §9.6; USB Video Class 1.0 §3) of a webcam with a bulk endpoint that gives YUYV
+/// and MJPEG, with exposure, focus, brightness, gain and white balance, the automatic ones too.
 UsbBytes deviceDescriptor();
 UsbBytes configurationDescriptor();
 UsbBytes stringDescriptor(const std::string &text);

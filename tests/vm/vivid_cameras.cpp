@@ -46,7 +46,8 @@ bool rises(const Taken &taken)
 {
     for (std::size_t i = 1; i < taken.pictures.size(); ++i) {
         const CapturedFrame &before = taken.pictures[i - 1], &after = taken.pictures[i];
-        if (after.sequence <= before.sequence || after.frame.time <= before.frame.time || after.hostTime < before.hostTime)
+        if (after.sequence <= before.sequence || after.frame.time <= before.frame.time ||
+            after.hostTime < before.hostTime)
             return false;
     }
     return !taken.pictures.empty();

@@ -9,8 +9,8 @@
 
 namespace odo::test {
 
-/// Sets a control of an emulated camera from outside of the program under test, as another program would. The test fails
-/// when that cannot be done.
+/// Sets a control of an emulated camera from outside of the program under test, as another program would. The
+/// test fails when that cannot be done.
 void setVivid(const std::string &node, const std::string &control, double value);
 
 /// Opens a camera; where that cannot be done the test fails with the words.
@@ -23,7 +23,10 @@ struct Taken
     std::vector<Error> problems;
     std::uint64_t lost = 0; ///< gaps in the sequence
 
-    std::uint64_t span() const { return pictures.empty() ? 0 : pictures.back().sequence - pictures.front().sequence + 1; }
+    std::uint64_t span() const
+    {
+        return pictures.empty() ? 0 : pictures.back().sequence - pictures.front().sequence + 1;
+    }
 };
 Taken take(CameraSource &source, std::size_t pictures, std::size_t mostProblems = 6);
 

@@ -15,7 +15,8 @@ constexpr std::string_view scheme = "v4l2:";
 
 tl::unexpected<Error> notUnderstood(const std::string &uri, std::string_view part)
 {
-    return fail(ErrorCode::InvalidInput, "camera " + uri, std::string("'").append(part).append("' is not understood"),
+    return fail(ErrorCode::InvalidInput, "camera " + uri,
+                std::string("'").append(part).append("' is not understood"),
                 "write for instance v4l2:/dev/video0?size=1280x720&rate=30&format=MJPG");
 }
 
@@ -94,7 +95,8 @@ Result<std::shared_ptr<V4l2Device>> openV4l2Place(const V4l2Address &address)
 {
     if (address.place.starts_with('/')) {
         std::error_code error;
-        const std::filesystem::path node = std::filesystem::canonical(address.place, error); // sysfs knows no links
+        const std::filesystem::path node =
+            std::filesystem::canonical(address.place, error); // sysfs knows no links
         return V4l2Device::open(error ? std::filesystem::path(address.place) : node, address.uri);
     }
     for (auto &device : openV4l2Devices()) {

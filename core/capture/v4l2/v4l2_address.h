@@ -7,8 +7,9 @@
 
 namespace odo {
 
-/// A camera's address taken apart: "v4l2:PLACE?size=1280x720&rate=30&format=MJPG", all after the question mark may be left
-/// out. PLACE is a node (/dev/video0), a link to one (/dev/v4l/by-id/...), or the port (usb-0000:00:14.0-1).
+/// A camera's address taken apart: "v4l2:PLACE?size=1280x720&rate=30&format=MJPG", all after the question
+/// mark may be left out. PLACE is a node (/dev/video0), a link to one (/dev/v4l/by-id/...), or the port
+/// (usb-0000:00:14.0-1).
 struct V4l2Address
 {
     std::string uri, place;
@@ -21,7 +22,8 @@ bool isV4l2Address(const std::string &uri);
 /// InvalidInput for a part that is not understood.
 Result<V4l2Address> parseV4l2Address(const std::string &uri);
 
-/// Opens the camera at the address' place. Errors: those of V4l2Device::open; NotFound where no camera is at the port.
+/// Opens the camera at the address' place. Errors: those of V4l2Device::open; NotFound where no camera is at
+/// the port.
 Result<std::shared_ptr<V4l2Device>> openV4l2Place(const V4l2Address &address);
 
 } // namespace odo

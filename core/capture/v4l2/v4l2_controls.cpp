@@ -29,11 +29,15 @@ struct Automatic
     std::array<__u32, 3> moved{};
 };
 constexpr std::array<Automatic, 9> automatics{{
-    {V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL, {V4L2_CID_EXPOSURE_ABSOLUTE, V4L2_CID_EXPOSURE, V4L2_CID_IRIS_ABSOLUTE}},
+    {V4L2_CID_EXPOSURE_AUTO,
+     V4L2_EXPOSURE_MANUAL,
+     {V4L2_CID_EXPOSURE_ABSOLUTE, V4L2_CID_EXPOSURE, V4L2_CID_IRIS_ABSOLUTE}},
     {V4L2_CID_EXPOSURE_AUTO_PRIORITY, 0, {}}, // lets the rate fall for the sake of the exposure
     {V4L2_CID_AUTOGAIN, 0, {V4L2_CID_GAIN, V4L2_CID_ANALOGUE_GAIN}},
     {V4L2_CID_ISO_SENSITIVITY_AUTO, V4L2_ISO_SENSITIVITY_MANUAL, {V4L2_CID_ISO_SENSITIVITY}},
-    {V4L2_CID_AUTO_WHITE_BALANCE, 0, {V4L2_CID_WHITE_BALANCE_TEMPERATURE, V4L2_CID_RED_BALANCE, V4L2_CID_BLUE_BALANCE}},
+    {V4L2_CID_AUTO_WHITE_BALANCE,
+     0,
+     {V4L2_CID_WHITE_BALANCE_TEMPERATURE, V4L2_CID_RED_BALANCE, V4L2_CID_BLUE_BALANCE}},
     {V4L2_CID_FOCUS_AUTO, 0, {V4L2_CID_FOCUS_ABSOLUTE}},
     {V4L2_CID_AUTOBRIGHTNESS, 0, {V4L2_CID_BRIGHTNESS}},
     {V4L2_CID_HUE_AUTO, 0, {V4L2_CID_HUE}},
@@ -139,11 +143,13 @@ Control describe(const V4l2Device &device, const v4l2_query_ext_ctrl &query, Cam
     control.shown.id = idOf(query.name);
     control.shown.kind = kind;
     control.shown.minimum = static_cast<double>(query.minimum);
-    control.shown.maximum = query.type == V4L2_CTRL_TYPE_BITMASK ? static_cast<double>(static_cast<__u32>(query.maximum))
-                                                                  : static_cast<double>(query.maximum);
+    control.shown.maximum = query.type == V4L2_CTRL_TYPE_BITMASK
+                                ? static_cast<double>(static_cast<__u32>(query.maximum))
+                                : static_cast<double>(query.maximum);
     control.shown.step = static_cast<double>(query.step);
     control.shown.unit = unitOf(query.id);
-    control.shown.readOnly = (query.flags & (V4L2_CTRL_FLAG_READ_ONLY | V4L2_CTRL_FLAG_INACTIVE | V4L2_CTRL_FLAG_GRABBED)) != 0;
+    control.shown.readOnly =
+        (query.flags & (V4L2_CTRL_FLAG_READ_ONLY | V4L2_CTRL_FLAG_INACTIVE | V4L2_CTRL_FLAG_GRABBED)) != 0;
     if (kind == CameraControl::Kind::Choice) {
         readMenu(device, query, control);
         control.shown.minimum = 0;
@@ -187,7 +193,8 @@ Result<void> write(const V4l2Device &device, const std::string &uri, const Contr
     case EACCES:
     case EINVAL:
     case ERANGE:
-        return fail(ErrorCode::InvalidInput, "camera " + uri, "it refuses this value of " + control.shown.name, "choose another one");
+        return fail(ErrorCode::InvalidInput, "camera " + uri,
+                    "it refuses this value of " + control.shown.name, "choose another one");
     default:
         return tl::unexpected(v4l2Failure(uri, failure));
     }
@@ -200,10 +207,12 @@ const Control *find(const std::vector<Control> &controls, __u32 id)
 }
 
 /// Whether it is off afterwards.
-bool turnOff(const V4l2Device &device, const std::string &uri, const Control &control, __s64 off, V4l2Settings &settings)
+bool turnOff(const V4l2Device &device, const std::string &uri, const Control &control, __s64 off,
+             V4l2Settings &settings)
 {
     const double shown = shownValue(control, off);
-    const bool hasIt = control.places.empty() || std::ranges::find(control.places, off) != control.places.end();
+    const bool hasIt =
+        control.places.empty() || std::ranges::find(control.places, off) != control.places.end();
     if (hasIt && control.shown.value == shown) {
         settings.emplace_back(control.shown.id, shown);
         return true;
@@ -227,29 +236,36 @@ Result<std::vector<CameraControl>> v4l2Controls(const V4l2Device &device, const 
     return shown;
 }
 
-Result<void> setV4l2Control(const V4l2Device &device, const std::string &uri, const std::string &id, double value)
+Result<void> setV4l2Control(const V4l2Device &device, const std::string &uri, const std::string &id,
+                            double value)
 {
     const auto controls = readControls(device, uri);
     if (!controls)
         return tl::unexpected(controls.error());
-    const auto found = std::ranges::find(*controls, id, [](const Control &control) { return control.shown.id; });
+    const auto found =
+        std::ranges::find(*controls, id, [](const Control &control) { return control.shown.id; });
     if (found == controls->end())
-        return fail(ErrorCode::NotFound, "camera " + uri, "it has nothing named '" + id + "' that could be set", "leave it out");
+        return fail(ErrorCode::NotFound, "camera " + uri,
+                    "it has nothing named '" + id + "' that could be set", "leave it out");
     const CameraControl &shown = found->shown;
     if (shown.readOnly)
-        return fail(ErrorCode::InvalidInput, "camera " + uri, shown.name + " cannot be set as the camera stands now",
+        return fail(ErrorCode::InvalidInput, "camera " + uri,
+                    shown.name + " cannot be set as the camera stands now",
                     "turn off the automatic that moves it first");
     if (!(value >= shown.minimum && value <= shown.maximum))
         return fail(ErrorCode::InvalidInput, "camera " + uri,
-                    shown.name + " goes from " + std::to_string(std::llround(shown.minimum)) + " to " + std::to_string(std::llround(shown.maximum)),
+                    shown.name + " goes from " + std::to_string(std::llround(shown.minimum)) + " to " +
+                        std::to_string(std::llround(shown.maximum)),
                     "choose a value between");
     if (found->type == V4L2_CTRL_TYPE_BUTTON && value == 0)
         return {};
     const auto rounded = static_cast<__s64>(std::llround(value));
-    return write(device, uri, *found, found->places.empty() ? rounded : found->places[static_cast<std::size_t>(rounded)]);
+    return write(device, uri, *found,
+                 found->places.empty() ? rounded : found->places[static_cast<std::size_t>(rounded)]);
 }
 
-std::vector<std::string> holdV4l2Automatics(const V4l2Device &device, const std::string &uri, V4l2Settings &settings)
+std::vector<std::string> holdV4l2Automatics(const V4l2Device &device, const std::string &uri,
+                                            V4l2Settings &settings)
 {
     std::vector<std::string> stillOn;
     const auto controls = readControls(device, uri);

@@ -13,14 +13,17 @@ namespace odo {
 /// What was set at a camera, to be set again when it comes back: ids and values, in their order.
 using V4l2Settings = std::vector<std::pair<std::string, double>>;
 
-/// All that can be set and has one value; texts and tables are left out. A button is a Boolean that is never on. Ids are
-/// the names in lower case with underscores, as v4l2-ctl writes them. Errors: those of v4l2Failure.
+/// All that can be set and has one value; texts and tables are left out. A button is a Boolean that is never
+/// on. Ids are the names in lower case with underscores, as v4l2-ctl writes them. Errors: those of
+/// v4l2Failure.
 Result<std::vector<CameraControl>> v4l2Controls(const V4l2Device &device, const std::string &uri);
 
 /// Errors: as CameraSource::set.
-Result<void> setV4l2Control(const V4l2Device &device, const std::string &uri, const std::string &id, double value);
+Result<void> setV4l2Control(const V4l2Device &device, const std::string &uri, const std::string &id,
+                            double value);
 
 /// As CameraSource::holdAutomatics; what was set for it is added to the settings.
-std::vector<std::string> holdV4l2Automatics(const V4l2Device &device, const std::string &uri, V4l2Settings &settings);
+std::vector<std::string> holdV4l2Automatics(const V4l2Device &device, const std::string &uri,
+                                            V4l2Settings &settings);
 
 } // namespace odo

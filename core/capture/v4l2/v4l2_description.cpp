@@ -17,7 +17,8 @@ std::vector<std::string> formatsOf(const std::vector<V4l2Mode> &modes)
     std::vector<V4l2Mode> fastest;
     for (const V4l2Mode &mode : modes) {
         const auto same = std::ranges::find_if(fastest, [&](const V4l2Mode &other) {
-            return other.format == mode.format && other.widthPx == mode.widthPx && other.heightPx == mode.heightPx;
+            return other.format == mode.format && other.widthPx == mode.widthPx &&
+                   other.heightPx == mode.heightPx;
         });
         if (same == fastest.end())
             fastest.push_back(mode);
@@ -38,25 +39,31 @@ std::string firstLine(const std::filesystem::path &file)
     return line;
 }
 
-/// Cameras that may not be opened. Only the first node of a camera is named: whether another one gives pictures cannot be asked.
+/// Cameras that may not be opened. Only the first node of a camera is named: whether another one gives
+/// pictures cannot be asked.
 std::vector<CameraDescription> forbiddenCameras()
 {
     std::vector<CameraDescription> cameras;
     std::error_code ignored; // without cameras there is no such folder
     for (const auto &entry : std::filesystem::directory_iterator("/sys/class/video4linux", ignored)) {
         const std::string node = "/dev/" + entry.path().filename().string(), uri = scheme + node;
-        if (!entry.path().filename().string().starts_with("video") || firstLine(entry.path() / "index") != "0")
+        if (!entry.path().filename().string().starts_with("video") ||
+            firstLine(entry.path() / "index") != "0")
             continue;
         const auto device = V4l2Device::open(node, uri);
         if (!device && device.error().code == ErrorCode::Io)
-            cameras.push_back({.uri = uri, .kind = kind, .name = firstLine(entry.path() / "name"), .formats = {device.error().why + "; " + device.error().advice}});
+            cameras.push_back({.uri = uri,
+                               .kind = kind,
+                               .name = firstLine(entry.path() / "name"),
+                               .formats = {device.error().why + "; " + device.error().advice}});
     }
     return cameras;
 }
 
 } // namespace
 
-CameraDescription describeV4l2(const V4l2Device &device, const std::vector<V4l2Mode> &modes, const V4l2Mode &chosen)
+CameraDescription describeV4l2(const V4l2Device &device, const std::vector<V4l2Mode> &modes,
+                               const V4l2Mode &chosen)
 {
     return {.uri = scheme + device.node().string(),
             .kind = kind,

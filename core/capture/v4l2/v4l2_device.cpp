@@ -55,10 +55,12 @@ Error v4l2Failure(const std::string &uri, int errorNumber)
     const std::string what = "camera " + uri;
     switch (errorNumber) {
     case ENOENT:
-        return {ErrorCode::NotFound, what, "it is not there", "plug it in, or choose one of those that odograph cameras lists"};
+        return {ErrorCode::NotFound, what, "it is not there",
+                "plug it in, or choose one of those that odograph cameras lists"};
     case EACCES:
     case EPERM:
-        return {ErrorCode::Io, what, "you may not use it", "join the group video (sudo usermod -aG video YOUR-NAME) and log in again"};
+        return {ErrorCode::Io, what, "you may not use it",
+                "join the group video (sudo usermod -aG video YOUR-NAME) and log in again"};
     case EBUSY:
         return {ErrorCode::Unavailable, what, "another program uses it", "close that program"};
     case ENODEV:
@@ -66,14 +68,17 @@ Error v4l2Failure(const std::string &uri, int errorNumber)
         return {ErrorCode::Unavailable, what, "it was unplugged", "plug it in again"};
     case ENOSPC:
         return {ErrorCode::Unavailable, what, "its USB bus has no room left for its pictures",
-                "plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&size=640x480&rate=30)"};
+                "plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture "
+                "or a lower rate (?format=MJPG&size=640x480&rate=30)"};
     default:
-        return {ErrorCode::Unavailable, what, "it failed (" + std::generic_category().message(errorNumber) + ")",
+        return {ErrorCode::Unavailable, what,
+                "it failed (" + std::generic_category().message(errorNumber) + ")",
                 "unplug it and plug it in again if that lasts"};
     }
 }
 
-Result<std::shared_ptr<V4l2Device>> V4l2Device::open(const std::filesystem::path &node, const std::string &uri)
+Result<std::shared_ptr<V4l2Device>> V4l2Device::open(const std::filesystem::path &node,
+                                                     const std::string &uri)
 {
     const int descriptor = ::open(node.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0)
@@ -84,10 +89,13 @@ Result<std::shared_ptr<V4l2Device>> V4l2Device::open(const std::filesystem::path
     if (failure != 0 && failure != ENOTTY && failure != EINVAL)
         return tl::unexpected(v4l2Failure(uri, failure));
     constexpr __u32 needed = V4L2_CAP_VIDEO_CAPTURE | V4L2_CAP_STREAMING;
-    const __u32 abilities = capability.capabilities & V4L2_CAP_DEVICE_CAPS ? capability.device_caps : capability.capabilities;
+    const __u32 abilities =
+        capability.capabilities & V4L2_CAP_DEVICE_CAPS ? capability.device_caps : capability.capabilities;
     if (failure != 0 || (abilities & needed) != needed)
-        return fail(ErrorCode::InvalidInput, "camera " + uri, node.string() + " gives no pictures", "choose one of those that odograph cameras lists");
-    device->m_identity = {textOf(capability.driver), textOf(capability.card), textOf(capability.bus_info), serialOf(node)};
+        return fail(ErrorCode::InvalidInput, "camera " + uri, node.string() + " gives no pictures",
+                    "choose one of those that odograph cameras lists");
+    device->m_identity = {textOf(capability.driver), textOf(capability.card), textOf(capability.bus_info),
+                          serialOf(node)};
     return device;
 }
 
@@ -107,7 +115,8 @@ int V4l2Device::call(unsigned long request, void *argument) const
 
 bool V4l2Device::isBusy() const
 {
-    v4l2_requestbuffers none{}; // asking for no buffers is refused while they are another's, and does nothing otherwise
+    v4l2_requestbuffers
+        none{}; // asking for no buffers is refused while they are another's, and does nothing otherwise
     none.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     none.memory = V4L2_MEMORY_MMAP;
     return call(VIDIOC_REQBUFS, &none) == EBUSY;

@@ -18,12 +18,15 @@ struct V4l2Identity
     std::string serial;  ///< of the USB device; empty where it has none
 };
 
-/// An open V4L2 node that captures pictures. Its calls may come from any thread; it is closed with its last share.
+/// An open V4L2 node that captures pictures. Its calls may come from any thread; it is closed with its last
+/// share.
 class V4l2Device
 {
 public:
-    /// Errors: those of v4l2Failure; InvalidInput for a node that does not capture pictures (a webcam has one for metadata too).
-    static Result<std::shared_ptr<V4l2Device>> open(const std::filesystem::path &node, const std::string &uri);
+    /// Errors: those of v4l2Failure; InvalidInput for a node that does not capture pictures (a webcam has one
+    /// for metadata too).
+    static Result<std::shared_ptr<V4l2Device>> open(const std::filesystem::path &node,
+                                                    const std::string &uri);
     ~V4l2Device();
     V4l2Device(const V4l2Device &) = delete;
     V4l2Device &operator=(const V4l2Device &) = delete;
@@ -37,7 +40,9 @@ public:
     bool isBusy() const;
 
 private:
-    V4l2Device(std::filesystem::path node, int descriptor) : m_node(std::move(node)), m_descriptor(descriptor) {}
+    V4l2Device(std::filesystem::path node, int descriptor) : m_node(std::move(node)), m_descriptor(descriptor)
+    {
+    }
 
     const std::filesystem::path m_node;
     const int m_descriptor;
@@ -47,8 +52,8 @@ private:
 /// All nodes that capture pictures and may be opened, in the order of their numbers.
 std::vector<std::shared_ptr<V4l2Device>> openV4l2Devices();
 
-/// What a failed call to a camera means for its user. NotFound: no such node; Io: no permission; Unavailable: everything that
-/// may pass (used by another program, unplugged, no room on the USB bus, a failure).
+/// What a failed call to a camera means for its user. NotFound: no such node; Io: no permission; Unavailable:
+/// everything that may pass (used by another program, unplugged, no room on the USB bus, a failure).
 Error v4l2Failure(const std::string &uri, int errorNumber);
 
 } // namespace odo

@@ -18,14 +18,17 @@ struct Size
 {
     __u32 width, height;
 };
-constexpr std::array<Size, 6> usualSizes{{{640, 480}, {640, 360}, {1280, 720}, {1280, 960}, {1920, 1080}, {320, 240}}};
+constexpr std::array<Size, 6> usualSizes{
+    {{640, 480}, {640, 360}, {1280, 720}, {1280, 960}, {1920, 1080}, {320, 240}}};
 constexpr std::array<__u32, 5> usualRates{120, 60, 30, 25, 15};
 constexpr double wantedRate = 30, rateTolerance = 0.02, wantedPixels = 1280.0 * 720.0;
 constexpr std::size_t mostModesNamed = 12;
 
 std::vector<v4l2_fract> periodsWithin(const v4l2_frmival_stepwise &range)
 {
-    const auto seconds = [](const v4l2_fract &period) { return static_cast<double>(period.numerator) / period.denominator; };
+    const auto seconds = [](const v4l2_fract &period) {
+        return static_cast<double>(period.numerator) / period.denominator;
+    };
     std::vector<v4l2_fract> periods{range.min};
     for (const __u32 rate : usualRates) {
         const v4l2_fract period{1, rate};
@@ -96,15 +99,18 @@ std::vector<Size> sizesOf(const V4l2Device &device, __u32 format)
 bool fits(const V4l2Mode &mode, const V4l2Request &request)
 {
     const auto differs = [](const auto &wanted, auto value) { return wanted && *wanted != value; };
-    return !differs(request.format, mode.format) && !differs(request.widthPx, mode.widthPx) && !differs(request.heightPx, mode.heightPx) &&
-           (!request.framesPerSecond || std::abs(mode.framesPerSecond() / *request.framesPerSecond - 1) <= rateTolerance);
+    return !differs(request.format, mode.format) && !differs(request.widthPx, mode.widthPx) &&
+           !differs(request.heightPx, mode.heightPx) &&
+           (!request.framesPerSecond ||
+            std::abs(mode.framesPerSecond() / *request.framesPerSecond - 1) <= rateTolerance);
 }
 
 auto merit(const V4l2Mode &mode)
 {
     const double pixels = static_cast<double>(mode.widthPx) * mode.heightPx;
-    return std::tuple(mode.framesPerSecond() < (1 - rateTolerance) * wantedRate, std::abs(std::log(pixels / wantedPixels)),
-                      -mode.framesPerSecond(), v4l2FormatRank(mode.format));
+    return std::tuple(mode.framesPerSecond() < (1 - rateTolerance) * wantedRate,
+                      std::abs(std::log(pixels / wantedPixels)), -mode.framesPerSecond(),
+                      v4l2FormatRank(mode.format));
 }
 
 std::string offerWords(const std::vector<V4l2Mode> &modes)
@@ -142,14 +148,16 @@ std::vector<V4l2Mode> v4l2Modes(const V4l2Device &device)
         for (const Size size : sizesOf(device, format.pixelformat)) {
             for (const v4l2_fract period : periodsOf(device, format.pixelformat, size)) {
                 if (period.numerator > 0 && period.denominator > 0)
-                    modes.push_back({format.pixelformat, static_cast<int>(size.width), static_cast<int>(size.height), period.numerator, period.denominator});
+                    modes.push_back({format.pixelformat, static_cast<int>(size.width),
+                                     static_cast<int>(size.height), period.numerator, period.denominator});
             }
         }
     }
     return modes;
 }
 
-Result<V4l2Mode> chooseMode(const std::vector<V4l2Mode> &modes, const V4l2Request &request, const std::string &uri)
+Result<V4l2Mode> chooseMode(const std::vector<V4l2Mode> &modes, const V4l2Request &request,
+                            const std::string &uri)
 {
     const V4l2Mode *best = nullptr;
     for (const V4l2Mode &mode : modes) {
@@ -159,7 +167,8 @@ Result<V4l2Mode> chooseMode(const std::vector<V4l2Mode> &modes, const V4l2Reques
     if (best)
         return *best;
     if (modes.empty())
-        return fail(ErrorCode::NotFound, "camera " + uri, "it has no format that can be read", "take another camera");
+        return fail(ErrorCode::NotFound, "camera " + uri, "it has no format that can be read",
+                    "take another camera");
     return fail(ErrorCode::NotFound, "camera " + uri, "it does not offer what was asked for",
                 "choose of what it offers: " + offerWords(modes));
 }

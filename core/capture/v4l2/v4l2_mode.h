@@ -13,7 +13,8 @@ struct V4l2Mode
 {
     std::uint32_t format = 0; ///< its fourcc; one that V4l2Pictures reads
     int widthPx = 0, heightPx = 0;
-    std::uint32_t periodNumerator = 1, periodDenominator = 30; ///< of the seconds from one picture to the next
+    std::uint32_t periodNumerator = 1,
+                  periodDenominator = 30; ///< of the seconds from one picture to the next
 
     double framesPerSecond() const { return static_cast<double>(periodDenominator) / periodNumerator; }
 };
@@ -34,8 +35,10 @@ std::string modeWords(const V4l2Mode &mode);
 /// All modes of the camera that can be read; where it offers ranges, the usual sizes and rates within them.
 std::vector<V4l2Mode> v4l2Modes(const V4l2Device &device);
 
-/// Of the modes that fit the request (the rate to 2 %): one with 30 frames/s or more if there is any, then nearest to
-/// 1280×720 in its number of pixels, then the fastest, then MJPEG before raw formats. NotFound when none fits.
-Result<V4l2Mode> chooseMode(const std::vector<V4l2Mode> &modes, const V4l2Request &request, const std::string &uri);
+/// Of the modes that fit the request (the rate to 2 %): one with 30 frames/s or more if there is any, then
+/// nearest to 1280×720 in its number of pixels, then the fastest, then MJPEG before raw formats. NotFound
+/// when none fits.
+Result<V4l2Mode> chooseMode(const std::vector<V4l2Mode> &modes, const V4l2Request &request,
+                            const std::string &uri);
 
 } // namespace odo

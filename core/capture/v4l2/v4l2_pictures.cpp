@@ -16,10 +16,12 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// In the order of preference: coded pictures leave room on the bus for a second camera, grey ones have no colour to track.
+/// In the order of preference: coded pictures leave room on the bus for a second camera, grey ones have no
+/// colour to track.
 constexpr std::array<std::uint32_t, 12> readable{
-    V4L2_PIX_FMT_MJPEG,  V4L2_PIX_FMT_JPEG,   V4L2_PIX_FMT_YUYV,   V4L2_PIX_FMT_UYVY,   V4L2_PIX_FMT_NV12,  V4L2_PIX_FMT_RGB24,
-    V4L2_PIX_FMT_BGR24,  V4L2_PIX_FMT_SRGGB8, V4L2_PIX_FMT_SGRBG8, V4L2_PIX_FMT_SGBRG8, V4L2_PIX_FMT_SBGGR8, V4L2_PIX_FMT_GREY};
+    V4L2_PIX_FMT_MJPEG,  V4L2_PIX_FMT_JPEG,   V4L2_PIX_FMT_YUYV,   V4L2_PIX_FMT_UYVY,
+    V4L2_PIX_FMT_NV12,   V4L2_PIX_FMT_RGB24,  V4L2_PIX_FMT_BGR24,  V4L2_PIX_FMT_SRGGB8,
+    V4L2_PIX_FMT_SGRBG8, V4L2_PIX_FMT_SGBRG8, V4L2_PIX_FMT_SBGGR8, V4L2_PIX_FMT_GREY};
 
 std::optional<PackedLayout> packedLayout(std::uint32_t fourcc)
 {
@@ -54,12 +56,16 @@ std::optional<BayerOrder> bayerOrder(std::uint32_t fourcc)
 /// What the driver leaves open follows from the colour space, by the rules of the interface.
 PackedFormat packedFormat(const v4l2_pix_format &format, PackedLayout layout)
 {
-    const __u32 encoding = format.ycbcr_enc != V4L2_YCBCR_ENC_DEFAULT ? format.ycbcr_enc : __u32(V4L2_MAP_YCBCR_ENC_DEFAULT(format.colorspace));
+    const __u32 encoding = format.ycbcr_enc != V4L2_YCBCR_ENC_DEFAULT
+                               ? format.ycbcr_enc
+                               : __u32(V4L2_MAP_YCBCR_ENC_DEFAULT(format.colorspace));
     const __u32 quantization = format.quantization != V4L2_QUANTIZATION_DEFAULT
-                                  ? format.quantization
-                                  : __u32(V4L2_MAP_QUANTIZATION_DEFAULT(false, format.colorspace, encoding));
-    PackedFormat packed{layout, static_cast<int>(format.width), static_cast<int>(format.height), static_cast<int>(format.bytesperline)};
-    packed.matrix = encoding == V4L2_YCBCR_ENC_709 || encoding == V4L2_YCBCR_ENC_XV709 ? YuvMatrix::Bt709 : YuvMatrix::Bt601;
+                                   ? format.quantization
+                                   : __u32(V4L2_MAP_QUANTIZATION_DEFAULT(false, format.colorspace, encoding));
+    PackedFormat packed{layout, static_cast<int>(format.width), static_cast<int>(format.height),
+                        static_cast<int>(format.bytesperline)};
+    packed.matrix = encoding == V4L2_YCBCR_ENC_709 || encoding == V4L2_YCBCR_ENC_XV709 ? YuvMatrix::Bt709
+                                                                                       : YuvMatrix::Bt601;
     packed.fullRange = quantization == V4L2_QUANTIZATION_FULL_RANGE;
     return packed;
 }

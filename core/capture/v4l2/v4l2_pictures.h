@@ -21,7 +21,8 @@ int v4l2FormatRank(std::uint32_t fourcc);
 struct V4l2Picture
 {
     Frame frame; ///< without index and time
-    std::shared_ptr<const std::vector<std::uint8_t>> jpeg; ///< of a camera that codes: its file, with its tables
+    std::shared_ptr<const std::vector<std::uint8_t>>
+        jpeg; ///< of a camera that codes: its file, with its tables
 };
 
 /// Reads the buffers of a stream of one format. One thread.

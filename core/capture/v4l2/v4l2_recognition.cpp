@@ -16,7 +16,8 @@ V4l2KnownCamera::V4l2KnownCamera(V4l2Address address, const V4l2Device &device)
 
 bool V4l2KnownCamera::isAtItsPort(const V4l2Identity &other) const
 {
-    return other.busInfo == m_identity.busInfo && other.name == m_identity.name && other.serial == m_identity.serial;
+    return other.busInfo == m_identity.busInfo && other.name == m_identity.name &&
+           other.serial == m_identity.serial;
 }
 
 bool V4l2KnownCamera::isElsewhere(const V4l2Identity &other) const
@@ -35,7 +36,8 @@ Result<std::shared_ptr<V4l2Device>> V4l2KnownCamera::find() const
     }
     const auto inItsPlace = openV4l2Place(m_address);
     if (inItsPlace)
-        return fail(ErrorCode::Unavailable, "camera " + m_address.uri, "another camera (" + (*inItsPlace)->identity().name + ") is in its place",
+        return fail(ErrorCode::Unavailable, "camera " + m_address.uri,
+                    "another camera (" + (*inItsPlace)->identity().name + ") is in its place",
                     "plug " + m_identity.name + " in again");
     if (inItsPlace.error().code == ErrorCode::NotFound)
         return tl::unexpected(v4l2Failure(m_address.uri, ENODEV));

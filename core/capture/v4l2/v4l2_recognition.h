@@ -11,8 +11,9 @@ class V4l2KnownCamera
 public:
     V4l2KnownCamera(V4l2Address address, const V4l2Device &device);
 
-    /// Opens it: at the port where it was; by its serial number (where no other camera shares that) at any. Errors: Unavailable
-    /// while it is not there, or another camera is in its place; those of V4l2Device::open.
+    /// Opens it: at the port where it was; by its serial number (where no other camera shares that) at any.
+    /// Errors: Unavailable while it is not there, or another camera is in its place; those of
+    /// V4l2Device::open.
     Result<std::shared_ptr<V4l2Device>> find() const;
 
 private:

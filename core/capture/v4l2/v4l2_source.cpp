@@ -43,7 +43,8 @@ void remember(V4l2Settings &settings, const std::string &id, double value)
 class V4l2Source : public CameraSource
 {
 public:
-    V4l2Source(CameraDescription description, V4l2Mode mode, V4l2KnownCamera camera, std::shared_ptr<V4l2Device> device, std::unique_ptr<V4l2Stream> stream)
+    V4l2Source(CameraDescription description, V4l2Mode mode, V4l2KnownCamera camera,
+               std::shared_ptr<V4l2Device> device, std::unique_ptr<V4l2Stream> stream)
         : m_description(std::move(description)), m_mode(mode), m_camera(std::move(camera))
     {
         begin(std::move(device), std::move(stream));
@@ -148,7 +149,8 @@ void V4l2Source::restore(const V4l2Device &device)
         m_isHoldMissed = false;
     }
     for (const auto &[id, value] : settings)
-        (void)setV4l2Control(device, m_description.uri, id, value); // what cannot be set now could not be set then
+        (void)setV4l2Control(device, m_description.uri, id,
+                             value); // what cannot be set now could not be set then
     if (hold)
         holdAutomatics();
 }
@@ -166,7 +168,8 @@ std::optional<CapturedFrame> V4l2Source::read(const V4l2Stream::Buffer &buffer)
     }
     m_begins = m_isDamaged = false;
     m_silences = 0;
-    CapturedFrame captured{std::move(picture->frame), stamp.sequence, arrival, std::move(picture->jpeg), stamp.clock};
+    CapturedFrame captured{std::move(picture->frame), stamp.sequence, arrival, std::move(picture->jpeg),
+                           stamp.clock};
     captured.frame.index = static_cast<std::int64_t>(stamp.sequence);
     captured.frame.time = stamp.time;
     return captured;
@@ -195,15 +198,18 @@ std::optional<CapturedFrame> V4l2Source::takePicture()
 std::chrono::nanoseconds V4l2Source::patience() const
 {
     const auto usual = m_begins && m_stream ? longestBeginning : longestSilence;
-    return std::max<std::chrono::nanoseconds>(usual, fromSeconds(picturesInSilence / m_description.framesPerSecond));
+    return std::max<std::chrono::nanoseconds>(usual,
+                                              fromSeconds(picturesInSilence / m_description.framesPerSecond));
 }
 
 /// A camera that is there and says nothing: in the end it is started anew.
 void V4l2Source::noteSilence()
 {
     const std::string what = "camera " + m_description.uri;
-    notePassing(m_isDamaged ? Error{ErrorCode::Unavailable, what, "all its pictures come damaged", "try another cable or port, or ask for fewer or smaller pictures"}
-                            : Error{ErrorCode::Unavailable, what, "it is there but sends no pictures", "look at its cable, or plug it in again if that lasts"});
+    notePassing(m_isDamaged ? Error{ErrorCode::Unavailable, what, "all its pictures come damaged",
+                                    "try another cable or port, or ask for fewer or smaller pictures"}
+                            : Error{ErrorCode::Unavailable, what, "it is there but sends no pictures",
+                                    "look at its cable, or plug it in again if that lasts"});
     if (++m_silences == silencesBeforeRestart)
         lose(Error(m_problem));
 }
@@ -229,7 +235,8 @@ Result<CapturedFrame> V4l2Source::next()
                 noteSilence();
             return tl::unexpected(m_problem);
         }
-        isSound = m_watch.wait(m_stream ? m_stream->descriptor() : -1, m_stream ? deadline : std::min(deadline, now() + betweenAttempts));
+        isSound = m_watch.wait(m_stream ? m_stream->descriptor() : -1,
+                               m_stream ? deadline : std::min(deadline, now() + betweenAttempts));
     }
     return cancelled("camera " + m_description.uri);
 }
@@ -303,7 +310,8 @@ Result<std::unique_ptr<CameraSource>> openV4l2Source(const std::string &uri)
     description.uri = uri;
     description.framesPerSecond = (*stream)->framesPerSecond();
     V4l2KnownCamera camera(*address, **device);
-    return std::make_unique<V4l2Source>(std::move(description), *mode, std::move(camera), std::move(*device), std::move(*stream));
+    return std::make_unique<V4l2Source>(std::move(description), *mode, std::move(camera), std::move(*device),
+                                        std::move(*stream));
 }
 
 } // namespace odo

@@ -11,8 +11,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Nanoseconds resolution = 1us;   // of the time that drivers tell
-constexpr Nanoseconds largestDelay = 1s;  // from taking to delivery; beyond it a time is not of this machine's clock
+constexpr Nanoseconds resolution = 1us; // of the time that drivers tell
+constexpr Nanoseconds largestDelay =
+    1s; // from taking to delivery; beyond it a time is not of this machine's clock
 
 } // namespace
 
@@ -37,7 +38,8 @@ void V4l2Stamps::count(std::uint32_t sequence, Nanoseconds arrival)
         m_repeated += step == 0;
         ++m_stamp.sequence;
     } else {
-        const std::uint64_t repaid = std::min<std::uint64_t>(static_cast<std::uint64_t>(step) - 1, m_repeated);
+        const std::uint64_t repaid =
+            std::min<std::uint64_t>(static_cast<std::uint64_t>(step) - 1, m_repeated);
         m_repeated -= repaid;
         m_stamp.sequence += static_cast<std::uint64_t>(step) - repaid;
     }

@@ -16,8 +16,8 @@ struct V4l2BufferStamp
     bool isMonotonic = false;   ///< of this machine's steady clock, so the driver says
 };
 
-/// Makes of drivers' counts and times what CapturedFrame has: counts that rise and times that go on, whatever wraps, repeats,
-/// jumps or begins anew. Not thread-safe.
+/// Makes of drivers' counts and times what CapturedFrame has: counts that rise and times that go on, whatever
+/// wraps, repeats, jumps or begins anew. Not thread-safe.
 class V4l2Stamps
 {
 public:

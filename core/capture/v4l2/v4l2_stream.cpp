@@ -26,12 +26,16 @@ v4l2_buffer bufferOf(unsigned index)
 /// Unsigned, because it may wrap in what it is told in.
 std::uint64_t nanosecondsOf(const timeval &time)
 {
-    return static_cast<std::uint64_t>(time.tv_sec) * 1'000'000'000 + static_cast<std::uint64_t>(time.tv_usec) * 1'000;
+    return static_cast<std::uint64_t>(time.tv_sec) * 1'000'000'000 +
+           static_cast<std::uint64_t>(time.tv_usec) * 1'000;
 }
 
 } // namespace
 
-V4l2Stream::V4l2Stream(std::shared_ptr<V4l2Device> device) : m_device(std::move(device)), m_format(std::make_unique<v4l2_pix_format>()) {}
+V4l2Stream::V4l2Stream(std::shared_ptr<V4l2Device> device)
+    : m_device(std::move(device)), m_format(std::make_unique<v4l2_pix_format>())
+{
+}
 
 V4l2Stream::~V4l2Stream()
 {
@@ -45,13 +49,16 @@ V4l2Stream::~V4l2Stream()
     m_device->call(VIDIOC_REQBUFS, &none);
 }
 
-Result<std::unique_ptr<V4l2Stream>> V4l2Stream::start(std::shared_ptr<V4l2Device> device, const V4l2Mode &mode, const std::string &uri)
+Result<std::unique_ptr<V4l2Stream>> V4l2Stream::start(std::shared_ptr<V4l2Device> device,
+                                                      const V4l2Mode &mode, const std::string &uri)
 {
     std::unique_ptr<V4l2Stream> stream(new V4l2Stream(std::move(device)));
     int failure = stream->setMode(mode);
-    if (failure == 0 && (stream->m_format->pixelformat != mode.format || static_cast<int>(stream->m_format->width) != mode.widthPx ||
+    if (failure == 0 && (stream->m_format->pixelformat != mode.format ||
+                         static_cast<int>(stream->m_format->width) != mode.widthPx ||
                          static_cast<int>(stream->m_format->height) != mode.heightPx))
-        return fail(ErrorCode::Unavailable, "camera " + uri, "it does not take " + modeWords(mode), "ask for another size or format");
+        return fail(ErrorCode::Unavailable, "camera " + uri, "it does not take " + modeWords(mode),
+                    "ask for another size or format");
     if (failure == 0)
         failure = stream->makeBuffers();
     int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -87,7 +94,8 @@ int V4l2Stream::setMode(const V4l2Mode &mode)
 int V4l2Stream::makeBuffers()
 {
     v4l2_requestbuffers request{};
-    request.count = static_cast<__u32>(std::clamp(static_cast<int>(std::ceil(bufferedS * m_framesPerSecond)), fewestBuffers, VIDEO_MAX_FRAME));
+    request.count = static_cast<__u32>(std::clamp(static_cast<int>(std::ceil(bufferedS * m_framesPerSecond)),
+                                                  fewestBuffers, VIDEO_MAX_FRAME));
     request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     request.memory = V4L2_MEMORY_MMAP;
     if (const int failure = m_device->call(VIDIOC_REQBUFS, &request); failure != 0)
@@ -96,7 +104,8 @@ int V4l2Stream::makeBuffers()
         v4l2_buffer buffer = bufferOf(i);
         if (const int failure = m_device->call(VIDIOC_QUERYBUF, &buffer); failure != 0)
             return failure;
-        void *memory = mmap(nullptr, buffer.length, PROT_READ | PROT_WRITE, MAP_SHARED, m_device->descriptor(), buffer.m.offset);
+        void *memory = mmap(nullptr, buffer.length, PROT_READ | PROT_WRITE, MAP_SHARED,
+                            m_device->descriptor(), buffer.m.offset);
         if (memory == MAP_FAILED)
             return errno;
         m_buffers.emplace_back(static_cast<std::uint8_t *>(memory), buffer.length);

@@ -12,8 +12,8 @@ struct v4l2_pix_format;
 
 namespace odo {
 
-/// A camera that delivers into buffers that are shared with its driver; a third of a second of them, so that who takes the
-/// pictures may be late. Stops with its end. One thread.
+/// A camera that delivers into buffers that are shared with its driver; a third of a second of them, so that
+/// who takes the pictures may be late. Stops with its end. One thread.
 class V4l2Stream
 {
 public:
@@ -25,9 +25,10 @@ public:
         bool isDamaged = false; ///< by the driver's own word
     };
 
-    /// Sets the mode and starts. Errors: those of v4l2Failure, EBUSY and ENOSPC above all; Unavailable when the camera takes
-    /// another format.
-    static Result<std::unique_ptr<V4l2Stream>> start(std::shared_ptr<V4l2Device> device, const V4l2Mode &mode, const std::string &uri);
+    /// Sets the mode and starts. Errors: those of v4l2Failure, EBUSY and ENOSPC above all; Unavailable when
+    /// the camera takes another format.
+    static Result<std::unique_ptr<V4l2Stream>> start(std::shared_ptr<V4l2Device> device, const V4l2Mode &mode,
+                                                     const std::string &uri);
     ~V4l2Stream();
     V4l2Stream(const V4l2Stream &) = delete;
     V4l2Stream &operator=(const V4l2Stream &) = delete;
@@ -35,7 +36,8 @@ public:
     const v4l2_pix_format &format() const { return *m_format; }
     int descriptor() const { return m_device->descriptor(); }
     double framesPerSecond() const { return m_framesPerSecond; } ///< as the driver has set it
-    /// The oldest full buffer, or the errno: EAGAIN where none is full, ENODEV unplugged, EIO the stream has broken.
+    /// The oldest full buffer, or the errno: EAGAIN where none is full, ENODEV unplugged, EIO the stream has
+    /// broken.
     int take(Buffer &buffer);
     /// 0 or the errno.
     int giveBack(unsigned index);

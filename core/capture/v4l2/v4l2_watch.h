@@ -6,8 +6,8 @@
 
 namespace odo {
 
-/// What a source waits for: a picture, a camera that is plugged in (a change in /dev; where that cannot be watched, the end of
-/// the wait stands for it), or being stopped.
+/// What a source waits for: a picture, a camera that is plugged in (a change in /dev; where that cannot be
+/// watched, the end of the wait stands for it), or being stopped.
 class V4l2Watch
 {
 public:
@@ -16,7 +16,8 @@ public:
     V4l2Watch(const V4l2Watch &) = delete;
     V4l2Watch &operator=(const V4l2Watch &) = delete;
 
-    /// Waits until the camera has something to say; below 0: until nodes change. False when the camera says that it is broken.
+    /// Waits until the camera has something to say; below 0: until nodes change. False when the camera says
+    /// that it is broken.
     bool wait(int camera, std::chrono::steady_clock::time_point until);
     /// For good. Any thread.
     void stop();
