@@ -25,7 +25,12 @@ Result<void> runCameras(const QStringList &arguments, const CancelToken &cancel)
                                    {QStringLiteral("serial"), QString::fromStdString(camera.serial)},
                                    {QStringLiteral("formats"), QJsonArray::fromStringList(formats)},
                                    {QStringLiteral("busy"), camera.busy}});
-        lines << QStringLiteral("%1  %2, %3").arg(uri, -20).arg(name, camera.busy ? QStringLiteral("used by another program") : formats.join(QStringLiteral("; ")));
+        QStringList about{name};
+        if (camera.busy)
+            about << QStringLiteral("used by another program");
+        else if (!formats.isEmpty())
+            about << formats.join(QStringLiteral("; "));
+        lines << QStringLiteral("%1  %2").arg(uri, -20).arg(about.join(QStringLiteral(", ")));
     }
     call.answer({{QStringLiteral("cameras"), cameras}}, lines.join(u'\n'));
     return {};

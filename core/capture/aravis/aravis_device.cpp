@@ -13,10 +13,14 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto askPatience = 300ms;
+constexpr int mostQuestions = 3; // one may be lost on the way
 constexpr auto discoveryPatience = 1000ms;
 constexpr int offsetStep = 16; // a multiple of what cameras demand
 constexpr std::int64_t nanosecondsPerSecond = 1'000'000'000;
 constexpr double rateWhereUntold = 30;
+// A reading that was held up on the way is tried again.
+constexpr int mostReadings = 3;
+constexpr Nanoseconds shortRoundTrip = 200us;
 
 Nanoseconds steadyNow()
 {
@@ -35,6 +39,14 @@ std::pair<int, int> largestSize(ArvCamera *camera)
     const auto width = arv_camera_get_integer(camera, "WidthMax", failure.out());
     const auto height = failure ? 0 : arv_camera_get_integer(camera, "HeightMax", failure.out());
     return failure ? std::pair(0, 0) : std::pair(static_cast<int>(width), static_cast<int>(height));
+}
+
+std::optional<GvcpCamera> whoIsAt(const std::string &address)
+{
+    std::optional<GvcpCamera> camera;
+    for (int i = 0; i < mostQuestions && !camera; ++i)
+        camera = askGvcpCamera(address, askPatience);
+    return camera;
 }
 
 tl::unexpected<Error> doesNotAnswer(const AravisAddress &address)
@@ -60,7 +72,7 @@ Nanoseconds ticksToTime(std::int64_t ticks, std::int64_t perSecond)
 Result<AravisPlace> AravisDevice::find(const AravisAddress &address)
 {
     if (isIpAddress(address.place)) {
-        const auto camera = askGvcpCamera(address.place, askPatience);
+        const auto camera = whoIsAt(address.place);
         if (!camera)
             return doesNotAnswer(address);
         return AravisPlace{camera->address, true, camera->vendor, camera->model, camera->serial};
@@ -272,10 +284,8 @@ void AravisDevice::readExposure()
     m_mode.exposure = failure || !(microseconds > 0) ? Nanoseconds(0) : fromSeconds(microseconds * 1e-6);
 }
 
-std::optional<ClockReading> AravisDevice::readClock()
+std::optional<ClockReading> AravisDevice::readClockOnce()
 {
-    if (m_latch == Latch::None)
-        return std::nullopt;
     ArvFailure failure;
     ClockReading reading;
     reading.before = steadyNow();
@@ -288,6 +298,20 @@ std::optional<ClockReading> AravisDevice::readClock()
         return std::nullopt;
     reading.device = ticksToTime(ticks, m_ticksPerSecond);
     return reading;
+}
+
+std::optional<ClockReading> AravisDevice::readClock()
+{
+    std::optional<ClockReading> best;
+    const auto roundTrip = [](const ClockReading &reading) { return reading.after - reading.before; };
+    for (int i = 0; m_latch != Latch::None && i < mostReadings && !(best && roundTrip(*best) < shortRoundTrip); ++i) {
+        const auto reading = readClockOnce();
+        if (!reading)
+            break;
+        if (!best || roundTrip(*reading) < roundTrip(*best))
+            best = reading;
+    }
+    return best;
 }
 
 bool AravisDevice::fireTrigger()

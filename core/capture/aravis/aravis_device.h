@@ -49,7 +49,7 @@ public:
     /// Aravis has found that the camera is not ours any more, or not there.
     bool isLost() const { return m_lost; }
 
-    /// Reads the camera's clock, in nanoseconds; nullopt where it cannot be asked.
+    /// Reads the camera's clock, in nanoseconds, the quickest of some tries; nullopt where it cannot be asked.
     std::optional<ClockReading> readClock();
     /// True when the camera took the order.
     bool fireTrigger();
@@ -58,6 +58,7 @@ public:
 
 private:
     AravisDevice(AravisPlace place, ArvPointer<ArvCamera> camera);
+    std::optional<ClockReading> readClockOnce();
     Result<void> setUp(const AravisAddress &wanted);
     Result<void> chooseFormat(const AravisAddress &wanted);
     Result<void> chooseSize(const AravisAddress &wanted);

@@ -34,8 +34,6 @@ public:
     void deliver(CapturedFrame frame);
     /// Why there are no pictures; it is told with the next failure of next().
     void trouble(Error error);
-    /// Nothing more will come.
-    void giveUp(Error error);
     void count(const CameraCounts &counts);
     void runTasks(AravisDevice *device);
     /// Does what is asked meanwhile; returns early when it is stopped.
@@ -50,7 +48,7 @@ private:
     std::deque<Task> m_tasks;
     std::optional<Error> m_trouble;
     CameraCounts m_counts;
-    bool m_stopped = false, m_final = false, m_ended = false;
+    bool m_stopped = false, m_ended = false;
 };
 
 } // namespace odo

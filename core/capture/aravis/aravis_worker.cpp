@@ -68,9 +68,6 @@ void AravisWorker::run()
             device->reset(); // of one that is gone: takes Aravis seconds
             m_times.interrupt();
             m_resumed = true;
-        } else if (device.error().code == ErrorCode::Io) {
-            m_session->giveUp(device.error());
-            break;
         } else {
             m_session->trouble(device.error());
             m_session->waitWithoutCamera(retryEvery);
@@ -84,12 +81,12 @@ void AravisWorker::run()
     m_session->end();
 }
 
-/// Where it is now. Errors: Io when another camera is in its place.
+/// Where it is now. Errors: Unavailable also while another camera is in its place.
 Result<AravisPlace> AravisWorker::findAgain()
 {
     auto found = AravisDevice::find(m_address);
     if (found && m_place && found->serial != m_place->serial)
-        return fail(ErrorCode::Io, "camera " + m_address.uri, "another camera (" + found->serial + ") is in the place of camera " + m_place->serial,
+        return fail(ErrorCode::Unavailable, "camera " + m_address.uri, "another camera (" + found->serial + ") is in the place of camera " + m_place->serial,
                     "connect the one that belongs there, or begin anew with this one");
     return found;
 }
@@ -178,12 +175,15 @@ void AravisWorker::readClockIfDue(AravisDevice &device)
 
 void AravisWorker::deliver(AravisDevice &device, AravisStream &stream, AravisPicture picture)
 {
+    // The stamp is of the beginning of the exposure (SFNC), the picture of its middle.
+    const Nanoseconds middle = picture.stamp + device.mode().exposure / 2;
+    if (!m_times.goesOn(middle, picture.arrival))
+        m_nextReading = Nanoseconds(0);
     readClockIfDue(device);
     CapturedFrame captured;
     captured.hostTime = picture.arrival;
-    // The stamp is of the beginning of the exposure (SFNC), the picture of its middle.
     captured.frame = std::move(picture.frame);
-    captured.frame.time = m_times.place(picture.stamp + device.mode().exposure / 2, picture.arrival, m_reading);
+    captured.frame.time = m_times.place(middle, picture.arrival, m_reading);
     if (std::exchange(m_resumed, false) && m_lastTime) {
         const double missed = toSeconds(captured.frame.time - *m_lastTime) * device.mode().framesPerSecond - 1;
         m_numbering.interrupt(static_cast<std::uint64_t>(std::max(0.0, std::round(missed))));

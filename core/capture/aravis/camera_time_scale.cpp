@@ -17,6 +17,19 @@ constexpr std::uint64_t largestGap = 30000; // of numbers of 16 bits; more is a 
 
 } // namespace
 
+/// Since the last picture, by this machine's clock.
+Nanoseconds CameraTimeScale::passedBefore(const Picture &picture) const
+{
+    return picture.host && m_last->host ? *picture.host - *m_last->host : picture.arrival - m_last->arrival;
+}
+
+bool CameraTimeScale::follows(const Picture &picture) const
+{
+    const Nanoseconds passed = passedBefore(picture);
+    const Nanoseconds tolerance = (m_interrupted ? latestAfterInterruption : latest) + fromSeconds(fastestClock * toSeconds(passed));
+    return picture.stamp > m_last->stamp && std::chrono::abs(picture.stamp - m_last->stamp - passed) <= tolerance;
+}
+
 Nanoseconds CameraTimeScale::place(Nanoseconds stamp, Nanoseconds arrival, const std::optional<ClockReading> &reading)
 {
     Picture picture{stamp, arrival, std::nullopt};
@@ -25,16 +38,10 @@ Nanoseconds CameraTimeScale::place(Nanoseconds stamp, Nanoseconds arrival, const
         if (std::chrono::abs(host - arrival) < latest) // else it is one of before the clock was set
             picture.host = host;
     }
-    if (!m_last) {
+    if (!m_last)
         m_zero = stamp;
-    } else {
-        const bool bothRead = picture.host && m_last->host;
-        const Nanoseconds passed = bothRead ? *picture.host - *m_last->host : picture.arrival - m_last->arrival;
-        const Nanoseconds tolerance = (m_interrupted ? latestAfterInterruption : latest) + fromSeconds(fastestClock * toSeconds(passed));
-        const bool goesOn = stamp > m_last->stamp && std::chrono::abs(stamp - m_last->stamp - passed) <= tolerance;
-        if (!goesOn)
-            m_zero = stamp - (onScale(m_last->stamp) + std::max(passed, Nanoseconds(1)));
-    }
+    else if (!follows(picture))
+        m_zero = stamp - (onScale(m_last->stamp) + std::max(passedBefore(picture), Nanoseconds(1)));
     m_last = picture;
     m_interrupted = false;
     return onScale(stamp);

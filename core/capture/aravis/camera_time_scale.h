@@ -13,6 +13,9 @@ public:
     /// The camera was taken up anew.
     void interrupt() { m_interrupted = true; }
 
+    /// False where a picture's stamp does not follow that of the one before: the clock was set anew, and should be read now.
+    bool goesOn(Nanoseconds stamp, Nanoseconds arrival) const { return !m_last || follows({stamp, arrival, std::nullopt}); }
+
     /// The time of a picture; they come in order. reading: of the camera's clock, within some seconds of the picture.
     Nanoseconds place(Nanoseconds stamp, Nanoseconds arrival, const std::optional<ClockReading> &reading);
 
@@ -25,6 +28,9 @@ private:
         Nanoseconds stamp, arrival;
         std::optional<Nanoseconds> host; ///< by a reading of the clock; the arrival is late
     };
+    Nanoseconds passedBefore(const Picture &picture) const;
+    bool follows(const Picture &picture) const;
+
     std::optional<Picture> m_last;
     Nanoseconds m_zero{0}; ///< of the scale, by the camera's clock
     bool m_interrupted = false;

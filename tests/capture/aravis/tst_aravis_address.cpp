@@ -92,6 +92,8 @@ private Q_SLOTS:
         CameraTimeScale scale;
         const ClockReading old{1000s, 50s, 50s};
         scale.place(1000s, 50s, old);
+        QVERIFY(scale.goesOn(1000s + 33ms, 50s + 40ms));
+        QVERIFY(!scale.goesOn(5ms, 50s + 33ms));
         QCOMPARE(scale.place(5ms, 50s + 33ms, old), Nanoseconds(33ms));
         QCOMPARE(scale.place(38ms, 50s + 66ms, old), Nanoseconds(66ms));
         QCOMPARE(scale.place(500s, 50s + 99ms, {}), Nanoseconds(99ms)); // and forward

@@ -91,19 +91,29 @@ PictureCode readCode(const Frame &frame)
     return code;
 }
 
-SimulatedGigeCamera::Painter scenePainter(const SimulatedScene &scene, int camera, Nanoseconds beginning)
+SimulatedGigeCamera::Painter scenePainter(const SimulatedScene &scene, int camera, std::int64_t firstFrame, std::uint32_t pixelFormat,
+                                          Nanoseconds beginning)
 {
-    auto renderer = std::make_shared<SceneRenderer>(scene, camera);
-    const double first = frameSceneTime(scene, camera, 0), interval = frameSceneTime(scene, camera, 1) - first;
-    return [renderer, first, interval, beginning](const Exposure &exposure, std::span<std::uint8_t> pixels) {
-        const double middle = toSeconds(exposure.begin + exposure.length / 2 - beginning);
-        const auto number = static_cast<std::int64_t>(std::lround((middle - first) / interval));
-        const Frame frame = renderer->render(std::clamp<std::int64_t>(number, 0, renderer->frameCount() - 1));
-        Canvas canvas(exposure, pixels);
+    SceneRenderer renderer(scene, camera);
+    auto pictures = std::make_shared<std::vector<std::vector<std::uint8_t>>>();
+    for (std::int64_t i = firstFrame; i < renderer.frameCount(); ++i) {
+        const Frame frame = renderer.render(i);
+        const Exposure exposure{0, {}, {}, pixelFormat, frame.format.width, frame.format.height};
+        const int bytesPerPixel = static_cast<int>(pixelFormat >> 16 & 0xff) / 8;
+        std::vector<std::uint8_t> &raw = pictures->emplace_back(static_cast<std::size_t>(exposure.width * exposure.height * bytesPerPixel));
+        Canvas canvas(exposure, raw);
         for (int y = 0; y < exposure.height; ++y) {
             for (int x = 0; x < exposure.width; ++x)
                 canvas.set(x, y, colourAt(frame, x, y));
         }
+    }
+    const double framesPerSecond = scene.cameras[static_cast<std::size_t>(camera)].framesPerSecond;
+    return [pictures, framesPerSecond, beginning](const Exposure &exposure, std::span<std::uint8_t> pixels) {
+        const double since = toSeconds(exposure.begin + exposure.length / 2 - beginning);
+        const auto number = static_cast<std::int64_t>(std::floor(since * framesPerSecond + 0.5)), count = static_cast<std::int64_t>(pictures->size());
+        const std::vector<std::uint8_t> &picture = (*pictures)[static_cast<std::size_t>(((number % count) + count) % count)];
+        if (picture.size() == pixels.size())
+            std::ranges::copy(picture, pixels.begin());
     };
 }
 

@@ -23,8 +23,9 @@ struct PictureCode
 };
 PictureCode readCode(const Frame &frame);
 
-/// A painter that shows what a camera of a scene sees; the scene begins at that steady time. The scene's camera keeps the pace, phase and
-/// clock of the one that is streamed.
-SimulatedGigeCamera::Painter scenePainter(const SimulatedScene &scene, int camera, Nanoseconds beginning);
+/// A painter that shows, over and over, what a camera of a scene sees from one of its frames to the last. That frame is shown at that
+/// steady time; the pace is the scene's. All of it is painted in advance, so that two cameras keep up.
+SimulatedGigeCamera::Painter scenePainter(const SimulatedScene &scene, int camera, std::int64_t firstFrame, std::uint32_t pixelFormat,
+                                          Nanoseconds beginning);
 
 } // namespace odo::test
