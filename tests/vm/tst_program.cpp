@@ -23,8 +23,9 @@ private Q_SLOTS:
     void initTestCase()
     {
         m_webcam = playedCamera(0, "Camera A", "A1");
-        QVERIFY(m_webcam);
-        QTRY_COMPARE(usbCameras().size(), std::size_t(2)); // the other one is the kernel's
+        m_other = playedCamera(1, "Camera B", "B2");
+        QVERIFY(m_webcam && m_other);
+        QTRY_COMPARE(usbCameras().size(), std::size_t(2));
         QCOMPARE(run({QStringLiteral("new"), project()}).exitStatus, 0);
     }
 
@@ -54,7 +55,7 @@ private Q_SLOTS:
                  QStringLiteral("--seconds"), QStringLiteral("2"), QStringLiteral("--json"),
                  QStringLiteral("--camera"), QStringLiteral("A=") + QString::fromStdString(playedUri("A1")),
                  QStringLiteral("--camera"),
-                 QStringLiteral("B=v4l2:platform:vivid-000?size=320x180&rate=15&format=YUYV")});
+                 QStringLiteral("B=") + QString::fromStdString(playedUri("B2", "YUYV"))});
         QVERIFY2(recorded.exitStatus == 0, recorded.err);
         const QJsonObject answer = recorded.json();
         QVERIFY(answer.value(QStringLiteral("pairs")).toInt() > 0);
@@ -118,7 +119,7 @@ private:
     }
 
     QTemporaryDir m_folder;
-    std::unique_ptr<UvcCamera> m_webcam;
+    std::unique_ptr<UvcCamera> m_webcam, m_other;
 };
 
 QTEST_GUILESS_MAIN(TestProgram)

@@ -127,12 +127,6 @@ void UvcCamera::setStalled(bool stalled)
     wake();
 }
 
-void UvcCamera::dropOne()
-{
-    const std::lock_guard lock(m_mutex);
-    m_drop = true;
-}
-
 void UvcCamera::breakOne()
 {
     const std::lock_guard lock(m_mutex);
@@ -323,8 +317,7 @@ void UvcCamera::startStream()
 
 UsbBytes UvcCamera::nextPicture()
 {
-    m_count += m_drop ? 2 : 1;
-    m_drop = false;
+    ++m_count;
     UsbBytes picture;
     if (m_probe[probeFormat] == mjpegFormat) {
         picture = m_pictures[m_count % m_pictures.size()];

@@ -29,7 +29,6 @@ public:
     bool plug(); ///< false when the kernel does not take it
     void unplug();
     void setStalled(bool stalled);
-    void dropOne();    ///< the next picture is never sent
     void breakOne();   ///< the next picture is sent with the error bit
     void shortenOne(); ///< of the next picture only a half is sent
     UvcControls controls() const;
@@ -67,7 +66,7 @@ private:
     mutable std::mutex m_mutex; ///< guards what follows
     UvcControls m_controls;
     UsbBytes m_probe; ///< what was negotiated (USB Video Class 1.0, table 4-47)
-    bool m_ending = false, m_streaming = false, m_stalled = false, m_drop = false, m_break = false,
+    bool m_ending = false, m_streaming = false, m_stalled = false, m_break = false,
          m_shorten = false;
     bool m_toggle = false;
     unsigned m_count = 0;
