@@ -261,6 +261,7 @@ Result<void> AravisDevice::readBack(const AravisAddress &wanted)
     m_mode.payload = arv_camera_get_payload(camera, failure.out());
     if (failure)
         return refused(wanted, "it does not tell how large its pictures are", failure);
+    m_mode.payload = std::max(m_mode.payload, m_mode.imageSize());
     m_mode.framesPerSecond = arv_camera_get_frame_rate(camera, failure.out());
     const bool untold = failure || !(m_mode.framesPerSecond > 0);
     if (untold || wanted.trigger == AravisAddress::Trigger::Software)

@@ -25,7 +25,12 @@ struct AravisMode
     int widthPx = 0, heightPx = 0;
     double framesPerSecond = 0;
     Nanoseconds exposure{0}; ///< 0 where it does not tell
-    std::size_t payload = 0; ///< bytes of a picture
+    std::size_t payload = 0; ///< bytes that it sends for a picture
+
+    std::size_t imageSize() const
+    {
+        return static_cast<std::size_t>(widthPx) * static_cast<std::size_t>(heightPx) * static_cast<std::size_t>(format.bytesPerPixel);
+    }
 };
 
 /// An open camera of Aravis: setting it up, its clock, its trigger. Everything on one thread. Calls to one that does not answer any more

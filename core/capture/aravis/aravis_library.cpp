@@ -29,8 +29,8 @@ AravisLibrary::AravisLibrary()
 
 AravisLibrary::~AravisLibrary()
 {
-    for (std::thread &thread : m_threads)
-        thread.join();
+    for (Finishing &one : m_threads)
+        one.thread.join();
     arv_shutdown();
 }
 
@@ -48,10 +48,16 @@ std::vector<UsbVisionCamera> AravisLibrary::usbCameras()
     return cameras;
 }
 
-void AravisLibrary::finishLater(std::thread thread)
+void AravisLibrary::finishLater(std::thread thread, std::function<bool()> hasEnded)
 {
     const std::lock_guard lock(m_threadsMutex);
-    m_threads.push_back(std::move(thread));
+    std::erase_if(m_threads, [](Finishing &one) {
+        const bool ended = one.hasEnded();
+        if (ended)
+            one.thread.join();
+        return ended;
+    });
+    m_threads.push_back({std::move(thread), std::move(hasEnded)});
 }
 
 } // namespace odo

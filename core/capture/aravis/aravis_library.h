@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -30,15 +31,20 @@ public:
     std::vector<UsbVisionCamera> usbCameras();
 
     /// Takes over a thread that is still letting go of a camera: one that is gone takes Aravis up to 7.5 s. It is waited for
-    /// when the program ends.
-    void finishLater(std::thread thread);
+    /// when the program ends, at the latest.
+    void finishLater(std::thread thread, std::function<bool()> hasEnded);
 
 private:
     AravisLibrary();
     ~AravisLibrary();
 
+    struct Finishing
+    {
+        std::thread thread;
+        std::function<bool()> hasEnded;
+    };
     std::mutex m_openMutex, m_threadsMutex;
-    std::vector<std::thread> m_threads;
+    std::vector<Finishing> m_threads;
 };
 
 } // namespace odo

@@ -36,7 +36,7 @@ public:
         if (m_session->waitForEnd(endWithin))
             m_thread.join();
         else
-            AravisLibrary::instance().finishLater(std::move(m_thread));
+            AravisLibrary::instance().finishLater(std::move(m_thread), [session = m_session] { return session->waitForEnd(0ns); });
     }
 
     void describe(CameraDescription description) { m_description = std::move(description); }
@@ -48,42 +48,34 @@ public:
 
     Result<std::vector<CameraControl>> controls() override
     {
-        return onCamera<Result<std::vector<CameraControl>>>([](AravisDevice &device, AravisWorker &) { return readAravisControls(device.camera()); },
-                                                            noAnswer(m_description.uri));
+        const auto read = [otherwise = noAnswer(m_description.uri)](AravisDevice *device, AravisWorker &) -> Result<std::vector<CameraControl>> {
+            return device ? Result<std::vector<CameraControl>>(readAravisControls(device->camera())) : otherwise;
+        };
+        return onCamera<Result<std::vector<CameraControl>>>(read, noAnswer(m_description.uri));
     }
     Result<void> set(const std::string &id, double value) override
     {
-        const auto setIt = [id, value, uri = m_description.uri](AravisDevice &device, AravisWorker &worker) {
-            auto done = setAravisControl(device.camera(), uri, id, value);
-            if (done)
-                worker.remember(id, value);
-            device.readExposure();
-            return done;
+        const auto setIt = [id, value, uri = m_description.uri](AravisDevice *device, AravisWorker &worker) -> Result<void> {
+            return device ? worker.set(*device, id, value) : noAnswer(uri);
         };
         return onCamera<Result<void>>(setIt, noAnswer(m_description.uri));
     }
     std::vector<std::string> holdAutomatics() override
     {
-        const auto hold = [](AravisDevice &device, AravisWorker &worker) {
-            HeldAutomatics held = holdAravisAutomatics(device.camera());
-            for (const auto &[id, value] : held.settings)
-                worker.remember(id, value);
-            device.readExposure();
-            return held.notHeld;
-        };
-        return onCamera<std::vector<std::string>>(hold, {"the camera, which does not answer"});
+        const auto hold = [](AravisDevice *device, AravisWorker &worker) { return worker.holdAutomatics(device); };
+        return onCamera<std::vector<std::string>>(hold, {"Exposure and gain"});
     }
 
 private:
-    /// Has the camera's thread do something, and waits for it; the answer is otherwise where the camera is not there.
+    /// Has the camera's thread do something, and waits for it; gives the other answer where it cannot be waited for.
     template <class Answer, class Work>
     Answer onCamera(Work work, Answer otherwise)
     {
         auto answer = std::make_shared<std::promise<Answer>>();
         std::future<Answer> future = answer->get_future();
         // The worker runs its tasks itself, and so outlives them.
-        m_session->ask([answer, work, otherwise, worker = m_worker.get()](AravisDevice *device) {
-            answer->set_value(device ? Answer(work(*device, *worker)) : otherwise);
+        m_session->ask([answer, work, worker = m_worker.get()](AravisDevice *device) {
+            answer->set_value(work(device, *worker));
         });
         return future.wait_for(answerWithin) == std::future_status::ready ? future.get() : otherwise;
     }

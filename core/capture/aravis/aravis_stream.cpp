@@ -125,8 +125,7 @@ std::optional<AravisPicture> AravisStream::pictureIn(ArvBuffer *buffer)
     const AravisMode &mode = m_device.mode();
     std::size_t size = 0;
     const void *bytes = status == ARV_BUFFER_STATUS_SUCCESS ? arv_buffer_get_image_data(buffer, &size) : nullptr;
-    const std::size_t expected = static_cast<std::size_t>(mode.widthPx) * static_cast<std::size_t>(mode.heightPx) * static_cast<std::size_t>(mode.format.bytesPerPixel);
-    if (!bytes || size < expected || arv_buffer_get_image_width(buffer) != mode.widthPx || arv_buffer_get_image_height(buffer) != mode.heightPx ||
+    if (!bytes || size < mode.imageSize() || arv_buffer_get_image_width(buffer) != mode.widthPx || arv_buffer_get_image_height(buffer) != mode.heightPx ||
         arv_buffer_get_image_pixel_format(buffer) != mode.format.code) {
         ++m_damaged;
         return std::nullopt;

@@ -91,6 +91,50 @@ Result<AravisPlace> AravisWorker::findAgain()
     return found;
 }
 
+/// A camera that was without power has forgotten how it was set. What is there the first time is what it is to be.
+Result<void> AravisWorker::setAsBefore(AravisDevice &device)
+{
+    const AravisMode &mode = device.mode();
+    if (!m_place) {
+        m_mode = mode;
+        for (const CameraControl &control : readAravisControls(device.camera())) {
+            if (!control.readOnly)
+                remember(control.id, control.value);
+        }
+        return {};
+    }
+    if (mode.widthPx != m_mode.widthPx || mode.heightPx != m_mode.heightPx || mode.format.code != m_mode.format.code)
+        return fail(ErrorCode::Unavailable, "camera " + m_address.uri, "it came back with pictures of another size or format",
+                    "set it as before, or begin anew with size and format in its address");
+    for (const auto &[id, value] : m_settings)
+        setAravisControl(device.camera(), m_address.uri, id, value);
+    device.readExposure();
+    if (m_holdWhenBack)
+        holdAutomatics(&device);
+    return {};
+}
+
+Result<void> AravisWorker::set(AravisDevice &device, const std::string &id, double value)
+{
+    auto done = setAravisControl(device.camera(), m_address.uri, id, value);
+    if (done)
+        remember(id, value);
+    device.readExposure();
+    return done;
+}
+
+std::vector<std::string> AravisWorker::holdAutomatics(AravisDevice *device)
+{
+    m_holdWhenBack = !device;
+    if (!device)
+        return {"Exposure and gain"};
+    HeldAutomatics held = holdAravisAutomatics(device->camera());
+    for (const auto &[id, value] : held.settings)
+        remember(id, value);
+    device->readExposure();
+    return held.notHeld;
+}
+
 AravisWorker::Opened AravisWorker::takeUp()
 {
     // A camera that was found by its serial number is most likely where it was; looking for it takes two seconds.
@@ -102,11 +146,9 @@ AravisWorker::Opened AravisWorker::takeUp()
     auto device = AravisDevice::open(*place, m_address);
     if (!device)
         return device;
+    if (auto set = setAsBefore(**device); !set)
+        return tl::unexpected(set.error());
     m_place = *place;
-    for (const auto &[id, value] : m_settings)
-        setAravisControl((*device)->camera(), m_address.uri, id, value);
-    if (!m_settings.empty())
-        (*device)->readExposure();
     m_reading.reset();
     m_readings = 0;
     return device;
@@ -147,10 +189,9 @@ Nanoseconds AravisWorker::fireIfDue(AravisDevice &device)
         return Nanoseconds::max();
     const Nanoseconds interval = fromSeconds(1 / device.mode().framesPerSecond), now = steadyNow();
     if (now >= m_nextFire) {
-        // A camera that is gone would hold us up.
-        if (m_nextFire != 0ns && now - m_lastPicture < shortestSilence + interval)
-            device.fireTrigger();
-        else if (m_nextFire != 0ns && askGvcpCamera(device.place().openId, askPatience))
+        // A camera that is gone would hold us up: one that is silent is asked before.
+        const bool silent = now - m_lastPicture > shortestSilence + interval;
+        if (m_nextFire != 0ns && (!silent || !device.place().onNetwork || askGvcpCamera(device.place().openId, askPatience)))
             device.fireTrigger();
         m_nextFire = (steadyNow() / interval + 1) * interval;
     }

@@ -20,14 +20,20 @@ public:
     /// Until the session is stopped.
     void run();
 
-    /// What is to be set again when the camera comes back; a later setting of the same replaces an earlier one. On the worker's thread.
-    void remember(const std::string &id, double value);
+    // For tasks of the session: on this thread.
+
+    /// Sets it now, and again when the camera comes back.
+    Result<void> set(AravisDevice &device, const std::string &id, double value);
+    /// Holds them now, and again when the camera comes back; without a camera, when it does. Gives what is not held.
+    std::vector<std::string> holdAutomatics(AravisDevice *device);
 
 private:
     using Opened = Result<std::unique_ptr<AravisDevice>>;
 
     Opened takeUp();
     Result<AravisPlace> findAgain();
+    Result<void> setAsBefore(AravisDevice &device);
+    void remember(const std::string &id, double value);
     void takePictures(AravisDevice &device);
     bool stillStreams(AravisDevice &device, AravisStream &stream);
     void deliver(AravisDevice &device, AravisStream &stream, AravisPicture picture);
@@ -41,6 +47,8 @@ private:
     std::promise<Result<CameraDescription>> m_opened;
 
     std::optional<AravisPlace> m_place; ///< where it was; none before the first time
+    AravisMode m_mode;                  ///< as it was then
+    bool m_holdWhenBack = false;
     std::vector<std::pair<std::string, double>> m_settings;
     CameraTimeScale m_times;
     PictureNumbering m_numbering;

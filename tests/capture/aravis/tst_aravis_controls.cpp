@@ -93,6 +93,22 @@ private Q_SLOTS:
         QCOMPARE(camera->readFloat(reg::ExposureTime), exposure);
         QCOMPARE(camera->readFloat(reg::Gain), gain);
     }
+
+    /// They are to be held while the camera is away: it is done when it comes back.
+    void automaticsOfACameraThatIsAwayAreHeldLater()
+    {
+        const SimulatedGigeCamera::Settings settings{.address = "127.31.4.5", .automatics = true};
+        auto camera = std::make_unique<SimulatedGigeCamera>(settings, codedPainter());
+        const auto source = opened("aravis:127.31.4.5");
+        QVERIFY(source);
+        FrameTaker taker(*source);
+        QTRY_VERIFY(taker.count() > 5);
+        camera.reset();
+        QTRY_VERIFY(taker.said("it does not answer"));
+        QCOMPARE(source->holdAutomatics(), std::vector<std::string>{"Exposure and gain"});
+        camera = std::make_unique<SimulatedGigeCamera>(settings, codedPainter());
+        QTRY_VERIFY_WITH_TIMEOUT(camera->read(reg::ExposureAuto) == 0u && camera->read(reg::GainAuto) == 0u, 15000);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestAravisControls)
