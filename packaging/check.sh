@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
 packaging/build.sh
 # Where the machine's kernel cannot be had, its tests say so and are skipped.
-export ODOGRAPH_VM_CACHE="${ODOGRAPH_VM_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/odograph/vm}"
+export ODOGRAPH_VM_CACHE="${ODOGRAPH_VM_CACHE:-${XDG_CACHE_HOME:-${HOME:-/nonexistent}/.cache}/odograph/vm}"
 tests/vm/vm_prepare || true
 
 scratch=$(mktemp -d)

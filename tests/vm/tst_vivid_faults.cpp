@@ -7,7 +7,9 @@
 
 #include <QTest>
 #include <algorithm>
+#include <atomic>
 #include <linux/videodev2.h>
+#include <thread>
 
 using namespace odo;
 using namespace odo::test;
@@ -140,6 +142,31 @@ private Q_SLOTS:
         const Taken besideAfter = take(*beside, 15);
         QVERIFY(besideAfter.problems.empty());
         QCOMPARE(beside->counts().reconnections, std::uint64_t(0));
+    }
+
+    /// While one thread takes pictures and the camera breaks again and again.
+    void theRestMayBeCalledFromAnyThread()
+    {
+        const auto source = camera();
+        std::atomic<bool> goOn = true;
+        std::size_t answers = 0;
+        std::thread asking([&] {
+            while (goOn) {
+                answers += source->controls().has_value() ? 1 : 0;
+                (void)source->set("brightness", double(answers % 200)); // fails while it is lost
+                (void)source->holdAutomatics();
+                (void)source->counts();
+            }
+        });
+        for (int i = 0; i < 5; ++i) {
+            setVivid(node, "disconnect", 1);
+            (void)take(*source, 10);
+        }
+        goOn = false;
+        asking.join();
+        QVERIFY(answers > 0);
+        QVERIFY(source->counts().reconnections >= 1);
+        QCOMPARE(take(*source, 5).pictures.size(), std::size_t(5));
     }
 
     void whatCannotBeStartedSaysSo_data()
