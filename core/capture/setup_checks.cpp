@@ -15,7 +15,7 @@ using Verdict = SetupFinding::Verdict;
 constexpr std::int64_t enoughReceiveBuffer = 4 << 20; // some pictures of a megapixel camera (packets come in bursts)
 constexpr int largePackets = 8000;
 constexpr double usb2Mbps = 480;
-constexpr double rateApart = 0.02; // of the rate
+constexpr double rateApart = 0.05; // of the rate; measured over two seconds it is known to half a picture a second
 constexpr double badStepS = 0.017; // half an interval of 30 frames/s
 constexpr double flickerPart = 0.05; // of a lamp's period that an exposure may be off
 

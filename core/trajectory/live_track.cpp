@@ -14,6 +14,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Nanoseconds stalledAfter = 200ms, lostAfter = 1s;
+constexpr double stalledIntervals = 2.5; // of a camera that is slower than that
+constexpr double worstSigmaM = 0.1; // beyond it a place is a guess
 constexpr std::size_t keptObservations = 60, keptTimes = 60, keptNodes = 90;
 constexpr std::size_t observationsForInterpolation = 8;
 constexpr double leastStepShare = 0.75; // of an interval: one position a picture, not one for each view's
@@ -72,9 +74,10 @@ std::optional<Nanoseconds> LiveTrack::commonTime() const
         if (!view.observations.empty())
             newest = std::max(newest, view.observations.back().time);
     }
+    const Nanoseconds patience = std::max(stalledAfter, fromSeconds(stalledIntervals * toSeconds(usualInterval())));
     Nanoseconds common = newest;
     for (const ViewTrack &view : m_views) {
-        if (!view.observations.empty() && view.observations.back().time >= newest - stalledAfter)
+        if (!view.observations.empty() && view.observations.back().time >= newest - patience)
             common = std::min(common, view.observations.back().time);
     }
     if (m_times.empty())
@@ -174,8 +177,10 @@ void LiveTrack::filter(LivePosition &position)
         fitNoiseAgain();
     }
     constexpr std::size_t leastNodes = 4; // a speed from fewer is none
-    if (m_nodes.size() >= leastNodes)
-        position.point = makePoint(m_filter.estimate(), sample.commonCovariance);
+    if (m_nodes.size() < leastNodes)
+        return;
+    position.point = makePoint(m_filter.estimate(), sample.commonCovariance);
+    position.point.valid = std::max(position.point.sigmaXM, position.point.sigmaYM) < worstSigmaM;
 }
 
 } // namespace odo

@@ -33,8 +33,8 @@ struct LivePosition
 /// on the plane of the robot's height, all views are interpolated to a common time, and fused; a Kalman filter of the same
 /// model as the smoother's, its noise fitted to the last seconds, gives position and velocity without looking ahead.
 ///
-/// The common time is the newest one that every view has reached; a view that lags by more than a fifth of a second has
-/// stalled and is waited for no longer. What the solid's form tells (core/trajectory/shape_estimation.h) is left to the
+/// The common time is the newest one that every view has reached; a view that lags by more than a fifth of a second, or
+/// two and a half intervals, has stalled and is waited for no longer. What the solid's form tells (core/trajectory/shape_estimation.h) is left to the
 /// analysis: beside it a live position of a body of 60 mm differs by some millimetres. Not thread-safe.
 class LiveTrack
 {

@@ -9,9 +9,12 @@ namespace odo {
 
 namespace {
 
-bool hasGate(const std::optional<Task> &task, GateRole role)
+const Gate *gateOf(const std::optional<Task> &task, GateRole role)
 {
-    return task && std::ranges::any_of(task->gates, [role](const Gate &gate) { return gate.role == role || gate.role == GateRole::StartFinish; });
+    if (!task)
+        return nullptr;
+    const auto found = std::ranges::find_if(task->gates, [role](const Gate &gate) { return gate.role == role || gate.role == GateRole::StartFinish; });
+    return found == task->gates.end() ? nullptr : &*found;
 }
 
 } // namespace
@@ -27,12 +30,18 @@ void RunControl::prepare(const RunSettings &settings, const std::optional<Task> 
 
 bool RunControl::startsByGate() const
 {
-    return m_settings.byGates && !m_gates.empty() && hasGate(m_task, GateRole::Start);
+    return m_settings.byGates && !m_gates.empty() && gateOf(m_task, GateRole::Start);
 }
 
 bool RunControl::endsByGate() const
 {
-    return startsByGate() && hasGate(m_task, GateRole::Finish);
+    return startsByGate() && gateOf(m_task, GateRole::Finish);
+}
+
+std::string RunControl::startGate() const
+{
+    const Gate *gate = startsByGate() ? gateOf(m_task, GateRole::Start) : nullptr;
+    return gate ? gate->name : std::string();
 }
 
 Nanoseconds RunControl::countdownLeft() const

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace odo {
@@ -53,6 +54,8 @@ public:
     RunPhase phase() const { return m_phase; }
     bool startsByGate() const;
     bool endsByGate() const;
+    /// The name of the gate that begins it; empty without one.
+    std::string startGate() const;
     Nanoseconds countdownLeft() const; ///< 0 unless counting down
     Nanoseconds elapsed() const;       ///< since the beginning; 0 unless recording
 

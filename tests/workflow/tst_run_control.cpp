@@ -114,6 +114,7 @@ void TestRunControl::theRobotBeginsAndEndsItself()
     settings.byGates = true;
     run.prepare(settings, line(), 1);
     QVERIFY(run.startsByGate() && run.endsByGate());
+    QCOMPARE(run.startGate(), std::string("Start"));
     QVERIFY(!driveLine(run, 0, 0, 1)); // not armed yet
     QVERIFY(!run.press());
     QCOMPARE(run.phase(), RunPhase::Armed);
