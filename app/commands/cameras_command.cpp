@@ -7,6 +7,20 @@
 
 namespace odo {
 
+namespace {
+
+constexpr qsizetype mostFormatsNamed = 3;
+
+/// The first formats, and how many more there are.
+QString formatWords(const QStringList &formats)
+{
+    const QString words = formats.mid(0, mostFormatsNamed).join(QStringLiteral("; "));
+    const qsizetype more = formats.size() - mostFormatsNamed;
+    return more > 0 ? words + QStringLiteral("; and %1 more (see --json)").arg(more) : words;
+}
+
+} // namespace
+
 Result<void> runCameras(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("cameras"), QStringLiteral("[--json]"), 0, 0, {}}, cancel);
@@ -29,7 +43,7 @@ Result<void> runCameras(const QStringList &arguments, const CancelToken &cancel)
         if (camera.busy)
             about << QStringLiteral("used by another program");
         else if (!formats.isEmpty())
-            about << formats.join(QStringLiteral("; "));
+            about << formatWords(formats);
         lines << QStringLiteral("%1  %2").arg(uri, -20).arg(about.join(QStringLiteral(", ")));
     }
     call.answer({{QStringLiteral("cameras"), cameras}}, lines.join(u'\n'));

@@ -48,6 +48,14 @@ private Q_SLOTS:
         QCOMPARE(camera.value(QStringLiteral("busy")).toBool(true), false);
     }
 
+    void namesOnlyTheBestFormatsToPeople()
+    {
+        const ProgramRun listed = run({QStringLiteral("cameras")});
+        QVERIFY2(listed.out.contains("MJPG 640×480 at 30 frames/s; YUYV 640×480 at 30 frames/s; MJPG 320×240 "
+                                     "at 30 frames/s; and 1 more (see --json)"),
+                 listed.out);
+    }
+
     void recordsBoth()
     {
         const ProgramRun recorded =

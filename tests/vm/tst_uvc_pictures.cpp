@@ -30,8 +30,8 @@ private Q_SLOTS:
         QCOMPARE(cameras[0].serial, std::string("A1"));
         QCOMPARE(cameras[1].serial, std::string("B2"));
         QCOMPARE(cameras[0].formats,
-                 (std::vector<std::string>{"YUYV 640×480 at 30 frames/s", "YUYV 320×240 at 30 frames/s",
-                                           "MJPG 640×480 at 30 frames/s", "MJPG 320×240 at 30 frames/s"}));
+                 (std::vector<std::string>{"MJPG 640×480 at 30 frames/s", "YUYV 640×480 at 30 frames/s",
+                                           "MJPG 320×240 at 30 frames/s", "YUYV 320×240 at 30 frames/s"}));
         const auto source = opened(cameras[0].uri);
         QVERIFY(source);
         QCOMPARE(source->description().widthPx, 640);

@@ -25,6 +25,7 @@ std::vector<std::string> formatsOf(const std::vector<V4l2Mode> &modes)
         else if (mode.framesPerSecond() > same->framesPerSecond())
             *same = mode;
     }
+    sortByMerit(fastest);
     std::vector<std::string> words;
     for (const V4l2Mode &mode : fastest)
         words.push_back(modeWords(mode));

@@ -156,6 +156,11 @@ std::vector<V4l2Mode> v4l2Modes(const V4l2Device &device)
     return modes;
 }
 
+void sortByMerit(std::vector<V4l2Mode> &modes)
+{
+    std::ranges::stable_sort(modes, {}, merit);
+}
+
 Result<V4l2Mode> chooseMode(const std::vector<V4l2Mode> &modes, const V4l2Request &request,
                             const std::string &uri)
 {

@@ -35,6 +35,9 @@ std::string modeWords(const V4l2Mode &mode);
 /// All modes of the camera that can be read; where it offers ranges, the usual sizes and rates within them.
 std::vector<V4l2Mode> v4l2Modes(const V4l2Device &device);
 
+/// What chooseMode prefers comes first.
+void sortByMerit(std::vector<V4l2Mode> &modes);
+
 /// Of the modes that fit the request (the rate to 2 %): one with 30 frames/s or more if there is any, then
 /// nearest to 1280×720 in its number of pixels, then the fastest, then MJPEG before raw formats. NotFound
 /// when none fits.
