@@ -90,6 +90,7 @@ void dropRemarks(QtMsgType type, const QMessageLogContext &, const QString &mess
 int runCommand(const NamedCommand &command, int argc, char **argv)
 {
     qInstallMessageHandler(dropRemarks);
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk, not the end of the program
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
     std::unique_ptr<QCoreApplication> application;

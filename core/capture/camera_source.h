@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/video/frame.h"
+#include "core/video/recorded_times.h"
 
 #include <cstdint>
 #include <memory>
@@ -11,12 +12,6 @@
 #include <vector>
 
 namespace odo {
-
-/// A camera's clock was read: what it showed, and the times of this machine's steady clock between which it did.
-struct ClockReading
-{
-    Nanoseconds device{0}, before{0}, after{0};
-};
 
 /// A picture as a camera delivered it.
 struct CapturedFrame

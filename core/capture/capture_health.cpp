@@ -25,7 +25,8 @@ double percentile(std::vector<double> values, double percent)
 {
     if (values.empty())
         return 0;
-    const auto at = static_cast<std::ptrdiff_t>(std::lround(percent / 100 * static_cast<double>(values.size() - 1)));
+    const auto at =
+        static_cast<std::ptrdiff_t>(std::lround(percent / 100 * static_cast<double>(values.size() - 1)));
     std::nth_element(values.begin(), values.begin() + at, values.end());
     return values[static_cast<std::size_t>(at)];
 }
@@ -40,7 +41,8 @@ std::string healthWords(const ViewHealth &view)
     const std::uint64_t lost = view.lostOnWire + view.lostByUs;
     words += lost == 0 ? std::string(", none lost") : ", " + std::to_string(lost) + " lost";
     if (view.lostOnWire > 0 && view.lostByUs > 0)
-        words += " (" + std::to_string(view.lostOnWire) + " on the wire, " + std::to_string(view.lostByUs) + " here)";
+        words += " (" + std::to_string(view.lostOnWire) + " on the wire, " + std::to_string(view.lostByUs) +
+                 " here)";
     else if (lost > 0)
         words += view.lostOnWire > 0 ? " on the wire" : " here";
     return words;
@@ -48,7 +50,8 @@ std::string healthWords(const ViewHealth &view)
 
 std::string inStepWords(double p95S)
 {
-    return text("in step to %.1f ms; at %.0f m/s that is %.1f mm", 1000 * p95S, speedMS, 1000 * speedMS * p95S);
+    return text("in step to %.1f ms; at %.0f m/s that is %.1f mm", 1000 * p95S, speedMS,
+                1000 * speedMS * p95S);
 }
 
 std::string roomWords(const DiskHealth &disk)

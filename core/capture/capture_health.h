@@ -22,10 +22,10 @@ struct Trouble
 struct ViewHealth
 {
     enum class State {
-        Starting,   ///< no picture has come yet
+        Starting, ///< no picture has come yet
         Delivering,
-        Waiting,    ///< it does not deliver, and is taken up again as soon as it does
-        Ended       ///< nothing more will come
+        Waiting, ///< it does not deliver, and is taken up again as soon as it does
+        Ended    ///< nothing more will come
     };
     State state = State::Starting;
     double framesPerSecond = 0; ///< over the last two seconds
@@ -41,10 +41,11 @@ struct ViewHealth
     std::optional<Trouble> trouble;
 };
 
-/// How well the views are in step. Errors are of the last ten seconds: how much later the other view's picture was taken.
+/// How well the views are in step. Errors are of the last ten seconds: how much later the other view's
+/// picture was taken.
 struct PairHealth
 {
-    std::uint64_t pairs = 0, unpaired = 0; ///< since the session began
+    std::uint64_t pairs = 0, unpaired = 0;      ///< since the session began
     double medianS = 0, p95S = 0, largestS = 0; ///< of the errors without their sign; 0 without pairs
     double binS = 0;
     std::vector<std::uint32_t> histogram; ///< of the errors with their sign; the middle bin is centred on 0
@@ -54,10 +55,12 @@ struct PairHealth
 struct DiskHealth
 {
     bool recording = false;
-    double recordedS = 0;            ///< length of what is on the disk, of the view that has the least
-    std::uint64_t bytes = 0;         ///< written so far, all views
-    double waiting = 0;              ///< how full the fullest queue to the disk is; 1: pictures are being lost
+    double recordedS = 0;    ///< length of what is on the disk, of the view that has the least
+    std::uint64_t bytes = 0; ///< written so far, all views
+    double waiting = 0;      ///< how full the fullest queue to the disk is; 1: pictures are being lost
     std::optional<double> secondsLeft; ///< until the disk is as full as it may get; nullopt: not known yet
+    bool ended = false; ///< the recording of a view has ended by itself; what there is of it is kept
+    /// Why it has ended; or that the disk is too slow, which is told long before anything is lost.
     std::optional<Trouble> trouble;
 };
 

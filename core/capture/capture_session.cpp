@@ -32,11 +32,13 @@ Nanoseconds toleranceOf(const std::vector<std::unique_ptr<CameraSource>> &camera
 } // namespace
 
 CaptureSession::CaptureSession(std::vector<std::unique_ptr<CameraSource>> cameras, CaptureSettings settings)
-    : m_tolerance(toleranceOf(cameras)),
-      m_pairing(std::make_shared<FramePairing>(Synchroniser::Settings{cameras.size(), m_tolerance, longestWait}))
+    : m_tolerance(toleranceOf(cameras)), m_disk(std::move(settings.disk)),
+      m_pairing(
+          std::make_shared<FramePairing>(Synchroniser::Settings{cameras.size(), m_tolerance, longestWait}))
 {
     for (std::size_t view = 0; view < cameras.size(); ++view)
-        m_views.push_back(std::make_shared<ViewCapture>(std::move(cameras[view]), view, settings.preRoll, m_pairing));
+        m_views.push_back(
+            std::make_shared<ViewCapture>(std::move(cameras[view]), view, settings.preRoll, m_pairing));
     for (const auto &view : m_views)
         view->start();
 }
@@ -82,15 +84,24 @@ CaptureHealth CaptureSession::health() const
     health.pairs = m_pairing->health(now);
     const std::lock_guard lock(m_mutex);
     health.disk.recording = !m_writers.empty();
+    double shares = 0; // of what is left, that the views write a second
     for (std::size_t view = 0; view < m_writers.size(); ++view) {
-        const ViewWriter::State state = m_writers[view]->state();
+        const ViewWriter::State state = m_writers[view]->state(now);
         health.views[view].lostByUs += state.lost;
-        health.disk.recordedS = view == 0 ? state.recordedS : std::min(health.disk.recordedS, state.recordedS);
+        health.disk.recordedS =
+            view == 0 ? state.recordedS : std::min(health.disk.recordedS, state.recordedS);
         health.disk.bytes += state.bytes;
         health.disk.waiting = std::max(health.disk.waiting, state.waiting);
-        if (state.problem && !health.disk.trouble)
+        if (state.secondsLeft)
+            shares += 1 / std::max(*state.secondsLeft, 1e-3);
+        if (state.problem && !health.disk.ended)
             health.disk.trouble = Trouble{*state.problem, now};
+        else if (state.slow && !health.disk.trouble)
+            health.disk.trouble = state.slow;
+        health.disk.ended |= state.problem.has_value();
     }
+    if (shares > 0)
+        health.disk.secondsLeft = 1 / shares;
     return health;
 }
 
@@ -98,7 +109,8 @@ void CaptureSession::startRecording(const std::vector<std::filesystem::path> &fi
 {
     const std::lock_guard lock(m_mutex);
     for (std::size_t view = 0; view < m_views.size(); ++view) {
-        m_writers.push_back(std::make_shared<ViewWriter>(files[view], description(view).framesPerSecond));
+        m_writers.push_back(
+            std::make_shared<ViewWriter>(files[view], description(view).framesPerSecond, m_disk));
         m_views[view]->startWriting(m_writers.back(), preRoll);
     }
 }
@@ -123,7 +135,8 @@ RecordingOutcome CaptureSession::stopRecording()
     for (const std::future<void> &done : handedOver)
         done.wait();
     RecordingOutcome outcome;
-    for (std::size_t view = 0; view < m_views.size(); ++view) { // m_writers is changed by nobody else meanwhile
+    for (std::size_t view = 0; view < m_views.size();
+         ++view) { // m_writers is changed by nobody else meanwhile
         if (const auto end = m_views[view]->end())
             m_writers[view]->fail(*end);
         outcome.views.push_back(m_writers[view]->finish());

@@ -3,6 +3,7 @@
 
 #include "core/base/bounded_queue.h"
 #include "core/capture/capture_health.h"
+#include "core/capture/disk_watch.h"
 #include "core/capture/recording_outcome.h"
 #include "core/capture/synchroniser.h"
 
@@ -17,33 +18,40 @@ class FramePairing;
 class ViewCapture;
 class ViewWriter;
 
-/// What a subscriber takes pictures from: pop() waits for the next and gives nullopt once the session has ended; dropped()
-/// says how many he was too slow for. close() ends the subscription.
+/// What a subscriber takes pictures from: pop() waits for the next and gives nullopt once the session has
+/// ended; dropped() says how many he was too slow for. close() ends the subscription.
 using FrameFeed = BoundedQueue<TimedFrame>;
 using SetFeed = BoundedQueue<FrameSet>;
 
 struct CaptureSettings
 {
-    /// How much is kept back in memory, coded, so that a recording can begin before it was asked for. 0: none, and
-    /// pictures are only coded while a recording goes on.
+    /// How much is kept back in memory, coded, so that a recording can begin before it was asked for. 0:
+    /// none, and pictures are only coded while a recording goes on.
     Nanoseconds preRoll = std::chrono::seconds(3);
+    DiskWatch disk = {};
 };
 
-/// Runs several cameras at once, for as long as it lives: their pictures are shown and tracked live, how well they do and
-/// how well they are in step is known at any time, and on demand every picture of every view goes to the disk.
+/// Runs several cameras at once, for as long as it lives: their pictures are shown and tracked live, how well
+/// they do and how well they are in step is known at any time, and on demand every picture of every view goes
+/// to the disk.
 ///
-/// A camera that is not there for the moment is waited for while the others go on. Of a view, a thread takes the
-/// pictures, a second one codes them (those of a camera that codes them itself stay as they came), a third one writes
-/// while a recording goes on. What finds no room on the way to the disk is counted, never waited for, so that a slow disk does
-/// not make a camera lose pictures unseen; a subscriber who is too slow loses the oldest ones, and the recording none.
+/// A camera that is not there for the moment is waited for while the others go on. Of a view, a thread takes
+/// the pictures, a second one codes them (those of a camera that codes them itself stay as they came), a
+/// third one writes while a recording goes on. What finds no room on the way to the disk is counted, never
+/// waited for, so that a slow disk does not make a camera lose pictures unseen; a subscriber who is too slow
+/// loses the oldest ones, and the recording none.
 ///
-/// startRecording, stopRecording and the end of the session are for one thread at a time; everything else for any, at any time.
+/// startRecording, stopRecording and the end of the session are for one thread at a time; everything else for
+/// any, at any time.
 class CaptureSession
 {
 public:
-    /// One camera at least, the first of which the others are paired with. Begins at once, and returns at once.
-    explicit CaptureSession(std::vector<std::unique_ptr<CameraSource>> cameras, CaptureSettings settings = {});
-    /// Ends a recording as stopRecording does, and all subscriptions. A camera that hangs is waited for no longer than a second.
+    /// One camera at least, the first of which the others are paired with. Begins at once, and returns at
+    /// once.
+    explicit CaptureSession(std::vector<std::unique_ptr<CameraSource>> cameras,
+                            CaptureSettings settings = {});
+    /// Ends a recording as stopRecording does, and all subscriptions. A camera that hangs is waited for no
+    /// longer than a second.
     ~CaptureSession();
     CaptureSession(const CaptureSession &) = delete;
     CaptureSession &operator=(const CaptureSession &) = delete;
@@ -55,26 +63,32 @@ public:
 
     /// Every picture of a view, as it arrives, its time as it is known by then. capacity: how many may wait.
     std::shared_ptr<FrameFeed> subscribeFrames(std::size_t view, std::size_t capacity = 1);
-    /// Pictures that were taken together, in the order of the first view, some 50 ms after they were taken; none
-    /// while the first view delivers nothing.
+    /// Pictures that were taken together, in the order of the first view, some 50 ms after they were taken;
+    /// none while the first view delivers nothing.
     std::shared_ptr<SetFeed> subscribeSets(std::size_t capacity = 1);
 
     /// A value that was true just now; cheap, never waits for a camera or the disk.
     CaptureHealth health() const;
 
-    /// Records all views from so long ago, but no longer ago than the settings keep, each to its own new MKV file; holds the
-    /// cameras' automatics still. Returns at once: what cannot be written shows in health(). Not while one goes on.
-    void startRecording(const std::vector<std::filesystem::path> &files, Nanoseconds preRoll = Nanoseconds(0));
+    /// Records all views from so long ago, but no longer ago than the settings keep, each to its own new MKV
+    /// file; holds the cameras' automatics still. Returns at once: what cannot be written shows in health().
+    /// Not while one goes on.
+    void startRecording(const std::vector<std::filesystem::path> &files,
+                        Nanoseconds preRoll = Nanoseconds(0));
     bool isRecording() const;
-    /// What has reached the disk of a view since the last call: what a project keeps of it while it is being recorded.
+    /// What has reached the disk of a view since the last call: what a project keeps of it while it is being
+    /// recorded.
     RecordedTimes takeWritten(std::size_t view);
-    /// Ends the recording with the pictures that have arrived by now, and waits until they are on the disk. Only while one goes on.
+    /// Ends the recording with the pictures that have arrived by now, and waits until they are on the disk.
+    /// Only while one goes on.
     RecordingOutcome stopRecording();
 
 private:
     Nanoseconds m_tolerance{0};
+    const DiskWatch m_disk;
     std::shared_ptr<FramePairing> m_pairing;
-    std::vector<std::shared_ptr<ViewCapture>> m_views; ///< shared with their threads, which a hanging camera may outlive us with
+    std::vector<std::shared_ptr<ViewCapture>>
+        m_views;                ///< shared with their threads, which a hanging camera may outlive us with
     mutable std::mutex m_mutex; ///< guards what follows
     std::vector<std::shared_ptr<ViewWriter>> m_writers; ///< none while nothing is recorded
 };

@@ -19,13 +19,17 @@ std::vector<std::uint32_t> histogramOf(const std::vector<double> &errorsS, Nanos
     const auto side = static_cast<std::ptrdiff_t>(std::ceil(toSeconds(tolerance) / binS));
     std::vector<std::uint32_t> bins(static_cast<std::size_t>(2 * side + 1));
     for (const double errorS : errorsS)
-        ++bins[static_cast<std::size_t>(side + std::clamp<std::ptrdiff_t>(std::lround(errorS / binS), -side, side))];
+        ++bins[static_cast<std::size_t>(side +
+                                        std::clamp<std::ptrdiff_t>(std::lround(errorS / binS), -side, side))];
     return bins;
 }
 
 } // namespace
 
-FramePairing::FramePairing(Synchroniser::Settings settings) : m_tolerance(settings.tolerance), m_synchroniser(settings) {}
+FramePairing::FramePairing(Synchroniser::Settings settings)
+    : m_tolerance(settings.tolerance), m_synchroniser(settings)
+{
+}
 
 void FramePairing::add(std::size_t view, TimedFrame frame, Nanoseconds now)
 {

@@ -12,7 +12,8 @@
 
 namespace odo {
 
-/// Pairs the pictures of live cameras, gives the sets to who asked for them, and watches how well the views are in step. Any thread.
+/// Pairs the pictures of live cameras, gives the sets to who asked for them, and watches how well the views
+/// are in step. Any thread.
 class FramePairing
 {
 public:

@@ -51,7 +51,8 @@ std::vector<Knot> knotsOf(Stretch pictures, std::span<const ClockReading> readin
 /// Between two knots from the one to the other, so that no picture jumps.
 Nanoseconds hostTime(const std::vector<Knot> &knots, Nanoseconds device)
 {
-    const auto after = std::ranges::find_if(knots, [device](const Knot &knot) { return knot.device >= device; });
+    const auto after =
+        std::ranges::find_if(knots, [device](const Knot &knot) { return knot.device >= device; });
     if (after == knots.begin())
         return knots.front().fit.hostTime(device);
     if (after == knots.end())
@@ -83,8 +84,10 @@ DerivedTimes deriveTimes(const RecordedTimes &times)
     std::span<const RawTime> left(times.pictures);
     std::span<const ClockReading> readings(times.readings);
     while (!left.empty()) {
-        const auto end = std::ranges::adjacent_find(left, [](const RawTime &a, const RawTime &b) { return b.device < a.device; });
-        const auto length = static_cast<std::size_t>(end == left.end() ? end - left.begin() : end - left.begin() + 1);
+        const auto end = std::ranges::adjacent_find(
+            left, [](const RawTime &a, const RawTime &b) { return b.device < a.device; });
+        const auto length =
+            static_cast<std::size_t>(end == left.end() ? end - left.begin() : end - left.begin() + 1);
         const Stretch stretch = left.first(length);
         left = left.subspan(length);
         const auto later = std::ranges::find_if(readings, [&](const ClockReading &reading) {

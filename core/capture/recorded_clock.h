@@ -12,8 +12,8 @@ struct DerivedTimes
     double sigmaS = 0;              ///< of all of them alike
 };
 
-/// Derives from the raw times of a recording when each picture was taken: the camera's clock as ClockMap learns it, with what
-/// came before and after. Pure.
+/// Derives from the raw times of a recording when each picture was taken: the camera's clock as ClockMap
+/// learns it, with what came before and after. Pure.
 DerivedTimes deriveTimes(const RecordedTimes &times);
 
 } // namespace odo

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/camera_source.h"
 #include "core/capture/synchroniser.h"
+#include "core/video/recorded_times.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -10,21 +10,6 @@
 #include <vector>
 
 namespace odo {
-
-/// A recorded picture's own times, from which the time it was taken is derived.
-struct RawTime
-{
-    std::uint64_t sequence = 0; ///< the camera's count
-    Nanoseconds device{0};      ///< by the camera's clock
-    Nanoseconds arrival{0};     ///< by this machine's steady clock
-};
-
-/// The times of pictures in the order of the file, and the readings of the camera's clock that came with them.
-struct RecordedTimes
-{
-    std::vector<RawTime> pictures;
-    std::vector<ClockReading> readings;
-};
 
 /// The camera delivered nothing for a while.
 struct RecordingGap
@@ -40,14 +25,16 @@ struct ViewRecording
     std::filesystem::path file;
     FrameFormat format;
     RecordedTimes times;
-    std::vector<Nanoseconds> taken; ///< of each picture in the file, by this machine's steady clock; derived from times
+    std::vector<Nanoseconds>
+        taken; ///< of each picture in the file, by this machine's steady clock; derived from times
     double clockSigmaS = 0;         ///< of all of these alike
     std::uint64_t frames = 0;       ///< that the camera delivered
     std::uint64_t lostOnWire = 0;   ///< gaps in the camera's own count
     std::uint64_t lostByUs = 0;     ///< that coding or the disk was too slow for
     std::vector<double> latenciesS; ///< of each picture, from when it was taken to when it was written
     std::vector<RecordingGap> gaps;
-    std::optional<Error> problem;   ///< why it ended by itself
+    double longestWaitS = 0;      ///< that a picture waited for the disk
+    std::optional<Error> problem; ///< why it ended by itself
 };
 
 /// What became of a recording of several views.

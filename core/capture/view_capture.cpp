@@ -37,8 +37,13 @@ struct ViewCapture::Coder
     Result<CodedFrame> code(const Picture &picture)
     {
         const CapturedFrame &captured = picture.captured;
-        CodedFrame coded{captured.jpeg, captured.frame.format, {captured.sequence, captured.frame.time, captured.hostTime},
-                         picture.taken, captured.clock, picture.interruption, picture.lostBefore};
+        CodedFrame coded{captured.jpeg,
+                         captured.frame.format,
+                         {captured.sequence, captured.frame.time, captured.hostTime},
+                         picture.taken,
+                         captured.clock,
+                         picture.interruption,
+                         picture.lostBefore};
         if (coded.jpeg)
             return coded;
         auto jpeg = encoder.encode(captured.frame);
@@ -83,7 +88,8 @@ struct ViewCapture::Coder
 
 ViewCapture::ViewCapture(std::unique_ptr<CameraSource> camera, std::size_t view, Nanoseconds preRoll,
                          std::shared_ptr<FramePairing> pairing)
-    : m_camera(std::move(camera)), m_view(view), m_preRoll(preRoll), m_pairing(std::move(pairing)), m_work(mostUncoded)
+    : m_camera(std::move(camera)), m_view(view), m_preRoll(preRoll), m_pairing(std::move(pairing)),
+      m_work(mostUncoded)
 {
 }
 
@@ -142,7 +148,8 @@ void ViewCapture::takePictures()
 void ViewCapture::interrupted(const Error &error)
 {
     const std::lock_guard lock(m_mutex);
-    m_health.state = error.code == ErrorCode::Unavailable ? ViewHealth::State::Waiting : ViewHealth::State::Ended;
+    m_health.state =
+        error.code == ErrorCode::Unavailable ? ViewHealth::State::Waiting : ViewHealth::State::Ended;
     if (!m_health.trouble)
         m_health.trouble = Trouble{error, steadyNow()};
     m_health.trouble->error = error; // the cause may be known better by now
@@ -222,13 +229,15 @@ std::optional<Trouble> ViewCapture::silence(Nanoseconds now) const
 {
     const bool began = m_health.delivered > 0;
     const double rate = std::max(1.0, description().framesPerSecond);
-    const Nanoseconds allowed = std::max(began ? longestSilence : longestStart, fromSeconds(framesMissed / rate));
+    const Nanoseconds allowed =
+        std::max(began ? longestSilence : longestStart, fromSeconds(framesMissed / rate));
     const Nanoseconds last = began ? m_lastArrival : m_begun;
     if (now - last <= allowed)
         return std::nullopt;
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%lld s", static_cast<long long>((now - last) / 1s));
-    return Trouble{{ErrorCode::Unavailable, "camera " + description().uri, std::string("no picture has come for ") + seconds,
+    return Trouble{{ErrorCode::Unavailable, "camera " + description().uri,
+                    std::string("no picture has come for ") + seconds,
                     "look at its cable; take it off and put it on again if it stays so"},
                    last};
 }

@@ -14,12 +14,13 @@
 
 namespace odo {
 
-/// One camera of a session: takes its pictures on one thread, codes them on another, keeps the last seconds of them, and hands
-/// them to a writer when there is one. Its threads keep it alive.
+/// One camera of a session: takes its pictures on one thread, codes them on another, keeps the last seconds
+/// of them, and hands them to a writer when there is one. Its threads keep it alive.
 class ViewCapture : public std::enable_shared_from_this<ViewCapture>
 {
 public:
-    ViewCapture(std::unique_ptr<CameraSource> camera, std::size_t view, Nanoseconds preRoll, std::shared_ptr<FramePairing> pairing);
+    ViewCapture(std::unique_ptr<CameraSource> camera, std::size_t view, Nanoseconds preRoll,
+                std::shared_ptr<FramePairing> pairing);
     ~ViewCapture();
     ViewCapture(const ViewCapture &) = delete;
     ViewCapture &operator=(const ViewCapture &) = delete;
@@ -87,9 +88,9 @@ private:
 
     mutable std::mutex m_mutex; ///< guards what follows
     ClockMap m_clock;
-    ViewHealth m_health;                 ///< all but what is counted anew each time
+    ViewHealth m_health; ///< all but what is counted anew each time
     std::optional<std::uint64_t> m_lastSequence;
-    std::deque<Recent> m_recent;         ///< of the last two seconds
+    std::deque<Recent> m_recent; ///< of the last two seconds
     Nanoseconds m_begun{0}, m_lastArrival{0};
     std::optional<Error> m_interruption; ///< since the last picture
     std::uint64_t m_lostBefore = 0;      ///< since the last one that found room

@@ -3,16 +3,29 @@
 
 #include "core/capture/recorded_clock.h"
 #include "core/video/recording_writer.h"
+#include "core/video/video_reader.h"
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <utility>
 
 namespace odo {
 
 namespace {
 
+using namespace std::chrono_literals;
+
 constexpr std::size_t mostWaitingBytes = 64 << 20; // 14 s of 1280×720 at 30 frames/s
+constexpr Nanoseconds slowFrom = 1s;
+constexpr auto checkEach = 1s;
+constexpr double rateKnownFromS = 1;
+constexpr double megabyte = 1e6;
+
+Nanoseconds steadyNow()
+{
+    return std::chrono::steady_clock::now().time_since_epoch();
+}
 
 } // namespace
 
@@ -31,7 +44,8 @@ struct ViewWriter::Output
     }
 };
 
-ViewWriter::ViewWriter(std::filesystem::path file, double nominalFramesPerSecond) : m_nominalFramesPerSecond(nominalFramesPerSecond)
+ViewWriter::ViewWriter(std::filesystem::path file, double nominalFramesPerSecond, DiskWatch disk)
+    : m_nominalFramesPerSecond(nominalFramesPerSecond), m_disk(std::move(disk))
 {
     m_recording.file = std::move(file);
     m_thread = std::thread([this] { write(); });
@@ -60,7 +74,7 @@ void ViewWriter::offer(CodedFrame frame)
         return;
     }
     m_waitingBytes += frame.jpeg->size();
-    m_waiting.push_back(std::move(frame));
+    m_waiting.push_back({std::move(frame), steadyNow()});
     m_wake.notify_all();
 }
 
@@ -85,36 +99,63 @@ void ViewWriter::close()
     m_wake.notify_all();
 }
 
-std::optional<CodedFrame> ViewWriter::waitForNext()
+std::optional<ViewWriter::Waiting> ViewWriter::waitForNext()
 {
     std::unique_lock lock(m_mutex);
     m_wake.wait(lock, [this] { return m_closed || !m_waiting.empty(); });
     if (m_waiting.empty())
         return std::nullopt;
-    CodedFrame frame = std::move(m_waiting.front());
+    Waiting next = std::move(m_waiting.front());
     m_waiting.pop_front();
-    return frame;
+    m_writing = next.since;
+    return next;
 }
 
 void ViewWriter::write()
 {
     Output output;
-    while (const auto frame = waitForNext()) {
-        const auto written = write(output, *frame);
+    while (const auto next = waitForNext()) {
+        auto written = checkSpace();
+        if (written)
+            written = write(output, next->frame);
         const std::lock_guard lock(m_mutex);
-        m_waitingBytes -= frame->jpeg->size();
+        m_waitingBytes -= next->frame.jpeg->size();
+        m_writing.reset();
+        m_recording.longestWaitS = std::max(m_recording.longestWaitS, toSeconds(steadyNow() - next->since));
         if (!written) {
             m_recording.problem = written.error();
+            m_writingFailed = true;
             m_waiting.clear();
             m_waitingBytes = 0;
-            return;
+            break;
         }
-        note(*frame);
+        note(next->frame);
     }
     if (output.writer) {
         if (const auto finished = output.writer->finish(); !finished)
             fail(finished.error());
     }
+}
+
+/// Before the disk is full, while there is still room to end in good order.
+Result<void> ViewWriter::checkSpace()
+{
+    const auto now = std::chrono::steady_clock::now();
+    if (m_spaceChecked && now - *m_spaceChecked < checkEach)
+        return {};
+    m_spaceChecked = now;
+    const std::optional<std::uint64_t> left = m_disk.freeBytes(m_recording.file.parent_path());
+    {
+        const std::lock_guard lock(m_mutex);
+        m_freeBytes = left;
+    }
+    if (!left || *left >= m_disk.reserveBytes)
+        return {};
+    char why[96];
+    std::snprintf(why, sizeof why, "its disk has only %.0f MB left, of which %.0f are kept free",
+                  static_cast<double>(*left) / megabyte, static_cast<double>(m_disk.reserveBytes) / megabyte);
+    return odo::fail(ErrorCode::Io, "the recording " + m_recording.file.filename().string(), why,
+                     "make room, or move the project to another disk; what was recorded so far is kept");
 }
 
 Result<void> ViewWriter::write(Output &output, const CodedFrame &frame)
@@ -143,11 +184,11 @@ void ViewWriter::note(const CodedFrame &frame)
         m_firstArrival = frame.raw.arrival;
     }
     if (frame.interruption && m_lastArrival)
-        m_recording.gaps.push_back({times.pictures.size(), frame.raw.arrival - *m_lastArrival, *frame.interruption});
+        m_recording.gaps.push_back(
+            {times.pictures.size(), frame.raw.arrival - *m_lastArrival, *frame.interruption});
     m_lastArrival = frame.raw.arrival;
     m_bytes += frame.jpeg->size();
-    const Nanoseconds now = std::chrono::steady_clock::now().time_since_epoch();
-    m_recording.latenciesS.push_back(toSeconds(now - frame.taken));
+    m_recording.latenciesS.push_back(toSeconds(steadyNow() - frame.taken));
     for (RecordedTimes *kept : {&times, &m_fresh}) {
         kept->pictures.push_back(frame.raw);
         if (frame.clock)
@@ -155,11 +196,32 @@ void ViewWriter::note(const CodedFrame &frame)
     }
 }
 
-ViewWriter::State ViewWriter::state() const
+ViewWriter::State ViewWriter::state(Nanoseconds now) const
 {
     const std::lock_guard lock(m_mutex);
-    return {static_cast<double>(m_waitingBytes) / static_cast<double>(mostWaitingBytes),
-            m_firstArrival ? toSeconds(*m_lastArrival - *m_firstArrival) : 0, m_bytes, m_recording.lostByUs, m_recording.problem};
+    State state;
+    state.waiting = static_cast<double>(m_waitingBytes) / static_cast<double>(mostWaitingBytes);
+    state.recordedS = m_firstArrival ? toSeconds(*m_lastArrival - *m_firstArrival) : 0;
+    state.bytes = m_bytes;
+    state.lost = m_recording.lostByUs;
+    state.problem = m_recording.problem;
+    if (m_freeBytes && state.recordedS >= rateKnownFromS)
+        state.secondsLeft =
+            std::max(0.0, static_cast<double>(*m_freeBytes) - static_cast<double>(m_disk.reserveBytes)) /
+            (static_cast<double>(m_bytes) / state.recordedS);
+    if (m_writing && now - *m_writing > slowFrom) {
+        char why[96];
+        std::snprintf(
+            why, sizeof why,
+            "it is too slow: a picture has waited %.1f s for it, and %.0f %% of the room to wait in is taken",
+            toSeconds(now - *m_writing), 100 * state.waiting);
+        state.slow = Trouble{{ErrorCode::Io, "the disk of " + m_recording.file.filename().string(), why,
+                              m_recording.lostByUs == 0
+                                  ? "nothing is lost yet; end what else writes to it"
+                                  : "pictures are being lost; record to another disk, or fewer cameras"},
+                             *m_writing};
+    }
+    return state;
 }
 
 RecordedTimes ViewWriter::takeWritten()
@@ -168,9 +230,26 @@ RecordedTimes ViewWriter::takeWritten()
     return std::exchange(m_fresh, {});
 }
 
+/// What a disk refuses may be the last pictures that were given to it, which it seemed to take. Nobody
+/// changes them any more.
+void ViewWriter::leaveOutWhatIsNotInTheFile()
+{
+    const auto reader = VideoReader::open(m_recording.file);
+    std::vector<RawTime> &pictures = m_recording.times.pictures;
+    const std::size_t there = reader ? (*reader)->info().frameTimes.size() : 0;
+    if (there >= pictures.size())
+        return;
+    const std::lock_guard lock(m_mutex);
+    m_recording.lostByUs += pictures.size() - there;
+    pictures.resize(there);
+    m_recording.latenciesS.resize(there);
+}
+
 ViewRecording ViewWriter::finish()
 {
     m_thread.join();
+    if (m_writingFailed)
+        leaveOutWhatIsNotInTheFile();
     DerivedTimes derived = deriveTimes(m_recording.times); // long; nobody changes them any more
     const std::lock_guard lock(m_mutex);
     m_recording.taken = std::move(derived.taken);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/capture/capture_health.h"
+#include "core/capture/disk_watch.h"
 #include "core/capture/recording_outcome.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -20,15 +23,16 @@ struct CodedFrame
     Nanoseconds taken{0}; ///< as it was known when it arrived
     std::optional<ClockReading> clock;
     std::optional<Error> interruption = {}; ///< what kept the camera from delivering just before
-    std::uint64_t lostBefore = 0;           ///< pictures that the camera delivered in between, and that could not be coded in time
+    std::uint64_t lostBefore =
+        0; ///< pictures that the camera delivered in between, and that could not be coded in time
 };
 
-/// Writes one view of a recording on a thread of its own. What waits for the disk is bounded by its bytes; what finds no room is
-/// counted, never waited for.
+/// Writes one view of a recording on a thread of its own. What waits for the disk is bounded by its bytes;
+/// what finds no room is counted, never waited for.
 class ViewWriter
 {
 public:
-    ViewWriter(std::filesystem::path file, double nominalFramesPerSecond);
+    ViewWriter(std::filesystem::path file, double nominalFramesPerSecond, DiskWatch disk);
     ~ViewWriter(); ///< writes what is waiting
     ViewWriter(const ViewWriter &) = delete;
     ViewWriter &operator=(const ViewWriter &) = delete;
@@ -46,33 +50,46 @@ public:
 
     struct State
     {
-        double waiting = 0;       ///< how full the queue is
+        double waiting = 0; ///< how full the queue is
         double recordedS = 0;
-        std::uint64_t bytes = 0;  ///< written
+        std::uint64_t bytes = 0; ///< written
         std::uint64_t lost = 0;
+        std::optional<double> secondsLeft; ///< of what this view alone writes
+        std::optional<Trouble> slow;       ///< the disk does not keep up
         std::optional<Error> problem;
     };
-    State state() const; ///< any thread
+    State state(Nanoseconds now) const; ///< any thread
     /// What was written since the last call. Any thread.
     RecordedTimes takeWritten();
 
 private:
     struct Output;
+    struct Waiting
+    {
+        CodedFrame frame;
+        Nanoseconds since;
+    };
     void write();
     Result<void> write(Output &output, const CodedFrame &frame);
     void note(const CodedFrame &frame);
-    std::optional<CodedFrame> waitForNext();
+    void leaveOutWhatIsNotInTheFile();
+    std::optional<Waiting> waitForNext();
+    Result<void> checkSpace();
 
     const double m_nominalFramesPerSecond;
-    mutable std::mutex m_mutex; ///< guards what follows
+    const DiskWatch m_disk;
+    std::optional<std::chrono::steady_clock::time_point> m_spaceChecked; ///< of the writing thread
+    mutable std::mutex m_mutex;                                          ///< guards what follows
     std::condition_variable m_wake;
-    std::deque<CodedFrame> m_waiting;
+    std::deque<Waiting> m_waiting;
     std::size_t m_waitingBytes = 0;
-    bool m_closed = false;
+    bool m_closed = false, m_writingFailed = false;
     std::uint64_t m_bytes = 0;
+    std::optional<std::uint64_t> m_freeBytes;
+    std::optional<Nanoseconds> m_writing; ///< since when the picture that is being written has waited
     std::optional<std::uint64_t> m_lastSequence;
     std::optional<Nanoseconds> m_firstArrival, m_lastArrival; ///< of what was written
-    RecordedTimes m_fresh; ///< written, and not yet taken
+    RecordedTimes m_fresh;                                    ///< written, and not yet taken
     ViewRecording m_recording;
     std::thread m_thread; ///< last, so that it begins when all is there
 };

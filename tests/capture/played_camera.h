@@ -75,8 +75,8 @@ private:
     bool m_stopped = false, m_givenUp = false;
 };
 
-/// A camera that does what its script says, as soon as it says so; its pictures are 33 ms apart by its own clock and
-/// arrive, as it claims, when they were taken.
+/// A camera that does what its script says, as soon as it says so; its pictures are 33 ms apart by its own
+/// clock and arrive, as it claims, when they were taken.
 class PlayedCamera : public CameraSource
 {
 public:
@@ -85,11 +85,14 @@ public:
         Nanoseconds beginning{0};  ///< when, by this machine's steady clock, it takes its first picture
         Nanoseconds clockStart{0}; ///< when, after that, its own clock began
         Nanoseconds phase{0};      ///< how much later than others it takes its pictures
-        bool codes = false;        ///< gives JPEG files (which are none, but three bytes)
+        bool codes = false;        ///< gives JPEG files (which are none, but words)
         std::vector<std::string> notHeld = {};
         FrameFormat format = FrameFormat{160, 96};
     };
-    PlayedCamera(std::shared_ptr<Script> script, Kind kind) : m_script(std::move(script)), m_kind(std::move(kind)) {}
+    PlayedCamera(std::shared_ptr<Script> script, Kind kind)
+        : m_script(std::move(script)), m_kind(std::move(kind))
+    {
+    }
 
     const CameraDescription &description() const override { return m_description; }
     void stop() override { m_script->stop(); }
@@ -116,11 +119,14 @@ private:
     {
         const Nanoseconds time = m_sequence * interval + m_kind.phase;
         CapturedFrame captured;
-        captured.frame = FrameBuffer::toFrame(std::make_shared<FrameBuffer>(m_kind.format), m_sequence, time - m_kind.clockStart);
+        captured.frame = FrameBuffer::toFrame(std::make_shared<FrameBuffer>(m_kind.format), m_sequence,
+                                              time - m_kind.clockStart);
         captured.sequence = std::uint64_t(m_sequence++);
         captured.hostTime = m_kind.beginning + time;
-        if (m_kind.codes)
-            captured.jpeg = std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{0xff, 0xd8, 0xff});
+        if (m_kind.codes) {
+            const std::string bytes = "\xff\xd8picture " + std::to_string(captured.sequence) + " as it came";
+            captured.jpeg = std::make_shared<const std::vector<std::uint8_t>>(bytes.begin(), bytes.end());
+        }
         return captured;
     }
 

@@ -3,8 +3,13 @@
 #include "core/video/video_reader.h"
 #include "tests/capture/played_camera.h"
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <atomic>
+#include <csignal>
+#include <future>
+#include <sys/resource.h>
 
 using namespace odo;
 using namespace odo::test;
@@ -21,14 +26,16 @@ const Error over{ErrorCode::Io, "camera play:", "the video has ended", "nothing 
 struct TwoCameras
 {
     /// Pictures of the past are given up at once where they find no partner; those of the future never are.
-    explicit TwoCameras(Nanoseconds preRoll = 0s, Nanoseconds ago = 20s, PlayedCamera::Kind first = {})
+    explicit TwoCameras(Nanoseconds preRoll = 0s, Nanoseconds ago = 20s, PlayedCamera::Kind first = {},
+                        DiskWatch disk = {})
     {
         first.beginning = std::chrono::steady_clock::now().time_since_epoch() - ago;
         std::vector<std::unique_ptr<CameraSource>> cameras;
         cameras.push_back(std::make_unique<PlayedCamera>(a, first));
         cameras.push_back(std::make_unique<PlayedCamera>(
             b, PlayedCamera::Kind{.beginning = first.beginning, .clockStart = -3600s, .phase = 7ms}));
-        session = std::make_unique<CaptureSession>(std::move(cameras), CaptureSettings{preRoll});
+        session =
+            std::make_unique<CaptureSession>(std::move(cameras), CaptureSettings{preRoll, std::move(disk)});
     }
     void pictures(int count) const
     {
@@ -57,6 +64,10 @@ private Q_SLOTS:
     void aCameraThatIsGoneIsWaitedFor();
     void aCameraThatEndsKeepsWhatThereIs();
     void aDiskThatFailsIsTold();
+    void itEndsBeforeTheDiskIsFull();
+    void aFileThatMayNotGrowKeepsWhatThereIs();
+    void aSlowDiskIsToldBeforeAnythingIsLost();
+    void picturesThatTheCameraCodedAreKeptAsTheyCame();
     void subscribersGetPicturesAndSetsAndLoseTheOldest();
     void healthKnowsTheClockAndHowWellTheyAreInStep();
     void whatChangesByItselfIsHeldWhileRecording();
@@ -77,7 +88,8 @@ private:
         for (int i = 1; i <= lots; ++i) {
             cameras.pictures(lot);
             for (std::size_t view = 0; view < 2; ++view)
-                QTRY_COMPARE(written[view] += cameras.session->takeWritten(view).pictures.size(), std::size_t(i * lot));
+                QTRY_COMPARE(written[view] += cameras.session->takeWritten(view).pictures.size(),
+                             std::size_t(i * lot));
         }
     }
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -148,7 +160,8 @@ void TestCaptureSession::lostPicturesAreCounted()
     QTRY_VERIFY(cameras.health(0).delivered == 28 && cameras.health(1).delivered == lot);
     QCOMPARE(cameras.health(0).lostOnWire, 2u);
     QVERIFY(cameras.health(0).latencyS > 19); // they claim to have been taken 20 s ago, and a second apart
-    QCOMPARE(healthWords(cameras.health(1)).substr(healthWords(cameras.health(1)).find(',')), std::string(", none lost"));
+    QCOMPARE(healthWords(cameras.health(1)).substr(healthWords(cameras.health(1)).find(',')),
+             std::string(", none lost"));
     const RecordingOutcome outcome = cameras.session->stopRecording();
     QCOMPARE(outcome.views[0].lostOnWire, 2u);
     QCOMPARE(outcome.views[1].lostOnWire, 0u);
@@ -219,6 +232,103 @@ void TestCaptureSession::aDiskThatFailsIsTold()
     QVERIFY(!outcome.views[0].problem);
     QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
     QVERIFY(!cameras.session->health().disk.trouble);
+}
+
+void TestCaptureSession::itEndsBeforeTheDiskIsFull()
+{
+    std::atomic<std::uint64_t> left = 1'000'000'000;
+    TwoCameras cameras(0s, 20s, {}, {.reserveBytes = 100'000'000, .freeBytes = [&left](const auto &) {
+                                         return left.load();
+                                     }});
+    cameras.session->startRecording(files());
+    record(cameras, 2);
+    const DiskHealth disk = cameras.session->health().disk;
+    QVERIFY(!disk.trouble && !disk.ended);
+    // What may still be written at the rate so far, of both views together.
+    QVERIFY(disk.secondsLeft);
+    const double expectedS = 900e6 / (double(disk.bytes) / (59 * 0.033));
+    QVERIFY2(std::abs(*disk.secondsLeft - expectedS) < 0.01 * expectedS,
+             qPrintable(QString::number(*disk.secondsLeft)));
+    left = 99'000'000;
+    QTRY_VERIFY((cameras.pictures(1), cameras.session->health().disk.ended)); // it looks once a second
+    QCOMPARE(cameras.session->health().disk.trouble->error.why,
+             std::string("its disk has only 99 MB left, of which 100 are kept free"));
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    for (const ViewRecording &view : outcome.views) {
+        if (!view.problem)
+            continue;
+        const auto reader = VideoReader::open(view.file);
+        QVERIFY(reader && view.taken.size() >= 60);
+        QCOMPARE((*reader)->info().frameTimes.size(), view.taken.size());
+    }
+}
+
+void TestCaptureSession::aFileThatMayNotGrowKeepsWhatThereIs()
+{
+    // As a full disk: what the system refuses to write.
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    rlimit small = before;
+    small.rlim_cur = 30'000;
+    TwoCameras cameras;
+    cameras.session->startRecording(files());
+    setrlimit(RLIMIT_FSIZE, &small);
+    QTRY_VERIFY((cameras.pictures(1), cameras.session->health().disk.ended));
+    setrlimit(RLIMIT_FSIZE, &before);
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    const auto cut = std::ranges::find_if(outcome.views,
+                                          [](const ViewRecording &view) { return view.problem.has_value(); });
+    QVERIFY(cut != outcome.views.end());
+    QVERIFY2(cut->problem->message().find("File too large") != std::string::npos,
+             cut->problem->message().c_str());
+    QVERIFY(cut->taken.size() > 5);
+    const auto reader = VideoReader::open(cut->file);
+    QVERIFY(reader);
+    QCOMPARE((*reader)->info().frameTimes.size(), cut->taken.size());
+    for (std::size_t i = 0; i < cut->taken.size(); ++i)
+        QVERIFY((*reader)->next().value().has_value());
+}
+
+void TestCaptureSession::aSlowDiskIsToldBeforeAnythingIsLost()
+{
+    std::promise<void> goesOn;
+    const auto disk = [went = goesOn.get_future().share()](const auto &) {
+        went.wait(); // as a disk that does not answer
+        return std::optional<std::uint64_t>();
+    };
+    TwoCameras cameras(0s, 20s, {}, {.freeBytes = disk});
+    cameras.session->startRecording(files());
+    cameras.pictures(lot);
+    QTRY_VERIFY(cameras.session->health().disk.trouble);
+    const DiskHealth slow = cameras.session->health().disk;
+    QVERIFY(!slow.ended);
+    QVERIFY2(slow.trouble->error.why.starts_with("it is too slow: a picture has waited 1."),
+             slow.trouble->error.why.c_str());
+    QCOMPARE(slow.trouble->error.advice, std::string("nothing is lost yet; end what else writes to it"));
+    QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
+    goesOn.set_value();
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    for (const ViewRecording &view : outcome.views) {
+        QCOMPARE(view.taken.size(), std::size_t(lot));
+        QCOMPARE(view.lostByUs, 0u);
+        QVERIFY(view.longestWaitS > 1);
+    }
+}
+
+void TestCaptureSession::picturesThatTheCameraCodedAreKeptAsTheyCame()
+{
+    TwoCameras cameras(0s, 20s, {.codes = true});
+    cameras.session->startRecording(files());
+    cameras.a->pictures(2);
+    QTRY_COMPARE(cameras.health(0).delivered, 2u);
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    QCOMPARE(outcome.views[0].taken.size(), std::size_t(2));
+    QFile file(QString::fromStdString(outcome.views[0].file.string()));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    for (const char *picture : {"picture 0 as it came", "picture 1 as it came"})
+        QVERIFY(bytes.contains(picture));
 }
 
 void TestCaptureSession::subscribersGetPicturesAndSetsAndLoseTheOldest()

@@ -12,7 +12,8 @@ namespace {
 
 constexpr Nanoseconds interval = 33ms, start = 1000s;
 
-/// A recording by a camera whose clock drifts, and drifts otherwise as it warms up; pictures arrive up to 5 ms late.
+/// A recording by a camera whose clock drifts, and drifts otherwise as it warms up; pictures arrive up to 5
+/// ms late.
 struct Recorded
 {
     RecordedTimes times;
