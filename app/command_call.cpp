@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 
 #include "core/base/units.h"
+#include "core/workflow/recover_job.h"
 
 #include <QJsonDocument>
 #include <cstdio>
@@ -122,7 +123,15 @@ tl::unexpected<Error> CommandCall::wrongCall(const QString &why) const
 
 Result<std::unique_ptr<Project>> CommandCall::openProject(int index, Project::Access access) const
 {
-    return Project::open(text(index), access);
+    auto project = Project::open(text(index), access);
+    if (!project || access == Project::Access::ReadOnly)
+        return project;
+    const auto recovered = recoverTrials(**project, m_control);
+    if (!recovered)
+        return tl::unexpected(recovered.error());
+    for (const std::string &told : *recovered)
+        warn(told);
+    return project;
 }
 
 void CommandCall::answer(const QJsonObject &json, const QString &text) const

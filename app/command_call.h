@@ -50,7 +50,8 @@ public:
 
     tl::unexpected<Error> wrongCall(const QString &why) const;
 
-    /// The project named by a positional argument.
+    /// The project named by a positional argument. To be written: with a warning for each trial whose recording was cut off, which
+    /// is completed first.
     Result<std::unique_ptr<Project>> openProject(int index, Project::Access access) const;
 
     /// Cancelled by Ctrl-C; progress to standard error when it is a terminal.

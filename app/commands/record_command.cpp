@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
-#include "core/workflow/record_job.h"
+#include "core/workflow/record_trial.h"
 
 #include <cmath>
 
@@ -10,7 +10,17 @@ namespace odo {
 namespace {
 
 const QString trial = QStringLiteral("trial"), camera = QStringLiteral("camera"), seconds = QStringLiteral("seconds"),
-              robot = QStringLiteral("robot");
+              robot = QStringLiteral("robot"), recover = QStringLiteral("recover");
+
+/// Opening has completed what was cut off, and said so.
+Result<void> answerRecover(const CommandCall &call)
+{
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    call.answer({{QStringLiteral("project"), call.positional(0)}}, QStringLiteral("No recording is left that was cut off."));
+    return {};
+}
 
 Result<RecordSettings> settingsFrom(const CommandCall &call)
 {
@@ -34,18 +44,19 @@ Result<RecordSettings> settingsFrom(const CommandCall &call)
     return settings;
 }
 
-QJsonObject viewsJson(const RecordJob &job)
+QJsonObject viewsJson(const LiveTrial &recorded, const RecordSettings &settings)
 {
     QJsonObject views;
-    for (std::size_t i = 0; i < job.recordings().size(); ++i) {
-        const ViewRecording &view = job.outcome().views[i];
-        const RecordingRecord &record = job.recordings()[i];
-        views.insert(QString::fromStdString(record.cameraName),
+    for (std::size_t i = 0; i < settings.cameras.size(); ++i) {
+        const ViewRecording &view = recorded.outcome().views[i];
+        const double lengthS = view.taken.empty() ? 0 : toSeconds(view.taken.back() - view.taken.front());
+        const double rate = lengthS > 0 ? double(view.taken.size() - 1) / lengthS : 0;
+        views.insert(QString::fromStdString(settings.cameras[i].first),
                      QJsonObject{{QStringLiteral("frames"), qint64(view.frames)},
                                  {QStringLiteral("recorded"), qint64(view.taken.size())},
                                  {QStringLiteral("lost_on_wire"), qint64(view.lostOnWire)},
                                  {QStringLiteral("lost_by_us"), qint64(view.lostByUs)},
-                                 {QStringLiteral("fps"), record.framesPerSecond},
+                                 {QStringLiteral("fps"), rate},
                                  {QStringLiteral("latency_p99_ms"), 1000 * percentile(view.latenciesS, 99)}});
     }
     return views;
@@ -56,39 +67,43 @@ QJsonObject viewsJson(const RecordJob &job)
 Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("record"),
-                      QStringLiteral("P.odo --trial NAME --camera A=URI [--camera B=URI]... [--seconds 10] [--robot R]... [--json]"),
+                      QStringLiteral("P.odo --trial NAME --camera A=URI [--camera B=URI]... [--seconds 10] [--robot R]... [--json], or P.odo --recover"),
                       1, 1,
                       {{trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
                        {camera, QStringLiteral("A view: the camera's name and its address; see odograph cameras."), QStringLiteral("CAMERA=URI")},
                        {seconds, QStringLiteral("How long, from when all cameras deliver."), QStringLiteral("SECONDS")},
-                       {robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")}}},
+                       {robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
+                       {recover, QStringLiteral("Records nothing: completes recordings that were cut off, as every writing command does.")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
+    if (call.isSet(recover))
+        return answerRecover(call);
     auto settings = settingsFrom(call);
     if (!settings)
         return tl::unexpected(settings.error());
     const auto project = call.openProject(0, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
-    RecordJob job(std::move(*settings));
-    if (auto done = runToEnd(job, **project, call.control()); !done)
-        return done;
-    const PairFigures &pairs = job.outcome().pairs;
+    const auto job = recordTrial(**project, *settings, call.control());
+    if (!job)
+        return tl::unexpected(job.error());
+    const LiveTrial &recorded = **job;
+    const PairFigures &pairs = recorded.outcome().pairs;
     std::vector<double> errorsS;
     for (const double errorS : pairs.errorsS)
         errorsS.push_back(std::abs(errorS));
     const double medianMs = 1000 * percentile(errorsS, 50);
     QString words = QStringLiteral("Trial %1 recorded: %2 s, views: %3.")
-                        .arg(QString::fromStdString(job.trial().name))
-                        .arg(job.trial().durationS, 0, 'f', 2)
-                        .arg(job.recordings().size());
+                        .arg(QString::fromStdString(recorded.trial().name))
+                        .arg(recorded.trial().durationS, 0, 'f', 2)
+                        .arg(recorded.recordings().size());
     if (!errorsS.empty())
         words += QStringLiteral("\nPictures of one pair are %1 ms apart; at 1 m/s that is %1 mm, which the analysis takes into account.")
                      .arg(medianMs, 0, 'f', 1);
-    call.answer({{QStringLiteral("trial"), QString::fromStdString(job.trial().name)},
-                 {QStringLiteral("duration_s"), job.trial().durationS},
-                 {QStringLiteral("views"), viewsJson(job)},
+    call.answer({{QStringLiteral("trial"), QString::fromStdString(recorded.trial().name)},
+                 {QStringLiteral("duration_s"), recorded.trial().durationS},
+                 {QStringLiteral("views"), viewsJson(recorded, *settings)},
                  {QStringLiteral("pairs"), qint64(pairs.pairs)},
                  {QStringLiteral("unpaired"), qint64(pairs.unpaired)},
                  {QStringLiteral("pair_error_ms"),
@@ -96,7 +111,7 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
                               {QStringLiteral("p95"), 1000 * percentile(errorsS, 95)},
                               {QStringLiteral("max"), 1000 * percentile(errorsS, 100)}}}},
                 words);
-    for (const std::string &warning : job.warnings())
+    for (const std::string &warning : recorded.warnings())
         CommandCall::warn(warning);
     return {};
 }

@@ -111,6 +111,12 @@ Result<CameraRecord> CameraRepository::get(RecordId id) const
     return cameraOf(select);
 }
 
+Result<void> CameraRepository::removeUnused(RecordId id)
+{
+    Statement remove(m_connection, QStringLiteral("DELETE FROM camera WHERE id=?"));
+    return remove.bind(id).run(); // its references hold it
+}
+
 Result<IntrinsicsRecord> CameraRepository::addIntrinsics(const IntrinsicsRecord &intrinsics)
 {
     return transact(m_connection, [&]() -> Result<IntrinsicsRecord> {

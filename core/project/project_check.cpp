@@ -2,6 +2,7 @@
 #include "core/project/project_check.h"
 
 #include "core/project/connection.h"
+#include "core/project/recording_lock.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 
@@ -113,6 +114,12 @@ void checkTrial(Project &project, const TrialRecord &trial, const std::vector<Ro
     const auto recordings = project.trials().recordings(trial.id);
     if (!recordings) {
         problems.push_back({recordings.error().what + ": " + recordings.error().why, where, restoreAdvice});
+        return;
+    }
+    if (trial.unfinished) {
+        if (!RecordingLock::isHeld(project.mediaFolder()))
+            problems.push_back({"its recording was cut off; it is not complete yet", where,
+                                "open the project to write, which completes it: odograph record P.odo --recover"});
         return;
     }
     for (const RecordingRecord &recording : *recordings) {

@@ -77,6 +77,21 @@ Result<RecordId> addRecording(ProjectConnection &connection, const RecordingReco
     return id;
 }
 
+Result<void> updateRecording(ProjectConnection &connection, const RecordingRecord &recording)
+{
+    Statement update(connection,
+                     QStringLiteral("UPDATE recording SET position=?, sha256=?, bytes=?, width_px=?, height_px=?, frames_per_second=?, "
+                                    "start_offset_s=?, clock_rate=?, sync_method=?, start_offset_sigma_s=? WHERE id=?"));
+    update.bind(recording.position).bind(recording.sha256).bind(recording.bytes).bind(recording.widthPx).bind(recording.heightPx);
+    update.bind(recording.framesPerSecond).bind(recording.startOffsetS).bind(recording.clockRate).bind(recording.syncMethod);
+    if (auto done = update.bind(recording.startOffsetSigmaS).bind(recording.id).run(); !done)
+        return done;
+    Statement remove(connection, QStringLiteral("DELETE FROM frame_time_chunk WHERE recording_id=?"));
+    if (auto done = remove.bind(recording.id).run(); !done)
+        return done;
+    return addFrameTimes(connection, recording.id, recording.frameTimes);
+}
+
 Result<std::vector<RecordingRecord>> recordingsOf(const ProjectConnection &connection, RecordId trial)
 {
     std::vector<RecordingRecord> recordings;

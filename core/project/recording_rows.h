@@ -14,6 +14,8 @@ struct ProjectConnection;
 
 /// Recordings and their frame times as rows; TrialRepository's part of them.
 Result<RecordId> addRecording(ProjectConnection &connection, const RecordingRecord &recording);
+/// Position, file size and hash, picture size, rate, sync and frame times of a recording that is there, by its id.
+Result<void> updateRecording(ProjectConnection &connection, const RecordingRecord &recording);
 Result<std::vector<RecordingRecord>> recordingsOf(const ProjectConnection &connection, RecordId trial);
 
 /// How a path is stored: relative to the project's folder, with '/', when the file lies in it or below, so

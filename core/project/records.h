@@ -129,6 +129,7 @@ struct TrialRecord
     std::vector<std::string> robotNames; ///< read only, joined
     double durationS = 0;
     int viewCount = 0;            ///< read only
+    bool unfinished = false;      ///< read only: it is being recorded, or was when that was cut off; its recordings have raw times only
 };
 
 /// A video of one view of a trial. Frame times are kept here, whatever becomes of the file.

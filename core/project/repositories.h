@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "core/video/recorded_times.h"
 
 #include <map>
 #include <memory>
@@ -24,6 +25,8 @@ public:
     Result<std::vector<CameraRecord>> all() const;
     Result<CameraRecord> find(const std::string &name) const;
     Result<CameraRecord> get(RecordId id) const;
+    /// Removes a camera that nothing refers to; fails for any other.
+    Result<void> removeUnused(RecordId id);
     Result<IntrinsicsRecord> addIntrinsics(const IntrinsicsRecord &intrinsics);
     /// The one in force: the newest, unless another was chosen since. nullopt when the camera was never calibrated.
     Result<std::optional<IntrinsicsRecord>> currentIntrinsics(RecordId camera) const;
@@ -104,6 +107,19 @@ public:
     explicit TrialRepository(ProjectConnection &connection);
     /// A task of a name that is new becomes one without gates, path and limits.
     Result<TrialRecord> add(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings);
+    /// As add, of a trial whose recording begins now: its files need not be there yet, and its frame times come later.
+    Result<TrialRecord> begin(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings);
+    /// More of a view's raw times, of a trial that is unfinished. They are kept for ever.
+    Result<void> appendRawTimes(RecordId recording, const RecordedTimes &times);
+    /// Empty for a recording that was imported.
+    Result<RecordedTimes> rawTimes(RecordId recording) const;
+    /// How long it has been recorded by now.
+    Result<void> setDuration(RecordId trial, double durationS);
+    /// Ends the recording: what is known now about the trial's sync and duration and about its recordings, by their ids.
+    /// Of a recording that is not among them nothing came; its row goes. InvalidInput for a trial that is finished.
+    Result<void> complete(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings);
+    /// Removes an unfinished trial: of one that was given up, or that no picture was recorded of.
+    Result<void> removeUnfinished(RecordId trial);
     Result<std::vector<TrialRecord>> all() const; ///< newest first
     Result<TrialRecord> find(const std::string &name) const;
     Result<TrialRecord> get(RecordId id) const;

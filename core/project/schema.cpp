@@ -205,6 +205,22 @@ std::vector<std::string> chosenRevisions()
     };
 }
 
+/// A trial stands in the project while it is being recorded, with the raw times of its pictures, which are kept.
+std::vector<std::string> recordingsAsTheyAreMade()
+{
+    return {
+        "ALTER TABLE trial ADD COLUMN state TEXT NOT NULL DEFAULT 'complete'",
+        "CREATE TABLE raw_time_chunk (recording_id INTEGER NOT NULL REFERENCES recording(id), position INTEGER NOT NULL, "
+        "pictures BLOB NOT NULL, readings BLOB NOT NULL, PRIMARY KEY (recording_id, position))",
+        "CREATE TRIGGER raw_time_chunk_kept_on_update BEFORE UPDATE ON raw_time_chunk "
+        "BEGIN SELECT RAISE(ABORT, 'raw times are never changed'); END",
+        "CREATE TRIGGER raw_time_chunk_kept_on_delete BEFORE DELETE ON raw_time_chunk "
+        "WHEN (SELECT trial.state FROM recording JOIN trial ON trial.id=recording.trial_id "
+        "WHERE recording.id=OLD.recording_id)<>'recording' "
+        "BEGIN SELECT RAISE(ABORT, 'raw times are never deleted'); END",
+    };
+}
+
 } // namespace
 
 std::vector<Migration> projectMigrations()
@@ -215,7 +231,8 @@ std::vector<Migration> projectMigrations()
             sqlMigration("tasks with gates, a reference path and limits", tasks()),
             sqlMigration("how each view was put in step", viewsInStep()),
             sqlMigration("calibrations with their boards, corners and pictures", calibrationPictures()),
-            sqlMigration("revisions that are chosen, and checks of registrations", chosenRevisions())};
+            sqlMigration("revisions that are chosen, and checks of registrations", chosenRevisions()),
+            sqlMigration("trials while they are being recorded, and the raw times of their pictures", recordingsAsTheyAreMade())};
 }
 
 } // namespace odo

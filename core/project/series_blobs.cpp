@@ -10,6 +10,8 @@ namespace odo {
 namespace {
 
 constexpr BlobLayout timesLayout{'T', 1, 8};
+constexpr BlobLayout rawTimesLayout{'A', 1, 3 * 8};
+constexpr BlobLayout clockReadingsLayout{'K', 1, 3 * 8};
 constexpr BlobLayout observationsLayout{'O', 1, 8 + 8 + 1 + 10 * 8};
 constexpr BlobLayout samplesLayout{'S', 1, 8 + 8 + 1 + 8 * 8 + 4 + 8 + 4};
 constexpr BlobLayout pointsLayout{'P', 1, 1 + 12 * 8};
@@ -88,6 +90,50 @@ Result<void> unpackTimes(const QByteArray &bytes, const std::string &what, std::
         return tl::unexpected(reader.error());
     for (std::size_t i = 0; i < reader->rows(); ++i)
         appendTo.emplace_back(reader->take<std::int64_t>());
+    return {};
+}
+
+QByteArray packRawTimes(std::span<const RawTime> pictures)
+{
+    BlobWriter writer(rawTimesLayout, pictures.size());
+    putColumn(writer, pictures, [](const RawTime &picture) { return picture.sequence; });
+    putColumn(writer, pictures, [](const RawTime &picture) { return std::int64_t(picture.device.count()); });
+    putColumn(writer, pictures, [](const RawTime &picture) { return std::int64_t(picture.arrival.count()); });
+    return writer.take();
+}
+
+Result<void> unpackRawTimes(const QByteArray &bytes, const std::string &what, std::vector<RawTime> &appendTo)
+{
+    auto reader = BlobReader::open(bytes, rawTimesLayout, what);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    const std::size_t before = appendTo.size();
+    appendTo.resize(before + reader->rows());
+    const auto fresh = std::span(appendTo).subspan(before);
+    takeColumn<std::uint64_t>(*reader, fresh, [](RawTime &picture, std::uint64_t value) { picture.sequence = value; });
+    takeColumn<std::int64_t>(*reader, fresh, [](RawTime &picture, std::int64_t value) { picture.device = Nanoseconds(value); });
+    takeColumn<std::int64_t>(*reader, fresh, [](RawTime &picture, std::int64_t value) { picture.arrival = Nanoseconds(value); });
+    return {};
+}
+
+QByteArray packClockReadings(std::span<const ClockReading> readings)
+{
+    BlobWriter writer(clockReadingsLayout, readings.size());
+    for (const auto time : {&ClockReading::device, &ClockReading::before, &ClockReading::after})
+        putColumn(writer, readings, [time](const ClockReading &reading) { return std::int64_t((reading.*time).count()); });
+    return writer.take();
+}
+
+Result<void> unpackClockReadings(const QByteArray &bytes, const std::string &what, std::vector<ClockReading> &appendTo)
+{
+    auto reader = BlobReader::open(bytes, clockReadingsLayout, what);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    const std::size_t before = appendTo.size();
+    appendTo.resize(before + reader->rows());
+    const auto fresh = std::span(appendTo).subspan(before);
+    for (const auto time : {&ClockReading::device, &ClockReading::before, &ClockReading::after})
+        takeColumn<std::int64_t>(*reader, fresh, [time](ClockReading &reading, std::int64_t value) { reading.*time = Nanoseconds(value); });
     return {};
 }
 

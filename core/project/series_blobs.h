@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "core/video/recorded_times.h"
 
 #include <Eigen/Core>
 #include <QByteArray>
@@ -22,6 +23,12 @@ constexpr std::size_t rowsPerChunk = 8192;
 QByteArray packTimes(std::span<const Nanoseconds> times);
 Result<void> unpackTimes(const QByteArray &bytes, const std::string &what,
                          std::vector<Nanoseconds> &appendTo);
+
+QByteArray packRawTimes(std::span<const RawTime> pictures);
+Result<void> unpackRawTimes(const QByteArray &bytes, const std::string &what, std::vector<RawTime> &appendTo);
+
+QByteArray packClockReadings(std::span<const ClockReading> readings);
+Result<void> unpackClockReadings(const QByteArray &bytes, const std::string &what, std::vector<ClockReading> &appendTo);
 
 QByteArray packObservations(std::span<const Observation> observations);
 Result<void> unpackObservations(const QByteArray &bytes, const std::string &what,

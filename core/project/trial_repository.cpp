@@ -13,7 +13,7 @@ const QString trialColumns = QStringLiteral(
     "SELECT trial.id, trial.name, trial.team_id, team.name, class.name, task.name, date_ms, notes, "
     "sync_method, "
     "sync_offset_s, sync_offset_sigma_s, sync_score, duration_s, sync_rate, sync_rate_sigma, "
-    "(SELECT COUNT(*) FROM recording WHERE recording.trial_id=trial.id) "
+    "(SELECT COUNT(*) FROM recording WHERE recording.trial_id=trial.id), trial.state "
     "FROM trial LEFT JOIN team ON team.id=trial.team_id LEFT JOIN class ON class.id=team.class_id "
     "LEFT JOIN task ON task.id=trial.task_id ");
 
@@ -36,6 +36,7 @@ Result<TrialRecord> readTrial(const ProjectConnection &connection, const Stateme
     trial.syncRate = row.real(13);
     trial.syncRateSigma = row.real(14);
     trial.viewCount = row.smallInteger(15);
+    trial.unfinished = row.text(16) == "recording";
     Statement robots(connection, QStringLiteral("SELECT robot.id, robot.name FROM trial_robot JOIN robot "
                                                 "ON robot.id=trial_robot.robot_id WHERE trial_id=? "
                                                 "ORDER BY trial_robot.position"));

@@ -142,6 +142,7 @@ void MainWindow::connectJobs()
 {
     connect(m_workspace, &Workspace::aboutToClose, this, &MainWindow::closePages);
     connect(m_workspace, &Workspace::opened, this, &MainWindow::makePages);
+    connect(m_workspace, &Workspace::told, m_messages, &MessageBar::showDone);
     connect(m_workspace, &Workspace::jobStarted, m_job, &JobIndicator::begin);
     connect(m_workspace, &Workspace::jobProgressed, m_job, &JobIndicator::setProgress);
     connect(m_workspace, &Workspace::jobDone, m_job, &JobIndicator::end);

@@ -2,10 +2,14 @@
 #include "ui/main_window/workspace.h"
 
 #include "core/project/project.h"
+#include "core/project/repositories.h"
 #include "core/workflow/demo.h"
 #include "core/workflow/job.h"
 #include "core/workflow/job_runner.h"
+#include "core/workflow/recover_job.h"
 #include "ui/models/background_task.h"
+
+#include <algorithm>
 
 namespace odo {
 namespace {
@@ -41,7 +45,26 @@ Result<void> Workspace::open(const std::filesystem::path &file)
     if (!project)
         return tl::unexpected(project.error());
     adopt(std::move(*project), readOnly);
+    if (!readOnly)
+        recoverTrials();
     return {};
+}
+
+void Workspace::recoverTrials()
+{
+    const auto trials = m_project->trials().all();
+    if (!trials || std::ranges::none_of(*trials, &TrialRecord::unfinished))
+        return;
+    const auto job = std::make_shared<RecoverJob>();
+    const Result<void> started = start(job, tr("Completing a recording that was cut off"), [this, job] {
+        QStringList words;
+        for (const std::string &sentence : job->told())
+            words << QString::fromStdString(sentence);
+        if (!words.isEmpty())
+            Q_EMIT told(words.join(u'\n'));
+    });
+    if (!started)
+        Q_EMIT jobFailed(started.error());
 }
 
 Result<void> Workspace::create(const std::filesystem::path &file, const QString &title)

@@ -33,7 +33,8 @@ public:
     bool isBusy() const;
 
     /// Opens for writing or, where the place cannot be written to, for reading. The project that was open
-    /// stays when it fails. Refused while a job runs.
+    /// stays when it fails. Refused while a job runs. Trials whose recording was cut off are then
+    /// completed, by a job.
     Result<void> open(const std::filesystem::path &file);
     /// Makes a project and opens it.
     Result<void> create(const std::filesystem::path &file, const QString &title);
@@ -46,6 +47,8 @@ public:
     void cancel();
 
 Q_SIGNALS:
+    /// Something was done on opening that the user should know.
+    void told(const QString &words);
     void aboutToClose(); ///< project() is still the old one
     void opened();
     void jobStarted(const QString &words);
@@ -55,6 +58,7 @@ Q_SIGNALS:
     void jobFailed(const odo::Error &error);
 
 private:
+    void recoverTrials();
     void finishJob(const std::optional<Error> &error);
     void adopt(std::unique_ptr<Project> project, bool readOnly);
 

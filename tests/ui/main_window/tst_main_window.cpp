@@ -102,6 +102,7 @@ private Q_SLOTS:
     void saysThatATrialIsNotTracked();
     void showsProgressAndCancels();
     void finishesAJob();
+    void completesARecordingThatWasCutOff();
     void namesEverythingThatTakesFocus();
     void paintsThePicture_data();
     void paintsThePicture();
@@ -249,6 +250,23 @@ void TestMainWindow::finishesAJob()
     QTRY_VERIFY(done);
     QVERIFY(job->committed);
     QVERIFY(!window.workspace().isBusy());
+}
+
+void TestMainWindow::completesARecordingThatWasCutOff()
+{
+    const std::filesystem::path file = std::filesystem::path(m_project.string() + ".cut.odo");
+    {
+        const auto project = Project::create(file, "Cut off");
+        TrialRecord trial;
+        trial.name = "run";
+        QVERIFY((*project)->trials().begin(trial, {}));
+    }
+    MainWindow window;
+    QVERIFY(window.openProject(file));
+    QTRY_VERIFY(!window.workspace().isBusy());
+    QCOMPARE(window.findChild<MessageBar *>()->text(),
+             QStringLiteral("trial 'run': its recording was cut off; nothing of it had reached the disk, and it is left out: record it again"));
+    QVERIFY(window.workspace().project()->trials().all()->empty());
 }
 
 void TestMainWindow::namesEverythingThatTakesFocus()

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/live_trial.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/cameras.h"
+#include "core/workflow/media_copy.h"
+#include "core/workflow/recorded_views.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+namespace odo {
+
+namespace {
+
+constexpr double slowFromS = 1;
+
+std::string secondsText(double seconds)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f s", seconds);
+    return text;
+}
+
+std::string picturesText(std::uint64_t count)
+{
+    return std::to_string(count) + (count == 1 ? " picture was" : " pictures were");
+}
+
+} // namespace
+
+Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecord trial,
+                                                    const std::vector<std::string> &cameras,
+                                                    CaptureSession &session, Nanoseconds preRoll)
+{
+    auto lock = RecordingLock::take(project.mediaFolder());
+    if (!lock)
+        return tl::unexpected(lock.error());
+    std::shared_ptr<LiveTrial> live(new LiveTrial(session, std::move(*lock)));
+    live->m_trial = std::move(trial);
+    live->m_trial.date = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+    live->m_trial.syncMethod = "none";
+    if (auto added = project.inTransaction([&] { return live->addTo(project, cameras); }); !added)
+        return tl::unexpected(added.error());
+    std::vector<std::filesystem::path> files;
+    for (const View &view : live->m_views)
+        files.push_back(view.file);
+    session.startRecording(files, preRoll);
+    live->m_recording = true;
+    return live;
+}
+
+Result<void> LiveTrial::addTo(Project &project, const std::vector<std::string> &cameras)
+{
+    std::vector<RecordingRecord> records;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        const bool isNew = !project.cameras().find(cameras[i]);
+        const auto camera = findOrAddCamera(project, cameras[i]);
+        if (!camera)
+            return tl::unexpected(camera.error());
+        if (isNew)
+            m_newCameras.push_back(camera->id);
+        const CameraDescription &description = m_session.description(i);
+        View view;
+        view.file = freeMediaPath(project.mediaFolder(), m_trial.name + "_" + cameras[i], ".mkv");
+        view.record.camera = camera->id;
+        view.record.path = std::filesystem::absolute(view.file).string(); // stored relative to the project
+        view.record.widthPx = description.widthPx;
+        view.record.heightPx = description.heightPx;
+        view.record.framesPerSecond = description.framesPerSecond;
+        records.push_back(view.record);
+        m_views.push_back(std::move(view));
+    }
+    auto begun = project.trials().begin(m_trial, records);
+    if (!begun)
+        return tl::unexpected(begun.error());
+    m_trial = std::move(*begun);
+    const auto stored = project.trials().recordings(m_trial.id);
+    if (!stored)
+        return tl::unexpected(stored.error());
+    for (std::size_t i = 0; i < m_views.size(); ++i)
+        m_views[i].record = (*stored)[i];
+    return {};
+}
+
+LiveTrial::~LiveTrial()
+{
+    if (m_recording)
+        m_session.stopRecording();
+}
+
+Result<void> LiveTrial::append(Project &project)
+{
+    for (std::size_t i = 0; i < m_views.size(); ++i) {
+        View &view = m_views[i];
+        const RecordedTimes fresh = m_session.takeWritten(i);
+        if (fresh.pictures.empty())
+            continue;
+        if (view.pictures + view.pending.pictures.size() == 0)
+            view.first = fresh.pictures.front().arrival;
+        view.last = fresh.pictures.back().arrival;
+        view.pending.pictures.insert(view.pending.pictures.end(), fresh.pictures.begin(),
+                                     fresh.pictures.end());
+        view.pending.readings.insert(view.pending.readings.end(), fresh.readings.begin(),
+                                     fresh.readings.end());
+    }
+    return store(project);
+}
+
+/// What is pending, in one transaction.
+Result<void> LiveTrial::store(Project &project)
+{
+    const auto stored = project.inTransaction([&]() -> Result<void> {
+        for (const View &view : m_views) {
+            if (auto appended = project.trials().appendRawTimes(view.record.id, view.pending); !appended)
+                return appended;
+        }
+        return project.trials().setDuration(m_trial.id,
+                                            toSeconds(m_views.front().last - m_views.front().first));
+    });
+    if (!stored)
+        return stored;
+    for (View &view : m_views) {
+        view.pictures += view.pending.pictures.size();
+        view.readings += view.pending.readings.size();
+        view.pending = {};
+    }
+    return {};
+}
+
+Result<void> LiveTrial::prepare(Project &project)
+{
+    return append(project);
+}
+
+Result<void> LiveTrial::run(const JobControl &control)
+{
+    control.report(0, "writing the last pictures");
+    m_outcome = m_session.stopRecording();
+    m_recording = false;
+    std::vector<EndedView> ended;
+    for (std::size_t i = 0; i < m_views.size(); ++i) {
+        View &view = m_views[i];
+        const ViewRecording &outcome = m_outcome.views[i];
+        warnOf(outcome, view.record.cameraName);
+        const auto added = [](const auto &all, std::size_t stored) {
+            using Times = std::decay_t<decltype(all)>;
+            return Times(all.begin() + static_cast<std::ptrdiff_t>(std::min(stored, all.size())), all.end());
+        };
+        view.pending = {added(outcome.times.pictures, view.pictures),
+                        added(outcome.times.readings, view.readings)};
+        ended.push_back({view.record, view.file, outcome.taken, outcome.clockSigmaS});
+        if (outcome.taken.empty())
+            continue;
+        ended.back().record.widthPx = outcome.format.width;
+        ended.back().record.heightPx = outcome.format.height;
+    }
+    auto recordings = describeRecordings(ended, control);
+    if (!recordings)
+        return tl::unexpected(recordings.error());
+    m_recordings = std::move(*recordings);
+    return {};
+}
+
+Result<void> LiveTrial::commit(Project &project)
+{
+    if (m_recordings.empty()) {
+        const std::optional<Error> &problem = m_outcome.views.front().problem;
+        const std::string why = problem ? problem->why : "no camera gave a picture";
+        if (auto discarded = discard(project); !discarded)
+            return discarded;
+        return fail(ErrorCode::Io, "recording of trial '" + m_trial.name + "'", why,
+                    problem ? problem->advice
+                            : "check that they are connected and not used by another program");
+    }
+    const auto completed = project.inTransaction([&]() -> Result<void> {
+        for (const View &view : m_views) {
+            if (auto appended = project.trials().appendRawTimes(view.record.id, view.pending); !appended)
+                return appended;
+        }
+        describeTrial(m_trial, m_recordings);
+        return project.trials().complete(m_trial, m_recordings);
+    });
+    if (!completed)
+        return completed;
+    m_lock.reset();
+    auto trial = project.trials().get(m_trial.id);
+    if (!trial)
+        return tl::unexpected(trial.error());
+    m_trial = std::move(*trial);
+    return {};
+}
+
+Result<void> LiveTrial::discard(Project &project)
+{
+    if (m_recording)
+        m_session.stopRecording();
+    m_recording = false;
+    const auto removed = project.inTransaction([&]() -> Result<void> {
+        if (auto done = project.trials().removeUnfinished(m_trial.id); !done)
+            return done;
+        for (const RecordId camera : m_newCameras) {
+            if (auto done = project.cameras().removeUnused(camera); !done)
+                return done;
+        }
+        return {};
+    });
+    if (!removed)
+        return removed;
+    std::error_code ignored; // nothing more can be done for a file that cannot be removed
+    for (const View &view : m_views)
+        std::filesystem::remove(view.file, ignored);
+    m_lock.reset();
+    return {};
+}
+
+void LiveTrial::warnOf(const ViewRecording &view, const std::string &camera)
+{
+    const std::string who = "view '" + camera + "': ";
+    if (view.taken.empty())
+        m_warnings.push_back(who + "it is left out, because nothing was recorded of it" +
+                             (view.problem ? ": " + view.problem->message()
+                                           : "; check its cable, and whether another program uses it"));
+    else if (view.problem)
+        m_warnings.push_back(who + "it ended early, because " + view.problem->message());
+    for (const RecordingGap &gap : view.gaps)
+        m_warnings.push_back(who + "nothing came for " + secondsText(toSeconds(gap.length)) + ", because " +
+                             gap.why.message());
+    if (view.longestWaitS > slowFromS && view.lostByUs == 0)
+        m_warnings.push_back(who + "pictures waited up to " + secondsText(view.longestWaitS) +
+                             " for the disk, and none was lost; record to a faster disk");
+    if (view.lostByUs > 0)
+        m_warnings.push_back(who + picturesText(view.lostByUs) + " lost because the disk was too slow; " +
+                             "record to a faster disk, or fewer cameras at once");
+    if (view.lostOnWire > 0)
+        m_warnings.push_back(who + picturesText(view.lostOnWire) +
+                             " lost between the camera and this program; " +
+                             "check cable, bandwidth and what else this machine does");
+}
+
+} // namespace odo

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/record_trial.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <thread>
+
+namespace odo {
+
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto lookEach = 50ms, appendEach = 1000ms, longestStart = 10000ms;
+constexpr double longestS = 24 * 3600;
+
+std::string whatOf(const RecordSettings &settings)
+{
+    return "recording of trial '" + settings.trial + "'";
+}
+
+Result<void> checkSettings(Project &project, const RecordSettings &settings)
+{
+    const std::string what = whatOf(settings);
+    if (settings.cameras.empty())
+        return fail(ErrorCode::InvalidInput, what, "no camera was given",
+                    "give one or more, like --camera A=sim:A");
+    if (!(settings.seconds > 0 && settings.seconds <= longestS))
+        return fail(ErrorCode::InvalidInput, what, "it would take no time, or more than a day",
+                    "give the seconds, like 10");
+    if (project.trials().find(settings.trial))
+        return fail(ErrorCode::AlreadyExists, what, "the project has a trial of that name",
+                    "choose another name");
+    std::set<std::string> names, addresses;
+    for (const auto &[camera, address] : settings.cameras) {
+        if (!names.insert(camera).second || !addresses.insert(address).second)
+            return fail(ErrorCode::InvalidInput, what,
+                        "camera '" + camera + "' or its address '" + address + "' was given twice",
+                        "give each view its own camera");
+    }
+    return {};
+}
+
+Result<TrialRecord> newTrial(Project &project, const RecordSettings &settings)
+{
+    TrialRecord trial;
+    trial.name = settings.trial;
+    for (const std::string &name : settings.robots) {
+        const auto robot = project.robots().find(name);
+        if (!robot)
+            return tl::unexpected(robot.error());
+        trial.robots.push_back(robot->id);
+    }
+    return trial;
+}
+
+Result<std::vector<std::unique_ptr<CameraSource>>> openCameras(const RecordSettings &settings)
+{
+    std::vector<std::unique_ptr<CameraSource>> cameras;
+    for (const auto &[name, address] : settings.cameras) {
+        auto source = openCamera(address);
+        if (!source)
+            return tl::unexpected(source.error());
+        cameras.push_back(std::move(*source));
+    }
+    return cameras;
+}
+
+/// The time counts from when all cameras deliver, which may take them a moment.
+Result<void> waitForPictures(const CaptureSession &session, const RecordSettings &settings,
+                             const JobControl &control)
+{
+    const auto until = Clock::now() + longestStart;
+    for (;;) {
+        const std::vector<ViewHealth> views = session.health().views;
+        const auto silent = std::ranges::find(views, 0u, &ViewHealth::delivered);
+        if (silent == views.end())
+            return {};
+        if (control.isCancelled())
+            return cancelled(whatOf(settings));
+        if (silent->state == ViewHealth::State::Ended || Clock::now() > until)
+            return fail(ErrorCode::Io, whatOf(settings),
+                        "camera '" +
+                            settings.cameras[static_cast<std::size_t>(silent - views.begin())].first +
+                            "' gave no picture" +
+                            (silent->trouble ? ": " + silent->trouble->error.why : std::string()),
+                        "check that it is connected and not used by another program");
+        std::this_thread::sleep_for(lookEach);
+    }
+}
+
+/// Until its time is over, or nothing more can be recorded.
+Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSession &session,
+                           const RecordSettings &settings, const JobControl &control)
+{
+    const auto hasEnded = [](const ViewHealth &view) { return view.state == ViewHealth::State::Ended; };
+    const auto begun = Clock::now();
+    auto appended = begun;
+    for (;;) {
+        std::this_thread::sleep_for(lookEach);
+        const auto now = Clock::now();
+        const double passedS = std::chrono::duration<double>(now - begun).count();
+        control.report(std::min(1.0, passedS / settings.seconds), "recording");
+        const CaptureHealth health = session.health();
+        if (passedS >= settings.seconds || control.isCancelled() || health.disk.ended ||
+            std::ranges::any_of(health.views, hasEnded))
+            return {};
+        if (now - appended < appendEach)
+            continue;
+        appended = now;
+        if (auto kept = live.append(project); !kept)
+            return kept;
+    }
+}
+
+} // namespace
+
+Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSettings &settings,
+                                               const JobControl &control)
+{
+    if (auto checked = checkSettings(project, settings); !checked)
+        return tl::unexpected(checked.error());
+    auto trial = newTrial(project, settings);
+    if (!trial)
+        return tl::unexpected(trial.error());
+    auto cameras = openCameras(settings);
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    CaptureSession session(std::move(*cameras), {.preRoll = Nanoseconds(0)});
+    if (auto delivering = waitForPictures(session, settings, control); !delivering)
+        return tl::unexpected(delivering.error());
+    std::vector<std::string> names;
+    for (const auto &[name, address] : settings.cameras)
+        names.push_back(name);
+    auto live = LiveTrial::begin(project, std::move(*trial), names, session);
+    if (!live)
+        return live;
+    const auto kept = keepRecording(project, **live, session, settings, control);
+    if (control.isCancelled()) {
+        if (auto discarded = (*live)->discard(project); !discarded)
+            return tl::unexpected(discarded.error());
+        return cancelled(whatOf(settings));
+    }
+    // Where the project could not be written to, the end tries once more, with all that is missing.
+    if (auto ended = runToEnd(**live, project, control); !ended)
+        return tl::unexpected(kept ? ended.error() : kept.error());
+    return live;
+}
+
+} // namespace odo

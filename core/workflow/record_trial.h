@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/workflow/live_trial.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace odo {
+
+struct RecordSettings
+{
+    std::string trial;
+    std::vector<std::pair<std::string, std::string>>
+        cameras;         ///< camera's name and its address, first view first
+    double seconds = 10; ///< from when all cameras deliver
+    std::vector<std::string> robots;
+};
+
+/// Records a trial from cameras: every picture of every view to the disk, the views put in step by the
+/// cameras' clocks. Long, on the project's thread. One that is cancelled leaves nothing behind; one that ends
+/// early, because a file has ended or the disk fails, keeps what there is, and its warnings say so.
+Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSettings &settings,
+                                               const JobControl &control);
+
+} // namespace odo

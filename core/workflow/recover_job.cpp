@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/recover_job.h"
+
+#include "core/capture/recorded_clock.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/video/video_reader.h"
+#include "core/workflow/recorded_views.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace odo {
+
+namespace {
+
+/// The raw times of the pictures that are in the file: no more of them, and no fewer.
+void fit(std::vector<RawTime> &pictures, const std::vector<Nanoseconds> &fileTimes)
+{
+    if (fileTimes.empty())
+        return pictures.clear();
+    pictures.resize(std::min(pictures.size(), fileTimes.size()));
+    if (pictures.empty())
+        pictures.push_back({});
+    const RawTime last = pictures.back();
+    const Nanoseconds lastInFile = fileTimes[pictures.size() - 1];
+    for (std::size_t i = pictures.size(); i < fileTimes.size(); ++i) {
+        const Nanoseconds since = fileTimes[i] - lastInFile;
+        pictures.push_back({last.sequence, last.device + since, last.arrival + since});
+    }
+}
+
+} // namespace
+
+Result<void> RecoverJob::prepare(Project &project)
+{
+    const auto trials = project.trials().all();
+    if (!trials)
+        return tl::unexpected(trials.error());
+    if (std::ranges::none_of(*trials, &TrialRecord::unfinished))
+        return {};
+    auto lock = RecordingLock::take(project.mediaFolder());
+    if (!lock)
+        return lock.error().code == ErrorCode::AlreadyExists ? Result<void>() : tl::unexpected(lock.error());
+    m_lock = std::move(*lock);
+    for (const TrialRecord &trial : *trials) {
+        if (!trial.unfinished)
+            continue;
+        Unfinished unfinished{trial, {}, {}, {}};
+        const auto recordings = project.trials().recordings(trial.id);
+        if (!recordings)
+            return tl::unexpected(recordings.error());
+        for (const RecordingRecord &record : *recordings) {
+            auto times = project.trials().rawTimes(record.id);
+            if (!times)
+                return tl::unexpected(times.error());
+            unfinished.views.push_back({record, project.resolve(record), std::move(*times)});
+        }
+        m_trials.push_back(std::move(unfinished));
+    }
+    return {};
+}
+
+Result<void> RecoverJob::run(const JobControl &control)
+{
+    for (std::size_t i = 0; i < m_trials.size(); ++i) {
+        control.report(static_cast<double>(i) / static_cast<double>(m_trials.size()),
+                       "completing a recording that was cut off");
+        if (auto recovered = recover(m_trials[i], control); !recovered)
+            return recovered;
+    }
+    return {};
+}
+
+Result<void> RecoverJob::recover(Unfinished &unfinished, const JobControl &control)
+{
+    std::vector<EndedView> ended;
+    for (View &view : unfinished.views) {
+        std::error_code problem;
+        if (!view.times.pictures.empty() && !std::filesystem::exists(view.file, problem)) {
+            unfinished.missing = view.file.string();
+            return {};
+        }
+        const auto reader = VideoReader::open(view.file);
+        if (!reader)
+            continue; // it was cut off before a picture was on the disk
+        const VideoInfo &info = (*reader)->info();
+        EndedView one{view.record, view.file, {}, 0, !view.times.pictures.empty()};
+        fit(view.times.pictures, info.frameTimes);
+        DerivedTimes derived = deriveTimes(view.times);
+        one.taken = std::move(derived.taken);
+        one.clockSigmaS = derived.sigmaS;
+        one.record.widthPx = info.format.width;
+        one.record.heightPx = info.format.height;
+        ended.push_back(std::move(one));
+    }
+    auto recordings = describeRecordings(ended, control);
+    if (!recordings)
+        return tl::unexpected(recordings.error());
+    unfinished.recordings = std::move(*recordings);
+    return {};
+}
+
+Result<void> RecoverJob::commit(Project &project)
+{
+    for (Unfinished &unfinished : m_trials) {
+        if (auto completed = complete(project, unfinished); !completed)
+            return completed;
+    }
+    m_lock.reset();
+    return {};
+}
+
+Result<void> RecoverJob::complete(Project &project, Unfinished &unfinished)
+{
+    TrialRecord &trial = unfinished.trial;
+    const std::string who = "trial '" + trial.name + "': its recording was cut off; ";
+    if (!unfinished.missing.empty()) {
+        m_told.push_back(who + unfinished.missing +
+                         " is missing: put the file back in its place, and open the project again");
+        return {};
+    }
+    if (unfinished.recordings.empty()) {
+        m_told.push_back(who + "nothing of it had reached the disk, and it is left out: record it again");
+        return project.trials().removeUnfinished(trial.id);
+    }
+    describeTrial(trial, unfinished.recordings);
+    char words[96];
+    std::snprintf(words, sizeof words, "%.1f s of %zu %s are kept, all but the last second at most",
+                  trial.durationS, unfinished.recordings.size(),
+                  unfinished.recordings.size() == 1 ? "view" : "views");
+    m_told.push_back(who + words);
+    return project.trials().complete(trial, unfinished.recordings);
+}
+
+Result<std::vector<std::string>> recoverTrials(Project &project, const JobControl &control)
+{
+    RecoverJob job;
+    if (auto prepared = job.prepare(project); !prepared)
+        return tl::unexpected(prepared.error());
+    if (!job.isNeeded())
+        return std::vector<std::string>{};
+    if (auto done = job.run(control); !done)
+        return tl::unexpected(done.error());
+    if (auto done = job.commit(project); !done)
+        return tl::unexpected(done.error());
+    return job.told();
+}
+
+} // namespace odo

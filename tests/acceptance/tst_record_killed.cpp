@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recordings that are killed at random moments: the project opens, what was recorded plays, and no more than
+// the last second is missing. ODOGRAPH_KILLS says how many; 20 without it.
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/video/video_reader.h"
+#include "core/video/video_writer.h"
+#include "core/workflow/recover_job.h"
+
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QThread>
+#include <chrono>
+#include <random>
+
+using namespace odo;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// When to kill: so long after the program began, or after the first file of the recording was there.
+struct Moment
+{
+    bool recording;
+    int milliseconds;
+};
+
+constexpr int framesPerSecond = 30, killsAProject = 20;
+constexpr double clipS = 30;
+/// Of the last second at most; the clock of the file system's date is read some milliseconds before the first
+/// picture is recorded.
+constexpr double mostMissingS = 1.0;
+
+/// A clip for cameras that play it: noise, so that its pictures are of some size.
+Result<void> writeClip(const std::filesystem::path &file)
+{
+    const FrameFormat format{160, 96, 1, 1, ChromaSiting::Center, YuvMatrix::Bt601, true};
+    auto writer = VideoWriter::create(file, format, {.codec = VideoCodec::Mjpeg});
+    if (!writer)
+        return tl::unexpected(writer.error());
+    std::mt19937 random(1);
+    for (int i = 0; i < clipS * framesPerSecond; ++i) {
+        const auto buffer = std::make_shared<FrameBuffer>(format);
+        for (int y = 0; y < format.height; ++y)
+            std::generate_n(buffer->yRow(y), format.width,
+                            [&] { return static_cast<std::uint8_t>(random()); });
+        if (auto written =
+                (*writer)->write(FrameBuffer::toFrame(buffer, i, fromSeconds(i / double(framesPerSecond))));
+            !written)
+            return written;
+    }
+    return (*writer)->finish();
+}
+
+/// Every picture of the recording decodes, and each has its time.
+bool plays(const std::filesystem::path &file, std::size_t frames)
+{
+    const auto reader = VideoReader::open(file);
+    if (!reader || (*reader)->info().frameTimes.size() != frames)
+        return false;
+    for (std::size_t i = 0; i < frames; ++i) {
+        const auto frame = (*reader)->next();
+        if (!frame || !*frame)
+            return false;
+    }
+    return (*reader)->frameAt(static_cast<std::int64_t>(frames / 2)).has_value();
+}
+
+} // namespace
+
+class TestRecordKilled : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase()
+    {
+        for (const char *name : {"a.mkv", "b.mkv"})
+            QVERIFY(writeClip(file(QString::fromLatin1(name))).has_value());
+    }
+    void nothingIsLostButTheLastSecond();
+
+private:
+    std::filesystem::path file(const QString &name) const { return m_folder.filePath(name).toStdString(); }
+    Instant recordAndKill(const QString &project, const QString &trial, Moment moment) const;
+    void lookAt(const std::filesystem::path &project, const QString &trial, Instant killed);
+
+    QTemporaryDir m_folder;
+    int m_recovered = 0;
+    double m_mostMissingS = 0;
+};
+
+/// When it was killed.
+Instant TestRecordKilled::recordAndKill(const QString &project, const QString &trial, Moment moment) const
+{
+    QProcess program;
+    program.start(
+        qEnvironmentVariable("ODOGRAPH_PROGRAM"),
+        {QStringLiteral("record"), project, QStringLiteral("--trial"), trial, QStringLiteral("--camera"),
+         QStringLiteral("A=file:") + m_folder.filePath(QStringLiteral("a.mkv")), QStringLiteral("--camera"),
+         QStringLiteral("B=file:") + m_folder.filePath(QStringLiteral("b.mkv")), QStringLiteral("--seconds"),
+         QStringLiteral("25")});
+    program.waitForStarted();
+    const QString first =
+        QString(project).replace(QStringLiteral(".odo"), QStringLiteral(".media/%1_A.mkv").arg(trial));
+    if (moment.recording &&
+        !QTest::qWaitFor([&] { return QFile::exists(first) || program.state() == QProcess::NotRunning; },
+                         60000))
+        qWarning("no recording began within a minute");
+    QThread::msleep(
+        static_cast<unsigned long>(moment.milliseconds)); // the moment of the kill is what is tested
+    const auto now = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+    program.kill();
+    program.waitForFinished();
+    if (program.exitStatus() != QProcess::CrashExit)
+        qWarning("it had ended by itself: %s", program.readAllStandardError().constData());
+    return now;
+}
+
+void TestRecordKilled::lookAt(const std::filesystem::path &projectFile, const QString &trial, Instant killed)
+{
+    const auto project = Project::open(projectFile, Project::Access::ReadWrite);
+    QVERIFY2(project, project ? "" : project.error().message().c_str());
+    const auto cut = (*project)->trials().find(trial.toStdString());
+    if (!cut)
+        return; // it was killed before it began
+    const double recordedS = std::chrono::duration<double>(killed - cut->date).count();
+    const auto told = recoverTrials(**project, {});
+    QVERIFY2(told, told ? "" : told.error().message().c_str());
+    QCOMPARE(told->size(), std::size_t(1));
+    const auto problems = (*project)->check(true);
+    QVERIFY2(problems && problems->empty(),
+             problems && !problems->empty() ? problems->front().what.c_str() : "");
+    const auto kept = (*project)->trials().find(trial.toStdString());
+    if (!kept) {
+        QVERIFY2(recordedS < mostMissingS, qPrintable(QString::number(recordedS)));
+        return;
+    }
+    ++m_recovered;
+    const auto recordings = (*project)->trials().recordings(kept->id);
+    QVERIFY(recordings && !recordings->empty());
+    for (const RecordingRecord &recording : *recordings) {
+        QVERIFY2(plays((*project)->resolve(recording), recording.frameTimes.size()), recording.path.c_str());
+        QVERIFY(std::ranges::is_sorted(recording.frameTimes));
+        const double missingS = recordedS - toSeconds(recording.frameTimes.back());
+        m_mostMissingS = std::max(m_mostMissingS, missingS);
+        QVERIFY2(missingS <= mostMissingS, qPrintable(QString::number(missingS)));
+    }
+}
+
+void TestRecordKilled::nothingIsLostButTheLastSecond()
+{
+    const int kills = qEnvironmentVariableIntValue("ODOGRAPH_KILLS") > 0
+                          ? qEnvironmentVariableIntValue("ODOGRAPH_KILLS")
+                          : 20;
+    std::mt19937 random(20);
+    QString project;
+    for (int i = 0; i < kills; ++i) {
+        if (i % killsAProject == 0) {
+            project = m_folder.filePath(QStringLiteral("p%1.odo").arg(i / killsAProject));
+            QVERIFY(Project::create(project.toStdString(), "Killed").has_value());
+        }
+        const QString trial = QStringLiteral("run%1").arg(i);
+        const bool recording = i % 5 != 0; // every fifth is killed while it begins
+        const Moment moment{recording, std::uniform_int_distribution(0, recording ? 1600 : 500)(random)};
+        const Instant killed = recordAndKill(project, trial, moment);
+        lookAt(project.toStdString(), trial, killed);
+        if (QTest::currentTestFailed()) {
+            QFAIL(qPrintable(QStringLiteral("kill %1").arg(i)));
+        }
+        if ((i + 1) % 100 == 0)
+            qInfo("%d kills, %d recordings recovered, at most %.2f s missing", i + 1, m_recovered,
+                  m_mostMissingS);
+    }
+    qInfo("%d kills, %d recordings recovered, at most %.2f s missing", kills, m_recovered, m_mostMissingS);
+    QVERIFY(m_recovered > kills / 2);
+}
+
+QTEST_GUILESS_MAIN(TestRecordKilled)
+#include "tst_record_killed.moc"

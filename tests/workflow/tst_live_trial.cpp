@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/video/video_reader.h"
+#include "core/workflow/live_trial.h"
+#include "core/workflow/recover_job.h"
+#include "tests/capture/played_camera.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr int lot = 30; ///< so many find room at once, however slow this machine is just now
+
+/// A project, and two cameras; B takes its pictures 7 ms later by a clock that began an hour before A's.
+struct Sitting
+{
+    Sitting()
+        : project(std::move(*Project::create(folder.filePath(QStringLiteral("p.odo")).toStdString(), "Live")))
+    {
+        const Nanoseconds beginning = std::chrono::steady_clock::now().time_since_epoch();
+        std::vector<std::unique_ptr<CameraSource>> cameras;
+        cameras.push_back(std::make_unique<PlayedCamera>(a, PlayedCamera::Kind{.beginning = beginning}));
+        cameras.push_back(std::make_unique<PlayedCamera>(
+            b, PlayedCamera::Kind{.beginning = beginning, .clockStart = -3600s, .phase = 7ms}));
+        session = std::make_unique<CaptureSession>(std::move(cameras), CaptureSettings{0s});
+    }
+    Result<std::shared_ptr<LiveTrial>> begin()
+    {
+        TrialRecord trial;
+        trial.name = "run";
+        return LiveTrial::begin(*project, trial, {"A", "B"}, *session);
+    }
+    /// Has both cameras take a lot more, and waits until it stands in the project.
+    void record(LiveTrial &live, std::size_t lots)
+    {
+        a->pictures(lot);
+        b->pictures(lot);
+        for (const char *camera : {"A", "B"})
+            QTRY_VERIFY(live.append(*project) && rawTimes(camera).pictures.size() == lots * lot);
+    }
+    RecordedTimes rawTimes(const char *camera) const
+    {
+        const auto recordings = project->trials().recordings(trial().id);
+        for (const RecordingRecord &record : *recordings) {
+            if (record.cameraName == camera)
+                return *project->trials().rawTimes(record.id);
+        }
+        return {};
+    }
+    TrialRecord trial() const { return project->trials().find("run").value_or(TrialRecord()); }
+    QStringList media() const
+    {
+        return QDir(folder.filePath(QStringLiteral("p.media"))).entryList({QStringLiteral("*.mkv")});
+    }
+
+    QTemporaryDir folder;
+    std::unique_ptr<Project> project;
+    std::shared_ptr<Script> a = std::make_shared<Script>(), b = std::make_shared<Script>();
+    std::unique_ptr<CaptureSession> session;
+};
+
+} // namespace
+
+class TestLiveTrial : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void standsInTheProjectFromItsBeginning();
+    void oneThatIsGivenUpLeavesNothingBehind();
+    void aViewWithoutPicturesIsLeftOut();
+    void withoutAnyPictureItFails();
+    void whatWasCutOffIsRecovered();
+    void whatIsBeingRecordedIsLeftAlone();
+    void aMissingFileIsWaitedFor();
+    void picturesWithoutStoredTimesGetTheirsFromTheFile();
+};
+
+void TestLiveTrial::standsInTheProjectFromItsBeginning()
+{
+    Sitting sitting;
+    const auto live = sitting.begin();
+    QVERIFY(live);
+    QVERIFY(sitting.trial().unfinished);
+    QCOMPARE(sitting.trial().viewCount, 2);
+    sitting.record(**live, 1);
+    QVERIFY(std::abs(sitting.trial().durationS - 29 * 0.033) < 1e-6);
+    QVERIFY(sitting.project->check(true)->empty()); // while it goes on, all is as it should be
+    sitting.record(**live, 2);
+    QVERIFY(runToEnd(**live, *sitting.project, {}));
+    QVERIFY((*live)->warnings().empty());
+    const TrialRecord trial = sitting.trial();
+    QVERIFY(!trial.unfinished);
+    QVERIFY(std::abs(trial.durationS - 59 * 0.033) < 1e-6);
+    QCOMPARE(trial.syncMethod, std::string("clock"));
+    QVERIFY(std::abs(trial.syncOffsetS - 0.007) < 1e-6);
+    QCOMPARE(sitting.project->trials().recordings(trial.id)->back().frameTimes.size(), std::size_t(2 * lot));
+    QCOMPARE(sitting.rawTimes("B").pictures.front().device, Nanoseconds(3600s + 7ms));
+    QVERIFY(sitting.project->check(true)->empty());
+    QCOMPARE((*live)->commit(*sitting.project).error().why, std::string("its recording has ended already"));
+    QVERIFY(!sitting.project->trials().removeUnfinished(trial.id));
+}
+
+void TestLiveTrial::oneThatIsGivenUpLeavesNothingBehind()
+{
+    Sitting sitting;
+    const auto live = sitting.begin();
+    sitting.record(**live, 1);
+    QVERIFY((*live)->discard(*sitting.project));
+    QVERIFY(sitting.project->trials().all()->empty());
+    QVERIFY(sitting.project->cameras().all()->empty());
+    QVERIFY(sitting.media().empty());
+    QVERIFY(sitting.begin()); // the next one may begin
+}
+
+void TestLiveTrial::aViewWithoutPicturesIsLeftOut()
+{
+    Sitting sitting;
+    const auto live = sitting.begin();
+    sitting.b->pictures(10);
+    QTRY_COMPARE(sitting.session->health().views[1].delivered, 10u);
+    QVERIFY(runToEnd(**live, *sitting.project, {}));
+    QCOMPARE((*live)->warnings().size(), std::size_t(1));
+    QVERIFY((*live)->warnings().front().starts_with(
+        "view 'A': it is left out, because nothing was recorded of it"));
+    const auto recordings = sitting.project->trials().recordings(sitting.trial().id);
+    QCOMPARE(recordings->size(), std::size_t(1));
+    QCOMPARE(recordings->front().cameraName, std::string("B"));
+    QCOMPARE(recordings->front().position, 0);
+    QCOMPARE(recordings->front().frameTimes.size(), std::size_t(10));
+}
+
+void TestLiveTrial::withoutAnyPictureItFails()
+{
+    Sitting sitting;
+    const auto live = sitting.begin();
+    const auto ended = runToEnd(**live, *sitting.project, {});
+    QCOMPARE(ended.error().message(),
+             std::string("recording of trial 'run': no camera gave a picture; check that they are connected "
+                         "and not used by another program"));
+    QVERIFY(sitting.project->trials().all()->empty());
+}
+
+void TestLiveTrial::whatWasCutOffIsRecovered()
+{
+    Sitting sitting;
+    {
+        const auto live = sitting.begin();
+        sitting.record(**live, 1);
+    } // as a kill would leave it: never completed
+    QVERIFY(sitting.trial().unfinished);
+    QCOMPARE(sitting.project->check(false)->size(), std::size_t(1));
+    const auto told = recoverTrials(*sitting.project, {});
+    QVERIFY(told);
+    QCOMPARE(*told, std::vector<std::string>{"trial 'run': its recording was cut off; 1.0 s of 2 views are "
+                                             "kept, all but the last second at most"});
+    const TrialRecord trial = sitting.trial();
+    QVERIFY(!trial.unfinished);
+    QVERIFY(std::abs(trial.syncOffsetS - 0.007) < 1e-6);
+    const auto recordings = sitting.project->trials().recordings(trial.id);
+    for (const RecordingRecord &record : *recordings)
+        QCOMPARE(record.frameTimes.size(), std::size_t(lot));
+    QVERIFY(sitting.project->check(true)->empty());
+    QVERIFY(recoverTrials(*sitting.project, {})->empty()); // once
+}
+
+void TestLiveTrial::whatIsBeingRecordedIsLeftAlone()
+{
+    Sitting sitting;
+    const auto live = sitting.begin();
+    sitting.record(**live, 1);
+    QVERIFY(recoverTrials(*sitting.project, {})->empty());
+    QVERIFY(sitting.trial().unfinished);
+    TrialRecord second;
+    second.name = "second";
+    QCOMPARE(LiveTrial::begin(*sitting.project, second, {"A", "B"}, *sitting.session).error().why,
+             std::string("a trial is being recorded into it just now"));
+}
+
+void TestLiveTrial::aMissingFileIsWaitedFor()
+{
+    Sitting sitting;
+    {
+        const auto live = sitting.begin();
+        sitting.record(**live, 1);
+    }
+    const std::filesystem::path folder = sitting.project->mediaFolder();
+    std::filesystem::rename(folder / "run_B.mkv", folder / "away");
+    const auto told = recoverTrials(*sitting.project, {});
+    QVERIFY(told && told->size() == 1 &&
+            told->front().find("run_B.mkv is missing: put the file back") != std::string::npos);
+    QVERIFY(sitting.trial().unfinished);
+    std::filesystem::rename(folder / "away", folder / "run_B.mkv");
+    QVERIFY(recoverTrials(*sitting.project, {}));
+    QCOMPARE(sitting.trial().viewCount, 2);
+    QVERIFY(!sitting.trial().unfinished);
+}
+
+void TestLiveTrial::picturesWithoutStoredTimesGetTheirsFromTheFile()
+{
+    Sitting sitting;
+    {
+        const auto live = sitting.begin();
+        sitting.record(**live, 1);
+        sitting.a->pictures(lot); // on the disk, and not in the project
+        QTRY_COMPARE(sitting.session->health().views[0].delivered, std::uint64_t(2 * lot));
+    }
+    QVERIFY(recoverTrials(*sitting.project, {}));
+    const auto recordings = sitting.project->trials().recordings(sitting.trial().id);
+    QCOMPARE(recordings->front().frameTimes.size(), std::size_t(2 * lot));
+    QCOMPARE(recordings->back().frameTimes.size(), std::size_t(lot));
+    for (std::size_t i = 0; i < 2 * lot;
+         ++i) // the file knows them to half a millisecond, at each end of a difference
+        QVERIFY(std::abs(toSeconds(recordings->front().frameTimes[i]) - 0.033 * double(i)) < 0.0011);
+    QCOMPARE(sitting.rawTimes("A").pictures.size(), std::size_t(lot)); // what is not known is not made up
+}
+
+QTEST_GUILESS_MAIN(TestLiveTrial)
+#include "tst_live_trial.moc"
