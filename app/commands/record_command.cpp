@@ -9,8 +9,9 @@ namespace odo {
 
 namespace {
 
-const QString trial = QStringLiteral("trial"), camera = QStringLiteral("camera"), seconds = QStringLiteral("seconds"),
-              robot = QStringLiteral("robot"), recover = QStringLiteral("recover");
+const QString trial = QStringLiteral("trial"), camera = QStringLiteral("camera"),
+              seconds = QStringLiteral("seconds"), robot = QStringLiteral("robot"),
+              recover = QStringLiteral("recover");
 
 /// Opening has completed what was cut off, and said so.
 Result<void> answerRecover(const CommandCall &call)
@@ -18,7 +19,8 @@ Result<void> answerRecover(const CommandCall &call)
     const auto project = call.openProject(0, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
-    call.answer({{QStringLiteral("project"), call.positional(0)}}, QStringLiteral("No recording is left that was cut off."));
+    call.answer({{QStringLiteral("project"), call.positional(0)}},
+                QStringLiteral("No recording is left that was cut off."));
     return {};
 }
 
@@ -44,19 +46,34 @@ Result<RecordSettings> settingsFrom(const CommandCall &call)
     return settings;
 }
 
+double rateOf(const ViewRecording &view)
+{
+    const double lengthS = view.taken.empty() ? 0 : toSeconds(view.taken.back() - view.taken.front());
+    return lengthS > 0 ? double(view.taken.size() - 1) / lengthS : 0;
+}
+
+/// "A: 300 pictures, 30.0 a second, none lost", on a line of its own.
+QString viewWords(const QString &name, const ViewRecording &view)
+{
+    const std::uint64_t lost = view.lostOnWire + view.lostByUs;
+    return QStringLiteral("\nView %1: %2 pictures, %3 a second, %4 lost.")
+        .arg(name)
+        .arg(view.taken.size())
+        .arg(rateOf(view), 0, 'f', 1)
+        .arg(lost == 0 ? QStringLiteral("none") : QString::number(lost));
+}
+
 QJsonObject viewsJson(const LiveTrial &recorded, const RecordSettings &settings)
 {
     QJsonObject views;
     for (std::size_t i = 0; i < settings.cameras.size(); ++i) {
         const ViewRecording &view = recorded.outcome().views[i];
-        const double lengthS = view.taken.empty() ? 0 : toSeconds(view.taken.back() - view.taken.front());
-        const double rate = lengthS > 0 ? double(view.taken.size() - 1) / lengthS : 0;
         views.insert(QString::fromStdString(settings.cameras[i].first),
                      QJsonObject{{QStringLiteral("frames"), qint64(view.frames)},
                                  {QStringLiteral("recorded"), qint64(view.taken.size())},
                                  {QStringLiteral("lost_on_wire"), qint64(view.lostOnWire)},
                                  {QStringLiteral("lost_by_us"), qint64(view.lostByUs)},
-                                 {QStringLiteral("fps"), rate},
+                                 {QStringLiteral("fps"), rateOf(view)},
                                  {QStringLiteral("latency_p99_ms"), 1000 * percentile(view.latenciesS, 99)}});
     }
     return views;
@@ -66,15 +83,21 @@ QJsonObject viewsJson(const LiveTrial &recorded, const RecordSettings &settings)
 
 Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
 {
-    CommandCall call({QStringLiteral("record"),
-                      QStringLiteral("P.odo --trial NAME --camera A=URI [--camera B=URI]... [--seconds 10] [--robot R]... [--json], or P.odo --recover"),
-                      1, 1,
-                      {{trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
-                       {camera, QStringLiteral("A view: the camera's name and its address; see odograph cameras."), QStringLiteral("CAMERA=URI")},
-                       {seconds, QStringLiteral("How long, from when all cameras deliver."), QStringLiteral("SECONDS")},
-                       {robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
-                       {recover, QStringLiteral("Records nothing: completes recordings that were cut off, as every writing command does.")}}},
-                     cancel);
+    CommandCall call(
+        {QStringLiteral("record"),
+         QStringLiteral("P.odo --trial NAME --camera A=URI [--camera B=URI]... [--seconds 10] [--robot R]... "
+                        "[--json], or P.odo --recover"),
+         1,
+         1,
+         {{trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
+          {camera, QStringLiteral("A view: the camera's name and its address; see odograph cameras."),
+           QStringLiteral("CAMERA=URI")},
+          {seconds, QStringLiteral("How long, from when all cameras deliver."), QStringLiteral("SECONDS")},
+          {robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
+          {recover,
+           QStringLiteral(
+               "Records nothing: completes recordings that were cut off, as every writing command does.")}}},
+        cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (call.isSet(recover))
@@ -94,13 +117,14 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
     for (const double errorS : pairs.errorsS)
         errorsS.push_back(std::abs(errorS));
     const double medianMs = 1000 * percentile(errorsS, 50);
-    QString words = QStringLiteral("Trial %1 recorded: %2 s, views: %3.")
+    QString words = QStringLiteral("Trial %1 recorded: %2 s.")
                         .arg(QString::fromStdString(recorded.trial().name))
-                        .arg(recorded.trial().durationS, 0, 'f', 2)
-                        .arg(recorded.recordings().size());
+                        .arg(recorded.trial().durationS, 0, 'f', 2);
+    for (std::size_t i = 0; i < settings->cameras.size(); ++i)
+        words += viewWords(QString::fromStdString(settings->cameras[i].first), recorded.outcome().views[i]);
     if (!errorsS.empty())
-        words += QStringLiteral("\nPictures of one pair are %1 ms apart; at 1 m/s that is %1 mm, which the analysis takes into account.")
-                     .arg(medianMs, 0, 'f', 1);
+        words += QStringLiteral("\nThe views are %1, which the analysis takes into account.")
+                     .arg(QString::fromStdString(inStepWords(percentile(errorsS, 95))));
     call.answer({{QStringLiteral("trial"), QString::fromStdString(recorded.trial().name)},
                  {QStringLiteral("duration_s"), recorded.trial().durationS},
                  {QStringLiteral("views"), viewsJson(recorded, *settings)},

@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/disk_watch.h"
 
+#include <algorithm>
+
 namespace odo {
 
-std::optional<std::uint64_t> freeBytesOf(const std::filesystem::path &folder)
+std::optional<DiskRoom> diskRoomOf(const std::filesystem::path &folder)
 {
     std::error_code problem;
     const std::filesystem::space_info space = std::filesystem::space(folder, problem);
     if (problem)
         return std::nullopt;
-    return space.available;
+    return DiskRoom{space.available, space.capacity};
+}
+
+std::uint64_t DiskWatch::reserved(const DiskRoom &room) const
+{
+    return std::min(mostReserved, room.size / 20);
+}
+
+std::uint64_t DiskWatch::left(const DiskRoom &room) const
+{
+    return room.free - std::min(room.free, reserved(room));
 }
 
 } // namespace odo

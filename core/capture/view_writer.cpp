@@ -144,16 +144,20 @@ Result<void> ViewWriter::checkSpace()
     if (m_spaceChecked && now - *m_spaceChecked < checkEach)
         return {};
     m_spaceChecked = now;
-    const std::optional<std::uint64_t> left = m_disk.freeBytes(m_recording.file.parent_path());
+    const std::optional<DiskRoom> room = m_disk.room(m_recording.file.parent_path());
+    if (!room)
+        return {};
+    const std::uint64_t left = m_disk.left(*room);
     {
         const std::lock_guard lock(m_mutex);
-        m_freeBytes = left;
+        m_bytesLeft = left;
     }
-    if (!left || *left >= m_disk.reserveBytes)
+    if (left > 0)
         return {};
     char why[96];
     std::snprintf(why, sizeof why, "its disk has only %.0f MB left, of which %.0f are kept free",
-                  static_cast<double>(*left) / megabyte, static_cast<double>(m_disk.reserveBytes) / megabyte);
+                  static_cast<double>(room->free) / megabyte,
+                  static_cast<double>(m_disk.reserved(*room)) / megabyte);
     return odo::fail(ErrorCode::Io, "the recording " + m_recording.file.filename().string(), why,
                      "make room, or move the project to another disk; what was recorded so far is kept");
 }
@@ -205,10 +209,9 @@ ViewWriter::State ViewWriter::state(Nanoseconds now) const
     state.bytes = m_bytes;
     state.lost = m_recording.lostByUs;
     state.problem = m_recording.problem;
-    if (m_freeBytes && state.recordedS >= rateKnownFromS)
+    if (m_bytesLeft && state.recordedS >= rateKnownFromS)
         state.secondsLeft =
-            std::max(0.0, static_cast<double>(*m_freeBytes) - static_cast<double>(m_disk.reserveBytes)) /
-            (static_cast<double>(m_bytes) / state.recordedS);
+            static_cast<double>(*m_bytesLeft) / (static_cast<double>(m_bytes) / state.recordedS);
     if (m_writing && now - *m_writing > slowFrom) {
         char why[96];
         std::snprintf(

@@ -85,7 +85,7 @@ private:
     std::size_t m_waitingBytes = 0;
     bool m_closed = false, m_writingFailed = false;
     std::uint64_t m_bytes = 0;
-    std::optional<std::uint64_t> m_freeBytes;
+    std::optional<std::uint64_t> m_bytesLeft;
     std::optional<Nanoseconds> m_writing; ///< since when the picture that is being written has waited
     std::optional<std::uint64_t> m_lastSequence;
     std::optional<Nanoseconds> m_firstArrival, m_lastArrival; ///< of what was written

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -18,6 +19,7 @@ private Q_SLOTS:
     void listsTheSimulatedCameras();
     void recordsTwoCamerasAndTracksThem();
     void aFileThatEndsKeepsWhatThereIs();
+    void saysItInWords();
     void badCallsFailInOneLine_data();
     void badCallsFailInOneLine();
 
@@ -51,7 +53,8 @@ void TestRecord::listsTheSimulatedCameras()
 
 void TestRecord::recordsTwoCamerasAndTracksThem()
 {
-    const ProgramRun recorded = run("record %/p.odo --trial live --camera A=sim:A --camera B=sim:B --seconds 1 --robot blue --json");
+    const ProgramRun recorded =
+        run("record %/p.odo --trial live --camera A=sim:A --camera B=sim:B --seconds 1 --robot blue --json");
     QVERIFY2(recorded.exitStatus == 0, recorded.err);
     const QJsonObject answer = recorded.json(), views = answer.value(QStringLiteral("views")).toObject();
     QVERIFY(answer.value(QStringLiteral("duration_s")).toDouble() > 0.5);
@@ -59,14 +62,18 @@ void TestRecord::recordsTwoCamerasAndTracksThem()
         const QJsonObject view = views.value(QLatin1String(name)).toObject();
         const double frames = view.value(QStringLiteral("frames")).toDouble();
         QVERIFY(frames > 0);
-        QCOMPARE(view.value(QStringLiteral("recorded")).toDouble() + view.value(QStringLiteral("lost_by_us")).toDouble(), frames);
+        QCOMPARE(view.value(QStringLiteral("recorded")).toDouble() +
+                     view.value(QStringLiteral("lost_by_us")).toDouble(),
+                 frames);
         QVERIFY(view.contains(QStringLiteral("lost_on_wire")));
         QVERIFY(view.value(QStringLiteral("latency_p99_ms")).toDouble() >= 0);
     }
     QVERIFY(answer.value(QStringLiteral("pairs")).toInt() > 0);
     QVERIFY(answer.contains(QStringLiteral("unpaired")));
     // Both see one testbed at the same times: what is left is how well their clocks are known.
-    QVERIFY(answer.value(QStringLiteral("pair_error_ms")).toObject().value(QStringLiteral("median")).toDouble() < 15);
+    QVERIFY(
+        answer.value(QStringLiteral("pair_error_ms")).toObject().value(QStringLiteral("median")).toDouble() <
+        15);
     QCOMPARE(run("check %/p.odo").exitStatus, 0);
     const ProgramRun tracked = run("track %/p.odo live --json");
     QVERIFY(tracked.exitStatus == 1); // the cameras are not registered
@@ -75,12 +82,33 @@ void TestRecord::recordsTwoCamerasAndTracksThem()
 
 void TestRecord::aFileThatEndsKeepsWhatThereIs()
 {
-    const QStringList made = QDir(m_folder.filePath(QStringLiteral("p.media"))).entryList({QStringLiteral("live_A*.mkv")});
+    const QStringList made =
+        QDir(m_folder.filePath(QStringLiteral("p.media"))).entryList({QStringLiteral("live_A*.mkv")});
     QCOMPARE(made.size(), 1);
-    const ProgramRun recorded = run(("record %/p.odo --trial again --camera A=file:%/p.media/" + made.first().toUtf8() + " --seconds 60 --json").constData());
+    const ProgramRun recorded = run(("record %/p.odo --trial again --camera A=file:%/p.media/" +
+                                     made.first().toUtf8() + " --seconds 60 --json")
+                                        .constData());
     QVERIFY2(recorded.exitStatus == 0, recorded.err);
     QVERIFY2(recorded.err.contains("the video has ended"), recorded.err);
     QVERIFY(recorded.json().value(QStringLiteral("duration_s")).toDouble() > 0.5);
+}
+
+void TestRecord::saysItInWords()
+{
+    const ProgramRun recorded =
+        run("record %/p.odo --trial words --camera A=sim:A --camera B=sim:B --seconds 0.5");
+    QVERIFY2(recorded.exitStatus == 0, recorded.err);
+    const QString words = QString::fromUtf8(recorded.out);
+    static const QRegularExpression sentences(
+        QStringLiteral("^Trial words recorded: [\\d.]+ s\\.\nView A: \\d+ pictures, [\\d.]+ a second, "
+                       "(none|\\d+) lost\\.\nView B: .*\n"
+                       "The views are in step to ([\\d.]+) ms; at 2 m/s that is ([\\d.]+) mm, which the "
+                       "analysis takes into account\\.\n$"));
+    const QRegularExpressionMatch match = sentences.match(words);
+    QVERIFY2(match.hasMatch(), qPrintable(words));
+    QVERIFY(std::abs(match.captured(3).toDouble() - 2 * match.captured(2).toDouble()) <
+            0.16); // each rounded to a tenth
+    QCOMPARE(run("record %/p.odo --recover").out, QByteArray("No recording is left that was cut off.\n"));
 }
 
 void TestRecord::badCallsFailInOneLine_data()
@@ -88,7 +116,9 @@ void TestRecord::badCallsFailInOneLine_data()
     QTest::addColumn<QByteArray>("line");
     QTest::addColumn<int>("status");
     QTest::addColumn<QByteArray>("words");
-    const auto row = [](const char *line, int status, const char *words) { QTest::newRow(line) << QByteArray(line) << status << QByteArray(words); };
+    const auto row = [](const char *line, int status, const char *words) {
+        QTest::newRow(line) << QByteArray(line) << status << QByteArray(words);
+    };
     row("record %/p.odo --trial x", 2, "--camera is missing");
     row("record %/p.odo --camera A=sim:A", 2, "--trial is missing");
     row("record %/p.odo --trial x --camera sim:A", 2, "--camera");
@@ -106,7 +136,9 @@ void TestRecord::badCallsFailInOneLine()
     QFETCH(QByteArray, line);
     QFETCH(int, status);
     QFETCH(QByteArray, words);
-    const auto media = [this] { return QDir(m_folder.filePath(QStringLiteral("p.media"))).entryList(QDir::Files); };
+    const auto media = [this] {
+        return QDir(m_folder.filePath(QStringLiteral("p.media"))).entryList(QDir::Files);
+    };
     const QStringList before = media();
     const ProgramRun failed = run(line.constData());
     QCOMPARE(failed.exitStatus, status);

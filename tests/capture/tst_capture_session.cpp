@@ -65,6 +65,7 @@ private Q_SLOTS:
     void aCameraThatEndsKeepsWhatThereIs();
     void aDiskThatFailsIsTold();
     void itEndsBeforeTheDiskIsFull();
+    void littleIsReservedOnASmallDisk();
     void aFileThatMayNotGrowKeepsWhatThereIs();
     void aSlowDiskIsToldBeforeAnythingIsLost();
     void picturesThatTheCameraCodedAreKeptAsTheyCame();
@@ -237,8 +238,8 @@ void TestCaptureSession::aDiskThatFailsIsTold()
 void TestCaptureSession::itEndsBeforeTheDiskIsFull()
 {
     std::atomic<std::uint64_t> left = 1'000'000'000;
-    TwoCameras cameras(0s, 20s, {}, {.reserveBytes = 100'000'000, .freeBytes = [&left](const auto &) {
-                                         return left.load();
+    TwoCameras cameras(0s, 20s, {}, {.mostReserved = 100'000'000, .room = [&left](const auto &) {
+                                         return DiskRoom{left, 4'000'000'000};
                                      }});
     cameras.session->startRecording(files());
     record(cameras, 2);
@@ -261,6 +262,16 @@ void TestCaptureSession::itEndsBeforeTheDiskIsFull()
         QVERIFY(reader && view.taken.size() >= 60);
         QCOMPARE((*reader)->info().frameTimes.size(), view.taken.size());
     }
+}
+
+void TestCaptureSession::littleIsReservedOnASmallDisk()
+{
+    const DiskWatch watch;
+    QCOMPARE(watch.left({1'000'000'000, 1'000'000'000'000}), std::uint64_t(800'000'000));
+    QCOMPARE(watch.left({50'000'000, 60'000'000}), std::uint64_t(47'000'000));
+    QCOMPARE(watch.left({2'000'000, 60'000'000}), std::uint64_t(0));
+    QVERIFY(!diskRoomOf("/no/such/folder"));
+    QVERIFY(diskRoomOf(m_folder->path().toStdString())->size > 0);
 }
 
 void TestCaptureSession::aFileThatMayNotGrowKeepsWhatThereIs()
@@ -295,9 +306,9 @@ void TestCaptureSession::aSlowDiskIsToldBeforeAnythingIsLost()
     std::promise<void> goesOn;
     const auto disk = [went = goesOn.get_future().share()](const auto &) {
         went.wait(); // as a disk that does not answer
-        return std::optional<std::uint64_t>();
+        return std::optional<DiskRoom>();
     };
-    TwoCameras cameras(0s, 20s, {}, {.freeBytes = disk});
+    TwoCameras cameras(0s, 20s, {}, {.room = disk});
     cameras.session->startRecording(files());
     cameras.pictures(lot);
     QTRY_VERIFY(cameras.session->health().disk.trouble);
