@@ -114,18 +114,21 @@ private:
                        QStringLiteral("--disk"), m_disk, mount,
                        vmFolder() + QStringLiteral("record_until_cut"), mount});
         std::optional<double> beganS, nowS;
-        while (!beganS || *nowS < *beganS + afterS) {
-            if (!machine.canReadLine() && !machine.waitForReadyRead(patienceMs) && !machine.canReadLine()) {
-                QTest::qFail("the machine does not record:\n" + machine.readAllStandardError(), __FILE__,
-                             __LINE__);
-                return std::nullopt;
-            }
+        const auto readLines = [&] {
             while (machine.canReadLine()) {
                 const QByteArray line = machine.readLine();
                 m_skipped = m_skipped || line.startsWith("ODOGRAPH-SKIPPED");
                 if (line.startsWith("alive "))
                     nowS = line.mid(6).trimmed().toDouble();
             }
+        };
+        while (!beganS || *nowS < *beganS + afterS) {
+            if (!machine.canReadLine() && !machine.waitForReadyRead(patienceMs) && !machine.canReadLine()) {
+                QTest::qFail("the machine does not record:\n" + machine.readAllStandardError(), __FILE__,
+                             __LINE__);
+                return std::nullopt;
+            }
+            readLines();
             if (m_skipped) {
                 machine.waitForFinished();
                 return std::nullopt;
@@ -137,6 +140,7 @@ private:
         if (!pid.open(QIODevice::ReadOnly) || kill(pid.readAll().trimmed().toInt(), SIGKILL) != 0)
             QTest::qFail("the machine could not be cut off", __FILE__, __LINE__);
         machine.waitForFinished(patienceMs);
+        readLines(); // it lived on until it was cut
         return *nowS - *beganS;
     }
 
