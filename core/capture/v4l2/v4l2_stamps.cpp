@@ -15,6 +15,12 @@ constexpr Nanoseconds resolution = 1us; // of the time that drivers tell
 constexpr Nanoseconds largestDelay =
     1s; // from taking to delivery; beyond it a time is not of this machine's clock
 
+/// Of times that wrap.
+Nanoseconds between(std::uint64_t earlier, std::uint64_t later)
+{
+    return Nanoseconds(static_cast<std::int64_t>(later - earlier));
+}
+
 } // namespace
 
 void V4l2Stamps::beginAnew(double framesPerSecond)
@@ -48,7 +54,7 @@ void V4l2Stamps::count(std::uint32_t sequence, Nanoseconds arrival)
 /// By the driver's times, unless they contradict the arrivals: then the arrivals bridge the jump.
 void V4l2Stamps::advance(std::uint64_t time, Nanoseconds arrival)
 {
-    const Nanoseconds step(static_cast<std::int64_t>(time - m_lastTime)), arrived = arrival - m_lastArrival;
+    const Nanoseconds step = between(m_lastTime, time), arrived = arrival - m_lastArrival;
     m_lastTime = time;
     if (m_first)
         return;
@@ -64,7 +70,7 @@ V4l2Stamps::Stamp V4l2Stamps::next(const V4l2BufferStamp &buffer, Nanoseconds ar
     m_first = false;
     m_lostRate = 0;
     m_lastArrival = arrival;
-    const Nanoseconds age = arrival - Nanoseconds(static_cast<std::int64_t>(buffer.time));
+    const Nanoseconds age = between(buffer.time, static_cast<std::uint64_t>(arrival.count()));
     m_isTrusted = m_isTrusted && buffer.isMonotonic && age >= 0ns && age < largestDelay;
     m_stamp.clock.reset();
     if (m_isTrusted) {
