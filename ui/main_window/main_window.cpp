@@ -14,6 +14,7 @@
 #include "ui/main_window/welcome_page.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/timeline.h"
+#include "ui/record/record_page.h"
 #include "ui/review/review_desk.h"
 #include "ui/review/review_page.h"
 #include "ui/review/trial_chooser.h"
@@ -66,6 +67,7 @@ MainWindow::~MainWindow()
 void MainWindow::makeCentre()
 {
     m_modeBar->addMode(QStringLiteral("testbed"), tr("Testbed"));
+    m_modeBar->addMode(QStringLiteral("record"), tr("Record"));
     m_modeBar->addMode(QStringLiteral("review"), tr("Review"));
     m_modeBar->addMode(QStringLiteral("history"), tr("History"));
     m_modeBar->setModesEnabled(false);
@@ -93,6 +95,8 @@ void MainWindow::makeMenus()
     m_trialMenu = menuBar()->addMenu(tr("T&rial"));
     m_trials->fillMenu(*m_trialMenu);
     m_trialMenu->addSeparator();
+    m_recordMenu = m_trialMenu->addMenu(tr("Re&cord"));
+    m_recordMenu->setEnabled(false);
     m_playMenu = m_trialMenu->addMenu(tr("&Play"));
     m_playMenu->setEnabled(false);
     m_toolsMenu = menuBar()->addMenu(tr("&Tools"));
@@ -158,12 +162,15 @@ void MainWindow::closePages()
         return;
     m_views->setDesk(nullptr);
     m_playMenu->clear();
+    m_recordMenu->clear();
     m_toolsMenu->clear();
     m_trials->setCurrentTrial({});
-    for (QWidget *page : {static_cast<QWidget *>(m_testbed), static_cast<QWidget *>(m_review),
+    // What is being recorded is completed before anything else goes.
+    for (QWidget *page : {static_cast<QWidget *>(m_record), static_cast<QWidget *>(m_testbed), static_cast<QWidget *>(m_review),
                           static_cast<QWidget *>(m_history)})
         delete page;
     m_testbed = nullptr;
+    m_record = nullptr;
     m_review = nullptr;
     m_history = nullptr;
 }
@@ -172,12 +179,17 @@ void MainWindow::makePages()
 {
     Project &project = *m_workspace->project();
     m_testbed = new TestbedPage(project);
+    m_record = new RecordPage(project, m_workspace->isReadOnly());
     m_review = new ReviewPage(project);
     m_history = new HistoryPage(project);
     m_stack->addWidget(m_testbed);
+    m_stack->addWidget(m_record);
     m_stack->addWidget(m_review);
     m_stack->addWidget(m_history);
     connectPages();
+    connectRecording();
+    m_recordMenu->addActions(m_record->actions());
+    m_recordMenu->setEnabled(true);
     m_toolsMenu->addActions(m_testbed->toolActions());
     m_toolsMenu->setEnabled(true);
     m_playMenu->addActions(m_review->timeline().actions());
@@ -194,6 +206,7 @@ void MainWindow::connectPages()
 {
     connect(m_testbed, &TestbedPage::changed, this, [this](const QString &words) {
         m_messages->showDone(words);
+        m_record->refresh();
         m_review->refresh();
     });
     connect(m_testbed, &TestbedPage::failed, this, &MainWindow::tellFailure);
@@ -219,11 +232,28 @@ void MainWindow::connectPages()
     m_trialMenu->insertActions(m_playMenu->menuAction(), steps);
 }
 
+void MainWindow::connectRecording()
+{
+    connect(m_record, &RecordPage::changed, this, [this](const QString &words) {
+        m_messages->showDone(words);
+        m_review->refresh();
+        m_history->refresh();
+        showState();
+    });
+    connect(m_record, &RecordPage::failed, this, &MainWindow::tellFailure);
+    connect(m_record, &RecordPage::testbedRequested, this, [this] { showMode(Mode::Testbed); });
+    connect(m_record, &RecordPage::trialChosen, this, [this](const QString &trial) {
+        if (const Result<void> shown = showTrial(trial.toStdString()); !shown)
+            tellFailure(shown.error());
+    });
+}
+
 void MainWindow::refreshPages()
 {
     if (!m_review)
         return;
     m_testbed->refresh();
+    m_record->refresh();
     m_review->refresh();
     m_history->refresh();
     showState();
@@ -238,7 +268,7 @@ void MainWindow::showMode(Mode mode)
 {
     if (!m_review)
         return;
-    QWidget *const pages[] = {m_testbed, m_review, m_history};
+    QWidget *const pages[] = {m_testbed, m_record, m_review, m_history};
     m_modeBar->setCurrent(static_cast<int>(mode));
     QWidget *page = pages[static_cast<int>(mode)];
     m_stack->setCurrentWidget(page);

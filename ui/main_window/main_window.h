@@ -19,6 +19,7 @@ class JobIndicator;
 class MessageBar;
 class ModeBar;
 class RecentProjects;
+class RecordPage;
 class ReviewPage;
 class TestbedPage;
 class TrialActions;
@@ -32,7 +33,7 @@ class MainWindow : public QMainWindow
 {
     Q_OBJECT
 public:
-    enum class Mode { Testbed, Review, History };
+    enum class Mode { Testbed, Record, Review, History };
 
     MainWindow();
     ~MainWindow() override;
@@ -66,6 +67,7 @@ private:
     void closePages();
     void makePages();
     void connectPages();
+    void connectRecording();
     void refreshPages();
     void showTitle();
     void showState();
@@ -81,9 +83,10 @@ private:
     QStackedWidget *m_stack;
     WelcomePage *m_welcome;
     TestbedPage *m_testbed = nullptr;
+    RecordPage *m_record = nullptr;
     ReviewPage *m_review = nullptr;
     HistoryPage *m_history = nullptr;
-    QMenu *m_toolsMenu = nullptr, *m_trialMenu = nullptr, *m_playMenu = nullptr;
+    QMenu *m_toolsMenu = nullptr, *m_trialMenu = nullptr, *m_recordMenu = nullptr, *m_playMenu = nullptr;
     QLabel *m_saved, *m_analysis;
     JobIndicator *m_job;
 };

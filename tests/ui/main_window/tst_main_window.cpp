@@ -11,6 +11,7 @@
 #include "ui/main_window/paint_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/timeline.h"
+#include "ui/record/record_page.h"
 #include "ui/review/review_desk.h"
 #include "ui/review/review_page.h"
 #include "ui/testbed/testbed_page.h"
@@ -179,11 +180,13 @@ void TestMainWindow::switchesModesByKeys()
     window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&window));
     auto *stack = window.findChild<QStackedWidget *>();
-    QTest::keyClick(&window, Qt::Key_3, Qt::ControlModifier);
+    QTest::keyClick(&window, Qt::Key_4, Qt::ControlModifier);
     QVERIFY(qobject_cast<HistoryPage *>(stack->currentWidget()));
     QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
     QVERIFY(qobject_cast<TestbedPage *>(stack->currentWidget()));
     QTest::keyClick(&window, Qt::Key_2, Qt::ControlModifier);
+    QVERIFY(qobject_cast<RecordPage *>(stack->currentWidget()));
+    QTest::keyClick(&window, Qt::Key_3, Qt::ControlModifier);
     auto *review = qobject_cast<ReviewPage *>(stack->currentWidget());
     QVERIFY(review);
     review->setFocus();

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/floor_registration.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/simulation/demo_testbed.h"
+#include "core/workflow/stored_registration.h"
+#include "tests/ui/support/busy_watch.h"
+#include "ui/record/live_map.h"
+#include "ui/record/live_picture_area.h"
+#include "ui/record/record_page.h"
+#include "ui/record/run_card.h"
+#include "ui/record/run_result_card.h"
+#include "ui/record/start_card.h"
+#include "ui/record/trouble_bar.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStackedWidget>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <atomic>
+
+using namespace odo;
+
+namespace {
+
+constexpr double circleRadiusM =
+    0.75; // that the simulated cameras' robot drives, about the middle of the floor
+const Eigen::Vector2d circleMiddle(1.5, 1.1);
+/// Whatever else this machine has.
+CameraAccess simulatedCameras()
+{
+    CameraAccess access;
+    access.list = [] {
+        std::vector<CameraDescription> cameras = listCameras();
+        std::erase_if(cameras, [](const CameraDescription &camera) { return camera.kind != "simulated"; });
+        return cameras;
+    };
+    return access;
+}
+
+constexpr int startMs = 10000, runMs = 20000; // longest waits, on a busy machine
+
+} // namespace
+
+class TestRecordPage : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void recordsByKeyAndTheNextTeamIsUp();
+    void theRobotStartsAndEndsTheRun();
+    void aCountdownIsCalledOff();
+    void closingWhileRecordingKeepsWhatThereIs();
+    void withoutCamerasItSaysSo();
+    void aCameraThatCannotBeOpenedIsTriedAgain();
+    void anUnregisteredCameraLeadsToTestbed();
+
+private:
+    void show(bool readOnly = false, CameraAccess access = simulatedCameras());
+    void registerCamera(const SimulatedCamera &camera, RecordId layout);
+    void waitForTheRobot();
+    template <class Widget>
+    Widget *part() const
+    {
+        return m_page->findChild<Widget *>();
+    }
+    QPushButton *button() const { return m_page->findChild<QPushButton *>(QStringLiteral("recordButton")); }
+    QString trouble() const { return part<TroubleBar>()->words(); }
+    std::vector<TrialRecord> trials() const { return *m_project->trials().all(); }
+    void chooseStart(const QVariant &data);
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Project> m_project;
+    std::unique_ptr<RecordPage> m_page;
+};
+
+void TestRecordPage::initTestCase()
+{
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName(QStringLiteral("Odograph"));
+    QCoreApplication::setApplicationName(QStringLiteral("tst_record_page"));
+}
+
+void TestRecordPage::registerCamera(const SimulatedCamera &camera, RecordId layout)
+{
+    const MarkerLayout places = m_project->layouts().get(layout)->layout;
+    RegistrationRecord record;
+    record.layout = layout;
+    record.assumedIntrinsics = camera.view.camera().intrinsics();
+    for (const Marker &marker : places.markers)
+        record.pixels.push_back({marker.label, *camera.view.pixelFromWorld(
+                                                   {marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
+    record.registration = *registerFloor(places, record.pixels, camera.view.camera(), true);
+    QVERIFY(storeRegistration(*m_project, camera.name, record));
+}
+
+/// The floor that the simulated cameras see, its cameras registered, and two teams.
+void TestRecordPage::init()
+{
+    QSettings().clear();
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_project =
+        std::move(*Project::create(m_folder->filePath(QStringLiteral("lesson.odo")).toStdString(), "Lesson"));
+    const SimulatedScene testbed = demoTestbed(1);
+    const RecordId layout = m_project->layouts().add(testbed.floor.markers)->id;
+    for (const SimulatedCamera &camera : testbed.cameras)
+        registerCamera(camera, layout);
+    for (const DemoTrial &trial : demoTrials()) {
+        if (trial.trial != "circle")
+            continue;
+        RobotRecord robot;
+        robot.name = trial.robot;
+        robot.colour = trial.scene.robots.front().colour;
+        robot.heightMode = RobotRecord::Height::Told;
+        robot.heightM = trial.scene.robots.front().heightM;
+        QVERIFY(m_project->robots().add(robot));
+    }
+    for (const char *team : {"Falcon", "Otter"})
+        QVERIFY(m_project->teams().add({0, team, "9A"}));
+    Task lap;
+    lap.kind = TaskTemplate::Circle;
+    lap.gates = {gateAcross("Lap", GateRole::StartFinish, circleMiddle + Eigen::Vector2d(0, circleRadiusM),
+                            {-1, 0}, 0.4)};
+    QVERIFY(m_project->tasks().add({0, "Circle", lap}));
+}
+
+void TestRecordPage::cleanup()
+{
+    m_page.reset();
+    m_project.reset();
+}
+
+void TestRecordPage::show(bool readOnly, CameraAccess access)
+{
+    m_page = std::make_unique<RecordPage>(*m_project, readOnly, std::move(access));
+    m_page->resize(1282, 640);
+    m_page->refresh();
+    m_page->show();
+}
+
+void TestRecordPage::waitForTheRobot()
+{
+    QTRY_VERIFY_WITH_TIMEOUT(part<LiveMap>()->place(0).has_value(), startMs);
+}
+
+void TestRecordPage::chooseStart(const QVariant &data)
+{
+    for (QComboBox *box : part<RunCard>()->findChildren<QComboBox *>()) {
+        if (box->accessibleName() == QStringLiteral("How the recording begins"))
+            box->setCurrentIndex(box->findData(data));
+    }
+}
+
+void TestRecordPage::recordsByKeyAndTheNextTeamIsUp()
+{
+    show();
+    QVERIFY(trouble().isEmpty());
+    BusyWatch busy;
+    waitForTheRobot();
+    const auto pictures = m_page->findChildren<LivePictureArea *>();
+    QCOMPARE(pictures.size(), 2);
+    for (const LivePictureArea *picture : pictures)
+        QTRY_VERIFY_WITH_TIMEOUT(picture->hasPicture(), startMs);
+    // The robot's centre is known to some millimetres; what the filter is off in a curve adds some.
+    QTRY_VERIFY_WITH_TIMEOUT(
+        std::abs((*part<LiveMap>()->place(0) - circleMiddle).norm() - circleRadiusM) < 0.02, startMs);
+
+    const NextRun up = part<RunCard>()->run();
+    QCOMPARE(up.team, std::string("Falcon"));
+    QCOMPARE(up.trial, std::string("Falcon 1"));
+    QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs);
+    QSignalSpy changed(m_page.get(), &RecordPage::changed);
+    QTest::keyClick(m_page.get(), Qt::Key_F9);
+    QVERIFY(m_page->isRecording());
+    QCOMPARE(button()->text(), QStringLiteral("Stop"));
+    QVERIFY(!part<RunCard>()->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(trials().size() == 1 && trials().front().durationS > 2.5, runMs);
+    QTest::keyClick(m_page.get(), Qt::Key_F9);
+    QCOMPARE(button()->text(), QStringLiteral("Record"));
+
+    const auto *result = part<RunResultCard>();
+    QTRY_VERIFY2_WITH_TIMEOUT(result->words().startsWith(QStringLiteral("Final")),
+                              qPrintable(result->words()), runMs);
+    QCOMPARE(result->trial(), QStringLiteral("Falcon 1"));
+    QVERIFY2(busy.longestMs() < 50,
+             qPrintable(QStringLiteral("the event loop stood for %1 ms").arg(busy.longestMs())));
+
+    QCOMPARE(trials().size(), std::size_t(1));
+    const TrialRecord trial = trials().front();
+    QVERIFY(!trial.unfinished);
+    QCOMPARE(trial.teamName, std::string("Falcon"));
+    const auto recordings = *m_project->trials().recordings(trial.id);
+    QCOMPARE(recordings.size(), std::size_t(2));
+    QVERIFY(isStepMeasured(recordings[1]));
+    const auto analyses = *m_project->analyses().currentMetrics(trial.id);
+    QCOMPARE(analyses.size(), std::size_t(1));
+    const auto top =
+        std::ranges::find(analyses.front().profile.metrics, std::string("max_speed"), &Metric::name);
+    QVERIFY2(std::abs(top->value - 1.1) < 0.1,
+             qPrintable(QString::number(top->value))); // 1.1 m/s all the way
+    QCOMPARE(part<RunCard>()->run().team, std::string("Otter"));
+    QCOMPARE(part<RunCard>()->run().trial, std::string("Otter 1"));
+    QVERIFY(part<RunCard>()->isEnabled());
+    QCOMPARE(changed.size(), 2); // recorded, measured
+}
+
+void TestRecordPage::theRobotStartsAndEndsTheRun()
+{
+    show();
+    waitForTheRobot();
+    NextRun run = part<RunCard>()->run();
+    run.task = "Circle";
+    part<RunCard>()->setRun(run);
+    chooseStart(-1);
+    button()->click();
+    QVERIFY(!m_page->isRecording());
+    QVERIFY(part<StartCard>()->words().contains(QStringLiteral("Waiting for the robot at “Lap”")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_page->isRecording(), runMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_page->isRecording(), runMs);
+    const auto *result = part<RunResultCard>();
+    QTRY_VERIFY2_WITH_TIMEOUT(result->words().startsWith(QStringLiteral("Final")),
+                              qPrintable(result->words()), runMs);
+    const auto analyses = *m_project->analyses().currentMetrics(trials().front().id);
+    const auto lap =
+        std::ranges::find(analyses.front().profile.metrics, std::string("best_lap"), &Metric::name);
+    QVERIFY(lap != analyses.front().profile.metrics.end());
+    QVERIFY2(std::abs(lap->value - 2 * M_PI * circleRadiusM / 1.1) < 0.05,
+             qPrintable(QString::number(lap->value)));
+}
+
+void TestRecordPage::aCountdownIsCalledOff()
+{
+    show();
+    QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs);
+    chooseStart(10);
+    QTest::keyClick(m_page.get(), Qt::Key_F9);
+    QCOMPARE(button()->text(), QStringLiteral("Call off"));
+    QTest::keyClick(m_page.get(), Qt::Key_Escape);
+    QCOMPARE(button()->text(), QStringLiteral("Record"));
+    QVERIFY(trials().empty());
+}
+
+void TestRecordPage::closingWhileRecordingKeepsWhatThereIs()
+{
+    show();
+    QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs);
+    waitForTheRobot();
+    button()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(trials().size() == 1 && trials().front().durationS > 1, runMs);
+    m_page->hide(); // another mode: the run goes on
+    QVERIFY(m_page->isRecording());
+    m_page.reset();
+    QCOMPARE(trials().size(), std::size_t(1));
+    QVERIFY(!trials().front().unfinished);
+    const auto recordings = m_project->trials().recordings(trials().front().id);
+    for (const RecordingRecord &recording : *recordings)
+        QVERIFY(recording.frameTimes.size() > 30 && recording.bytes > 0);
+}
+
+void TestRecordPage::withoutCamerasItSaysSo()
+{
+    CameraAccess none;
+    none.list = [] { return std::vector<CameraDescription>(); };
+    show(false, none);
+    QTRY_COMPARE_WITH_TIMEOUT(part<QStackedWidget>()->currentIndex(), 1, startMs);
+    QVERIFY(!m_page->isRecording());
+
+    show(true);
+    QTRY_VERIFY_WITH_TIMEOUT(trouble().contains(QStringLiteral("can only be read")), startMs);
+    QVERIFY(!button()->isEnabled());
+}
+
+void TestRecordPage::aCameraThatCannotBeOpenedIsTriedAgain()
+{
+    const auto attempts = std::make_shared<std::atomic<int>>(0);
+    CameraAccess access = simulatedCameras();
+    access.open = [attempts](const std::string &uri) -> Result<std::unique_ptr<CameraSource>> {
+        if (++*attempts == 1)
+            return fail(ErrorCode::Unavailable, uri, "another program uses it", "close that program");
+        return openCamera(uri);
+    };
+    show(false, access);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        trouble().startsWith(QStringLiteral("Camera A (sim:A): another program uses it")), startMs);
+    QVERIFY(!button()->isEnabled());
+    waitForTheRobot();
+    QTRY_VERIFY_WITH_TIMEOUT(trouble().isEmpty() && button()->isEnabled(), startMs);
+}
+
+void TestRecordPage::anUnregisteredCameraLeadsToTestbed()
+{
+    m_project =
+        std::move(*Project::create(m_folder->filePath(QStringLiteral("bare.odo")).toStdString(), "Bare"));
+    show();
+    QTRY_VERIFY_WITH_TIMEOUT(trouble().startsWith(QStringLiteral("Camera A is not registered to the floor")),
+                             startMs);
+    QSignalSpy asked(m_page.get(), &RecordPage::testbedRequested);
+    part<TroubleBar>()->findChild<QPushButton *>()->click();
+    QCOMPARE(asked.size(), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs); // it can be recorded all the same
+    QVERIFY(!part<LiveMap>()->place(0));
+}
+
+QTEST_MAIN(TestRecordPage)
+#include "tst_record_page.moc"

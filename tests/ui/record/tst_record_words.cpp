@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/record/camera_choice.h"
+#include "ui/record/health_words.h"
+
+#include <QTest>
+
+using namespace odo;
+
+namespace {
+
+CameraDescription device(const std::string &uri, const std::string &kind)
+{
+    CameraDescription description;
+    description.uri = uri;
+    description.kind = kind;
+    return description;
+}
+
+ViewHealth delivering()
+{
+    ViewHealth view;
+    view.state = ViewHealth::State::Delivering;
+    view.framesPerSecond = 30;
+    view.delivered = 90;
+    view.latencyS = 0.012;
+    return view;
+}
+
+const Error gone{ErrorCode::Unavailable, "camera v4l2:/dev/video0", "it was unplugged", "plug it in again"};
+
+} // namespace
+
+class TestRecordWords : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void proposesCameras();
+    void tellsHowAllDo();
+    void tellsTheWorstTrouble();
+};
+
+void TestRecordWords::proposesCameras()
+{
+    using Chosen = std::vector<ChosenCamera>;
+    const std::vector<CameraDescription> simulated{device("sim:A", "simulated"),
+                                                   device("sim:B", "simulated")};
+    std::vector<CameraDescription> real = simulated;
+    real.push_back(device("v4l2:/dev/video0", "v4l2"));
+    real.push_back(device("aravis:x", "aravis"));
+    const std::vector<CameraRecord> ab{{1, "A", ""}, {2, "B", ""}};
+    QCOMPARE(proposeCameras(ab, simulated, {}), (Chosen{{"A", "sim:A"}, {"B", "sim:B"}}));
+    QCOMPARE(proposeCameras(ab, real, {}), (Chosen{{"A", "v4l2:/dev/video0"}, {"B", "aravis:x"}}));
+    // What was chosen before comes first, then what the project tells; no device is two cameras.
+    QCOMPARE(proposeCameras(ab, real, {{"A", "aravis:x"}, {"B", "gone"}}),
+             (Chosen{{"A", "aravis:x"}, {"B", "v4l2:/dev/video0"}}));
+    QCOMPARE(proposeCameras({{1, "A", "sim:B"}, {2, "B", ""}}, simulated, {}),
+             (Chosen{{"A", "sim:B"}, {"B", ""}}));
+    QCOMPARE(proposeCameras({}, simulated, {}), (Chosen{{"A", "sim:A"}, {"B", "sim:B"}}));
+    QCOMPARE(proposeCameras({}, real, {}), (Chosen{{"A", "v4l2:/dev/video0"}, {"B", "aravis:x"}}));
+    QCOMPARE(proposeCameras(ab, {}, {}), (Chosen{{"A", ""}, {"B", ""}}));
+    QVERIFY(proposeCameras({}, {}, {}).empty());
+    real[2].busy = true;
+    QCOMPARE(proposeCameras(ab, real, {{"B", "v4l2:/dev/video0"}}), (Chosen{{"A", "aravis:x"}, {"B", ""}}));
+}
+
+void TestRecordWords::tellsHowAllDo()
+{
+    CaptureHealth health;
+    health.views = {delivering(), delivering()};
+    health.views[1].lostOnWire = 3;
+    health.pairs.pairs = 90;
+    health.pairs.p95S = 0.0012;
+    const std::vector<WantedCamera> cameras{{"A", "sim:A", std::nullopt, {}},
+                                            {"B", "sim:B", std::nullopt, {}}};
+    const QList<Fact> facts = healthFacts(health, cameras, {180, 0, 0.038, 0.05});
+    QCOMPARE(facts.size(), 4);
+    QCOMPARE(facts[0].name, QStringLiteral("Camera A"));
+    QVERIFY2(facts[0].value.contains(QStringLiteral("none lost, 12 ms")), qPrintable(facts[0].value));
+    QVERIFY(facts[0].value.endsWith(QStringLiteral("not registered")));
+    QCOMPARE(facts[1].badge.state, BadgeState::Warning);
+    QVERIFY(facts[2].value.startsWith(QStringLiteral("in step to 1.2 ms")));
+    QCOMPARE(facts[3].value, QStringLiteral("the map is 38 ms behind, none skipped"));
+    health.disk.recording = true;
+    health.disk.bytes = 12'400'000;
+    QVERIFY(healthFacts(health, cameras, {}).back().value.startsWith(QStringLiteral("12 MB written")));
+    QVERIFY(healthFacts({}, {}, {}).isEmpty());
+
+    // Losses before the run are not the run's.
+    QCOMPARE(healthFacts(health, cameras, {}, {}, health)[1].badge.state, BadgeState::Good);
+    LivePosition position;
+    position.point.position = {1.234, 0.5};
+    position.point.speedMps = 1.1;
+    position.point.sigmaSpeedMps = 0.02;
+    position.point.valid = true;
+    position.sample.views = 3;
+    const QList<Fact> robots = healthFacts({}, {}, {}, {{"Red 2", std::nullopt}, {"Blue 1", position}});
+    QCOMPARE(robots[0].value, QStringLiteral("not seen"));
+    QVERIFY2(robots[1].value.startsWith(QStringLiteral("x 1.23 m, y 0.50 m, 1.10 ±0.02")),
+             qPrintable(robots[1].value));
+    position.sample.views = 1;
+    QVERIFY(healthFacts({}, {}, {}, {{"Blue 1", position}})[0].value.endsWith(
+        QStringLiteral("one camera sees it")));
+}
+
+void TestRecordWords::tellsTheWorstTrouble()
+{
+    CaptureHealth health;
+    health.views = {delivering(), delivering()};
+    const std::vector<WantedCamera> cameras{{"A", "sim:A", std::nullopt, {}},
+                                            {"B", "sim:B", std::nullopt, {}}};
+    QCOMPARE(troubleWords(health, cameras), QString());
+    health.pairs.pairs = 30;
+    health.pairs.p95S = 0.03;
+    QVERIFY(troubleWords(health, cameras).contains(QStringLiteral("not in step")));
+    health.views[1].trouble = Trouble{gone, {}};
+    QCOMPARE(troubleWords(health, cameras),
+             QStringLiteral("Camera B: camera v4l2:/dev/video0: it was unplugged; plug it in again."));
+    health.disk.trouble = Trouble{{ErrorCode::Io, "recording", "the disk is full", "make room"}, {}};
+    QCOMPARE(troubleWords(health, cameras),
+             QStringLiteral("Recording: recording: the disk is full; make room."));
+}
+
+QTEST_GUILESS_MAIN(TestRecordWords)
+#include "tst_record_words.moc"

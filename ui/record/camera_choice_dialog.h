@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/record/camera_choice.h"
+
+#include <QDialog>
+#include <vector>
+
+class QComboBox;
+class QDialogButtonBox;
+class QFormLayout;
+class QLabel;
+
+namespace odo {
+
+class LiveCameras;
+
+/// Which connected device is which camera of the project.
+class CameraChoiceDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// connected must outlive it.
+    CameraChoiceDialog(std::vector<ChosenCamera> cameras, LiveCameras &connected, QWidget *parent = nullptr);
+    /// As chosen; those that are not used with an empty address.
+    std::vector<ChosenCamera> cameras() const;
+
+private:
+    void fill();
+    void check();
+
+    LiveCameras &m_connected;
+    std::vector<ChosenCamera> m_cameras;
+    std::vector<QComboBox *> m_boxes;
+    QLabel *m_words;
+    QDialogButtonBox *m_buttons;
+};
+
+} // namespace odo

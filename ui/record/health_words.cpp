@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/record/health_words.h"
+
+#include "ui/models/figure_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <bit>
+#include <cmath>
+
+namespace odo {
+namespace {
+
+class Words
+{
+    Q_DECLARE_TR_FUNCTIONS(RecordHealth)
+};
+
+constexpr double goodStepS = 0.005, badStepS = 0.017; // half an interval of 30 frames/s
+constexpr double slowMapS = 0.2, littleRoomS = 300;
+
+Badge viewBadge(const ViewHealth &view)
+{
+    if (view.state == ViewHealth::State::Waiting || view.state == ViewHealth::State::Ended || view.trouble)
+        return {Words::tr("trouble"), BadgeState::Bad};
+    if (view.lostByUs > 0 || view.lostOnWire > 0)
+        return {Words::tr("losses"), BadgeState::Warning};
+    return view.state == ViewHealth::State::Delivering ? Badge{Words::tr("good"), BadgeState::Good} : Badge{};
+}
+
+Fact viewFact(const ViewHealth &view, const WantedCamera &camera)
+{
+    QString words = QString::fromStdString(healthWords(view));
+    if (view.state == ViewHealth::State::Delivering && view.latencyS > 0)
+        words += Words::tr(", %1 ms").arg(std::lround(1e3 * view.latencyS));
+    if (!camera.floorView)
+        words += Words::tr("; not registered");
+    return {Words::tr("Camera %1").arg(QString::fromStdString(camera.name)), words, viewBadge(view)};
+}
+
+ViewHealth since(ViewHealth view, const CaptureHealth &before, std::size_t v)
+{
+    if (v >= before.views.size())
+        return view;
+    const ViewHealth &then = before.views[v];
+    view.lostOnWire -= std::min(view.lostOnWire, then.lostOnWire);
+    view.lostByUs -= std::min(view.lostByUs, then.lostByUs);
+    view.source.damaged -= std::min(view.source.damaged, then.source.damaged);
+    return view;
+}
+
+Fact robotFact(const SeenRobot &robot)
+{
+    const QString name = QString::fromStdString(robot.name);
+    if (!robot.now || !robot.now->point.valid)
+        return {name, Words::tr("not seen"), {Words::tr("unseen"), BadgeState::Warning}};
+    const ProfilePoint &point = robot.now->point;
+    const QLocale locale;
+    const QString place =
+        Words::tr("x %1 m, y %2 m, %3")
+            .arg(locale.toString(point.position.x(), 'f', 2), locale.toString(point.position.y(), 'f', 2),
+                 figureText(point.speedMps, point.sigmaSpeedMps, QStringLiteral("m/s")).text());
+    if (std::popcount(robot.now->sample.views) == 1)
+        return {name, place + Words::tr("; one camera sees it"), {Words::tr("seen"), BadgeState::Neutral}};
+    return {name, place, {Words::tr("seen"), BadgeState::Good}};
+}
+
+Fact stepFact(const PairHealth &pairs)
+{
+    const Badge badge = pairs.p95S <= goodStepS  ? Badge{Words::tr("good"), BadgeState::Good}
+                        : pairs.p95S <= badStepS ? Badge{Words::tr("fair"), BadgeState::Neutral}
+                                                 : Badge{Words::tr("apart"), BadgeState::Warning};
+    return {Words::tr("Step"), QString::fromStdString(inStepWords(pairs.p95S)), badge};
+}
+
+QString sentence(QString words)
+{
+    if (!words.isEmpty() && !words.endsWith(u'.'))
+        words += u'.';
+    return words;
+}
+
+QString errorSentence(const Error &error)
+{
+    return sentence(QString::fromStdString(error.message()));
+}
+
+} // namespace
+
+QList<Fact> healthFacts(const CaptureHealth &health, const std::vector<WantedCamera> &cameras,
+                        const LiveFigures &live, const std::vector<SeenRobot> &robots,
+                        const CaptureHealth &before)
+{
+    QList<Fact> facts;
+    for (std::size_t v = 0; v < std::min(cameras.size(), health.views.size()); ++v)
+        facts.append(viewFact(since(health.views[v], before, v), cameras[v]));
+    if (health.pairs.pairs > 0 && cameras.size() > 1)
+        facts.append(stepFact(health.pairs));
+    if (const std::string words = liveWords(live); !words.empty())
+        facts.append({Words::tr("Live"), QString::fromStdString(words),
+                      live.latencyP99S > slowMapS ? Badge{Words::tr("slow"), BadgeState::Warning}
+                                                  : Badge{Words::tr("good"), BadgeState::Good}});
+    if (health.disk.recording) {
+        QStringList words{
+            Words::tr("%1 MB written").arg(QLocale().toString(double(health.disk.bytes) / 1e6, 'f', 0))};
+        if (const std::string room = roomWords(health.disk); !room.empty())
+            words << QString::fromStdString(room);
+        const bool bad = health.disk.trouble || health.disk.waiting >= 1;
+        facts.append({Words::tr("Disk"), words.join(QStringLiteral(", ")),
+                      bad ? Badge{Words::tr("trouble"), BadgeState::Bad}
+                          : Badge{Words::tr("good"), BadgeState::Good}});
+    }
+    for (const SeenRobot &robot : robots)
+        facts.append(robotFact(robot));
+    return facts;
+}
+
+QString unregisteredWords(const std::vector<WantedCamera> &cameras)
+{
+    for (const WantedCamera &camera : cameras) {
+        const QString name = QString::fromStdString(camera.name);
+        if (!camera.floorView && camera.registeredPx.isEmpty())
+            return Words::tr("Camera %1 is not registered to the floor: it is recorded, but cannot tell "
+                             "where a robot is.")
+                .arg(name);
+        if (!camera.floorView)
+            return Words::tr("Camera %1 was registered for pictures of %2×%3, which it does not send now: it "
+                             "is recorded, but cannot tell where a robot is.")
+                .arg(name)
+                .arg(camera.registeredPx.width())
+                .arg(camera.registeredPx.height());
+    }
+    return {};
+}
+
+QString troubleWords(const CaptureHealth &health, const std::vector<WantedCamera> &cameras)
+{
+    if (health.disk.trouble)
+        return Words::tr("Recording: %1").arg(errorSentence(health.disk.trouble->error));
+    for (std::size_t v = 0; v < std::min(cameras.size(), health.views.size()); ++v) {
+        if (health.views[v].trouble)
+            return Words::tr("Camera %1: %2")
+                .arg(QString::fromStdString(cameras[v].name), errorSentence(health.views[v].trouble->error));
+    }
+    if (health.disk.recording && health.disk.waiting >= 0.5)
+        return Words::tr("The disk is hardly fast enough: record to a faster one, or with fewer cameras.");
+    if (health.disk.secondsLeft && *health.disk.secondsLeft < littleRoomS)
+        return sentence(
+            Words::tr("The disk is nearly full: %1").arg(QString::fromStdString(roomWords(health.disk))));
+    if (health.pairs.pairs > 0 && health.pairs.p95S > badStepS)
+        return Words::tr("The cameras are not in step: set both to the same rate.");
+    return {};
+}
+
+} // namespace odo

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/record/live_map.h"
+
+#include "ui/views/task_overlay.h"
+#include "ui/views/theme.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <cmath>
+
+namespace odo {
+namespace {
+
+constexpr double standingMps = 0.05;
+constexpr Nanoseconds longestSilence = std::chrono::seconds(1);
+constexpr std::size_t longestWay = 30 * 60 * 10; // ten minutes: a longer way is a thicket
+
+} // namespace
+
+LiveMap::LiveMap(QWidget *parent) : QWidget(parent)
+{
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setAccessibleName(tr("Map of the floor with the robots as they drive"));
+}
+
+void LiveMap::setFloor(TrialScenePtr floor)
+{
+    m_floor = std::move(floor);
+    m_stillLayer = {};
+    update();
+}
+
+void LiveMap::setRobots(std::vector<RobotRecord> robots)
+{
+    m_robots.clear();
+    for (RobotRecord &robot : robots)
+        m_robots.push_back({std::move(robot), {}, {}, {}});
+    m_stillLayer = {};
+    update();
+}
+
+void LiveMap::forgetWays()
+{
+    for (Driven &driven : m_robots)
+        driven.way.clear();
+    m_stillLayer = {};
+    update();
+}
+
+std::optional<Eigen::Vector2d> LiveMap::place(std::size_t robot) const
+{
+    if (robot >= m_robots.size() || !m_robots[robot].now || !m_robots[robot].now->point.valid)
+        return std::nullopt;
+    return m_robots[robot].now->point.position;
+}
+
+std::vector<SeenRobot> LiveMap::robots() const
+{
+    const Nanoseconds now = std::chrono::steady_clock::now().time_since_epoch();
+    std::vector<SeenRobot> seen;
+    for (const Driven &driven : m_robots) {
+        const bool fresh =
+            driven.now && now - driven.now->sample.time < longestSilence && driven.now->sample.position;
+        seen.push_back({driven.robot.name, fresh ? driven.now : std::nullopt});
+    }
+    return seen;
+}
+
+QColor LiveMap::colourOf(std::size_t robot) const
+{
+    return m_robots.size() == 1 ? ThemeColours::of(palette()).spike : seriesColour(int(robot), palette());
+}
+
+void LiveMap::addPosition(std::size_t robot, const LivePosition &position)
+{
+    if (robot >= m_robots.size())
+        return;
+    Driven &driven = m_robots[robot];
+    driven.now = position;
+    const ProfilePoint &point = position.point;
+    if (point.valid && point.speedMps > std::max(standingMps, 2 * point.sigmaSpeedMps))
+        driven.headingRad = std::atan2(point.velocity.y(), point.velocity.x());
+    if (driven.way.size() >= longestWay) {
+        driven.way.erase(driven.way.begin(), driven.way.begin() + longestWay / 2);
+        m_stillLayer = {};
+    }
+    driven.way.push_back(point.valid ? std::optional(point.position) : std::nullopt);
+    if (!m_stillLayer.isNull()) {
+        QPainter painter(&m_stillLayer);
+        painter.setRenderHint(QPainter::Antialiasing);
+        drawStep(painter, robot, driven.way.size() - 1);
+    }
+    update();
+}
+
+MapPlan LiveMap::plan() const
+{
+    return {m_floor ? m_floor->floorBounds()
+                    : Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)),
+            QSizeF(size())};
+}
+
+void LiveMap::drawStep(QPainter &painter, std::size_t robot, std::size_t to) const
+{
+    const auto &way = m_robots[robot].way;
+    if (to == 0 || !way[to] || !way[to - 1])
+        return;
+    const MapPlan map = plan();
+    painter.setPen(QPen(colourOf(robot), 2.4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(map.fromWorld(*way[to - 1]), map.fromWorld(*way[to]));
+}
+
+void LiveMap::renderStillLayer()
+{
+    m_stillLayer = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
+    m_stillLayer.setDevicePixelRatio(devicePixelRatioF());
+    m_stillLayer.fill(ThemeColours::of(palette()).mapGround);
+    QPainter painter(&m_stillLayer);
+    painter.setFont(font());
+    painter.setRenderHint(QPainter::Antialiasing);
+    const MapPlan map = plan();
+    drawMapGrid(painter, map, palette(), false);
+    if (m_floor->layout)
+        drawMapMarkers(painter, map, *m_floor->layout, palette());
+    if (m_floor->task) {
+        const auto toScreen = [&map](const Eigen::Vector2d &point) { return map.fromWorld(point); };
+        drawReferencePath(painter, m_floor->task->path, toScreen, palette());
+        drawGates(painter, m_floor->task->gates, toScreen, palette());
+    }
+    for (std::size_t robot = 0; robot < m_robots.size(); ++robot) {
+        for (std::size_t i = 1; i < m_robots[robot].way.size(); ++i)
+            drawStep(painter, robot, i);
+    }
+}
+
+void LiveMap::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    const ThemeColours colours = ThemeColours::of(palette());
+    if (!m_floor || !m_floor->layout) {
+        painter.fillRect(rect(), colours.mapGround);
+        painter.setPen(colours.muted);
+        painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("No camera is registered to the floor, so that no place on it can be told"));
+        return;
+    }
+    if (m_stillLayer.isNull())
+        renderStillLayer();
+    painter.drawPixmap(0, 0, m_stillLayer);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (std::size_t i = 0; i < m_robots.size(); ++i) {
+        if (!place(i))
+            continue;
+        const Driven &driven = m_robots[i];
+        const ProfilePoint &point = driven.now->point;
+        MapRobot sign{
+            &driven.robot, point.position, point.sigmaXM, point.sigmaYM, driven.headingRad, colourOf(i), {}};
+        if (m_robots.size() > 1)
+            sign.label = QString::fromStdString(driven.robot.name);
+        drawMapRobot(painter, plan(), sign, palette());
+    }
+}
+
+void LiveMap::resizeEvent(QResizeEvent *)
+{
+    m_stillLayer = {};
+}
+
+void LiveMap::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        m_stillLayer = {};
+    QWidget::changeEvent(event);
+}
+
+} // namespace odo

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/record/run_card.h"
+
+#include "ui/views/check_list.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <algorithm>
+
+namespace odo {
+namespace {
+
+constexpr int byGate = -1; // data of the way to begin; others are seconds
+constexpr int mostLaps = 100;
+
+bool hasStart(const std::optional<Task> &task, bool lapped)
+{
+    return task && std::ranges::any_of(task->gates, [lapped](const Gate &gate) {
+               return gate.role == GateRole::StartFinish || (!lapped && gate.role == GateRole::Start);
+           });
+}
+
+} // namespace
+
+RunCard::RunCard(QWidget *parent)
+    : Card(tr("Up now"), parent), m_form(new QFormLayout), m_class(new QComboBox), m_team(new QComboBox),
+      m_task(new QComboBox), m_start(new QComboBox), m_robots(new CheckList(tr("Robots that drive"))),
+      m_trial(new QLineEdit), m_laps(new QSpinBox)
+{
+    auto *content = new QWidget;
+    content->setObjectName(QStringLiteral("cardBody"));
+    content->setLayout(m_form);
+    m_form->setContentsMargins(10, 8, 10, 8);
+    m_form->setVerticalSpacing(5);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_form->addRow(tr("&Class"), m_class);
+    m_form->addRow(tr("&Team"), m_team);
+    m_form->addRow(tr("Tas&k"), m_task);
+    m_form->addRow(tr("R&obots"), m_robots);
+    m_form->addRow(tr("Trial &name"), m_trial);
+    m_form->addRow(tr("Be&gins"), m_start);
+    m_form->addRow(tr("&Laps"), m_laps);
+    m_laps->setRange(1, mostLaps);
+    m_laps->setAccessibleName(tr("Laps until it ends"));
+    m_team->setAccessibleName(tr("Team that is up"));
+    m_start->setAccessibleName(tr("How the recording begins"));
+    for (QComboBox *box : {m_class, m_team, m_task, m_start}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(12);
+    }
+    setContent(content);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    connect(m_class, &QComboBox::currentIndexChanged, this, [this] {
+        fillTeams();
+        chooseTeam();
+    });
+    connect(m_team, &QComboBox::currentIndexChanged, this, &RunCard::chooseTeam);
+    connect(m_task, &QComboBox::currentIndexChanged, this, [this] {
+        showStarts();
+        Q_EMIT changed();
+    });
+    connect(m_robots, &QListWidget::itemChanged, this, &RunCard::robotsChanged);
+    connect(m_start, &QComboBox::currentIndexChanged, this, [this] {
+        showStarts();
+        Q_EMIT changed();
+    });
+    connect(m_laps, &QSpinBox::valueChanged, this, &RunCard::changed);
+    showStarts();
+}
+
+void RunCard::setLineUp(const LineUp &lineUp)
+{
+    m_lineUp = lineUp;
+    const QSignalBlocker quietClass(m_class), quietTask(m_task), quietRobots(m_robots);
+    const QString className = m_class->currentData().toString(), task = m_task->currentText();
+    const std::vector<std::string> checked = m_robots->checkedNames();
+    m_class->clear();
+    for (const std::string &name : lineUp.classes())
+        m_class->addItem(name.empty() ? tr("no class") : QString::fromStdString(name),
+                         QString::fromStdString(name));
+    m_class->setCurrentIndex(std::max(0, m_class->findData(className)));
+    m_form->setRowVisible(m_class, m_class->count() > 1);
+    fillTeams();
+    m_task->clear();
+    m_task->addItem(tr("none"), QString());
+    for (const TaskRecord &each : lineUp.tasks())
+        m_task->addItem(QString::fromStdString(each.name), QString::fromStdString(each.name));
+    m_task->setCurrentIndex(std::max(0, m_task->findText(task)));
+    m_form->setRowVisible(m_task, m_task->count() > 1);
+    QStringList names;
+    for (const RobotRecord &robot : lineUp.robots())
+        names << QString::fromStdString(robot.name);
+    m_robots->setNames(names, false);
+    for (int i = 0; i < m_robots->count(); ++i) {
+        if (std::ranges::find(checked, m_robots->item(i)->text().toStdString()) != checked.end())
+            m_robots->item(i)->setCheckState(Qt::Checked);
+    }
+    m_form->setRowVisible(m_robots, m_robots->count() > 0);
+    showStarts();
+}
+
+void RunCard::fillTeams()
+{
+    const QSignalBlocker quiet(m_team);
+    const QString before = m_team->currentData().toString();
+    m_team->clear();
+    for (const std::string &name : m_lineUp.teams(m_class->currentData().toString().toStdString()))
+        m_team->addItem(QString::fromStdString(name), QString::fromStdString(name));
+    m_team->addItem(tr("no team"), QString());
+    m_team->setCurrentIndex(std::max(0, m_team->findData(before)));
+    m_form->setRowVisible(m_team, m_team->count() > 1);
+}
+
+void RunCard::chooseTeam()
+{
+    NextRun run = m_lineUp.run(m_class->currentData().toString().toStdString(),
+                               m_team->currentData().toString().toStdString());
+    run.task = m_task->currentData().toString().toStdString(); // the class goes on with what it was doing
+    setRun(run);
+}
+
+void RunCard::setRun(const NextRun &run)
+{
+    {
+        const QSignalBlocker quietClass(m_class), quietTeam(m_team), quietTask(m_task), quietRobots(m_robots);
+        m_class->setCurrentIndex(std::max(0, m_class->findData(QString::fromStdString(run.className))));
+        fillTeams();
+        m_team->setCurrentIndex(std::max(0, m_team->findData(QString::fromStdString(run.team))));
+        m_task->setCurrentIndex(std::max(0, m_task->findData(QString::fromStdString(run.task))));
+        for (int i = 0; i < m_robots->count(); ++i) {
+            const bool drives =
+                std::ranges::find(run.robots, m_robots->item(i)->text().toStdString()) != run.robots.end();
+            m_robots->item(i)->setCheckState(drives ? Qt::Checked : Qt::Unchecked);
+        }
+        m_trial->setText(QString::fromStdString(run.trial));
+    }
+    showStarts();
+    Q_EMIT robotsChanged();
+    Q_EMIT changed();
+}
+
+void RunCard::showStarts()
+{
+    const QSignalBlocker quiet(m_start);
+    const QVariant chosen = m_start->count() > 0 ? m_start->currentData() : QVariant(0);
+    m_start->clear();
+    m_start->addItem(tr("at once"), 0);
+    for (const int seconds : {3, 5, 10})
+        m_start->addItem(tr("after a countdown of %1 s").arg(seconds), seconds);
+    if (hasStart(task(), false))
+        m_start->addItem(tr("when the robot passes the start"), byGate);
+    m_start->setCurrentIndex(std::max(0, m_start->findData(chosen)));
+    m_form->setRowVisible(m_laps, m_start->currentData().toInt() == byGate && hasStart(task(), true));
+}
+
+NextRun RunCard::run() const
+{
+    return {m_class->currentData().toString().toStdString(), m_team->currentData().toString().toStdString(),
+            m_task->currentData().toString().toStdString(), m_robots->checkedNames(),
+            m_trial->text().trimmed().toStdString()};
+}
+
+RunSettings RunCard::settings() const
+{
+    RunSettings settings;
+    const int start = m_start->currentData().toInt();
+    settings.byGates = start == byGate;
+    settings.countdown = std::chrono::seconds(std::max(0, start));
+    settings.laps = m_laps->value();
+    return settings;
+}
+
+std::optional<Task> RunCard::task() const
+{
+    const TaskRecord *record = m_lineUp.task(m_task->currentData().toString().toStdString());
+    return record ? std::optional(record->task) : std::nullopt;
+}
+
+std::vector<RobotRecord> RunCard::robots() const
+{
+    const std::vector<std::string> checked = m_robots->checkedNames();
+    std::vector<RobotRecord> robots;
+    for (const RobotRecord &robot : m_lineUp.robots()) {
+        if (std::ranges::find(checked, robot.name) != checked.end())
+            robots.push_back(robot);
+    }
+    return robots;
+}
+
+} // namespace odo

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/record/running_cameras.h"
+
+#include "core/video/picture.h"
+#include "ui/views/screen_image.h"
+
+#include <QCoreApplication>
+#include <QMetaObject>
+
+namespace odo {
+
+RunningCameras::RunningCameras(Open open, QObject *parent)
+    : QObject(parent), m_open(std::move(open)), m_painter([this] { showPictures(); })
+{
+    m_worker.moveToThread(&m_thread);
+    m_thread.start();
+}
+
+RunningCameras::~RunningCameras()
+{
+    stop();
+    m_toShow.close();
+    m_painter.join();
+    m_thread.quit(); // what was asked for before is done first
+    m_thread.wait();
+}
+
+void RunningCameras::onWorker(std::function<void()> work)
+{
+    QMetaObject::invokeMethod(&m_worker, std::move(work), Qt::QueuedConnection);
+}
+
+void RunningCameras::start(std::vector<WantedCamera> cameras, std::vector<RobotRecord> robots)
+{
+    stop();
+    m_cameras = std::move(cameras);
+    m_cameras.resize(std::min(m_cameras.size(), mostViews));
+    m_robots = std::move(robots);
+    m_opening = true;
+    onWorker([this, wanted = m_cameras, generation = m_generation] {
+        const auto opened = std::make_shared<Result<Sources>>(openAll(wanted));
+        QMetaObject::invokeMethod(
+            this, [this, generation, opened] { adopt(generation, opened); }, Qt::QueuedConnection);
+    });
+}
+
+Result<RunningCameras::Sources> RunningCameras::openAll(const std::vector<WantedCamera> &cameras) const
+{
+    Sources sources;
+    for (const WantedCamera &camera : cameras) {
+        auto source = m_open(camera.uri);
+        if (!source) {
+            Error error = source.error();
+            error.what = QCoreApplication::translate("odo::RunningCameras", "camera %1")
+                             .arg(QString::fromStdString(camera.name))
+                             .toStdString() +
+                         " (" + error.what + ")";
+            return tl::unexpected(error);
+        }
+        sources.push_back(std::move(*source));
+    }
+    return sources;
+}
+
+void RunningCameras::adopt(quint64 generation, const std::shared_ptr<Result<Sources>> &opened)
+{
+    if (generation != m_generation) {
+        onWorker([opened] { // closing a camera may take its time
+            if (*opened)
+                (*opened)->clear();
+        });
+        return;
+    }
+    m_opening = false;
+    if (!*opened) {
+        Q_EMIT failed(opened->error());
+        return;
+    }
+    for (std::size_t v = 0; v < m_cameras.size(); ++v) {
+        const CameraDescription &is = (**opened)[v]->description();
+        if (!m_cameras[v].floorView)
+            continue;
+        const Intrinsics &lens = m_cameras[v].floorView->camera().intrinsics();
+        if (is.widthPx > 0 && (is.widthPx != lens.widthPx || is.heightPx != lens.heightPx))
+            m_cameras[v].floorView.reset();
+    }
+    m_session = std::make_shared<CaptureSession>(std::move(**opened));
+    const Result<void> following = follow(std::move(m_robots));
+    Q_EMIT started();
+    if (!following)
+        Q_EMIT failed(following.error());
+}
+
+Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
+{
+    m_robots = std::move(robots);
+    if (!m_session)
+        return {};
+    m_tracker.reset();
+    std::vector<LiveView> views;
+    for (const WantedCamera &camera : m_cameras)
+        views.push_back({camera.name, camera.floorView});
+    const auto subscribe = [this] {
+        std::vector<LiveTracker::Feed> feeds;
+        for (std::size_t v = 0; v < m_cameras.size(); ++v)
+            feeds.push_back(m_session->subscribeFrames(v, 2));
+        return feeds;
+    };
+    const LiveTracker::Listener listener{[this](const LiveSight &sight) {
+                                             if (!m_onItsWay[sight.view].exchange(true))
+                                                 m_toShow.pushOrDrop(sight);
+                                         },
+                                         [this, generation = m_generation](const LiveMoment &moment) {
+                                             QMetaObject::invokeMethod(
+                                                 this,
+                                                 [this, generation, moment] {
+                                                     if (generation == m_generation)
+                                                         Q_EMIT moved(moment);
+                                                 },
+                                                 Qt::QueuedConnection);
+                                         }};
+    auto tracker = LiveTracker::create(views, m_robots, subscribe(), listener);
+    if (tracker) {
+        m_tracker = std::move(*tracker);
+        return {};
+    }
+    m_tracker = std::move(
+        *LiveTracker::create(views, {}, subscribe(), listener)); // the pictures are shown all the same
+    return tl::unexpected(tracker.error());
+}
+
+void RunningCameras::stop()
+{
+    ++m_generation;
+    m_opening = false;
+    m_tracker.reset();
+    if (m_session)
+        onWorker([session = std::move(m_session)]() mutable { session.reset(); });
+    m_session.reset();
+}
+
+void RunningCameras::setShownSize(std::size_t view, const QSize &pixels)
+{
+    if (view < mostViews)
+        m_shownSize[view] = qint64(pixels.width()) << 32 | pixels.height();
+}
+
+/// The painter's thread.
+void RunningCameras::showPictures()
+{
+    while (const auto sight = m_toShow.pop()) {
+        const Frame &frame = sight->picture.captured.frame;
+        const qint64 shown = m_shownSize[sight->view];
+        const QSize taken(frame.format.width, frame.format.height);
+        const QSize size = taken.scaled(int(shown >> 32), int(shown & 0xffffffff), Qt::KeepAspectRatio);
+        LivePicture picture{sight->view, toImage(toScreen(frame, size.width(), size.height())), taken,
+                            sight->observations};
+        QMetaObject::invokeMethod(
+            this, [this, picture] { deliver(picture); }, Qt::QueuedConnection);
+    }
+}
+
+void RunningCameras::deliver(LivePicture picture)
+{
+    m_onItsWay[picture.view] = false;
+    if (m_session && picture.view < m_cameras.size())
+        Q_EMIT pictureReady(picture);
+}
+
+} // namespace odo
