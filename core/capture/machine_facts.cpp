@@ -24,13 +24,15 @@ std::vector<std::string> namesIn(const fs::path &folder)
 {
     std::vector<std::string> names;
     std::error_code ignored; // what cannot be looked at is not there
-    for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored))
+    for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+         entry.increment(ignored))
         names.push_back(entry->path().filename().string());
     std::ranges::sort(names);
     return names;
 }
 
-/// From a device's place in /sys ("…/usb1/1-2/1-2:1.0"): the bus, and how fast the nearest device above it is connected.
+/// From a device's place in /sys ("…/usb1/1-2/1-2:1.0"): the bus, and how fast the nearest device above it is
+/// connected.
 void findUsb(VideoNode &node, const fs::path &device)
 {
     std::error_code problem;

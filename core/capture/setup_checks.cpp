@@ -12,11 +12,13 @@ namespace {
 
 using Verdict = SetupFinding::Verdict;
 
-constexpr std::int64_t enoughReceiveBuffer = 4 << 20; // some pictures of a megapixel camera (packets come in bursts)
+constexpr std::int64_t enoughReceiveBuffer =
+    4 << 20; // some pictures of a megapixel camera (packets come in bursts)
 constexpr int largePackets = 8000;
 constexpr double usb2Mbps = 480;
-constexpr double rateApart = 0.05; // of the rate; measured over two seconds it is known to half a picture a second
-constexpr double badStepS = 0.017; // half an interval of 30 frames/s
+constexpr double rateApart =
+    0.05; // of the rate; measured over two seconds it is known to half a picture a second
+constexpr double badStepS = 0.017;   // half an interval of 30 frames/s
 constexpr double flickerPart = 0.05; // of a lamp's period that an exposure may be off
 
 std::string number(double value, const char *format = "%g")
@@ -60,7 +62,8 @@ const CameraControl *controlNamed(const CheckedCamera &camera, std::initializer_
 {
     const auto found = std::ranges::find_if(camera.controls, [&](const CameraControl &control) {
         const std::string name = lowered(control.name + " " + control.id);
-        return std::ranges::all_of(words, [&](const char *word) { return name.find(word) != std::string::npos; });
+        return std::ranges::all_of(words,
+                                   [&](const char *word) { return name.find(word) != std::string::npos; });
     });
     return found == camera.controls.end() ? nullptr : &*found;
 }
@@ -68,7 +71,8 @@ const CameraControl *controlNamed(const CheckedCamera &camera, std::initializer_
 /// Seconds; nullopt: in no unit that is known.
 std::optional<double> exposureS(const CameraControl &control)
 {
-    static const std::map<std::string, double> units{{"s", 1}, {"ms", 1e-3}, {"µs", 1e-6}, {"us", 1e-6}, {"100 µs", 1e-4}};
+    static const std::map<std::string, double> units{
+        {"s", 1}, {"ms", 1e-3}, {"µs", 1e-6}, {"us", 1e-6}, {"100 µs", 1e-4}};
     const auto unit = units.find(control.unit);
     return unit == units.end() ? std::nullopt : std::optional(control.value * unit->second);
 }
@@ -102,7 +106,8 @@ SetupFinding checkUsbBuses(const std::vector<CheckedCamera> &cameras)
             finding.words += ", of " + number(slowest) + " Mbit/s";
         finding.verdict = slowest > usb2Mbps ? Verdict::Good : Verdict::Warning;
         if (finding.verdict == Verdict::Warning)
-            finding.advice = "plug one into a port on the other side of the computer, or a card of its own; or let both send MJPEG, or smaller pictures";
+            finding.advice = "plug one into a port on the other side of the computer, or a card of its own; "
+                             "or let both send MJPEG, or smaller pictures";
     }
     return finding;
 }
@@ -128,7 +133,8 @@ SetupFinding checkReceiveBuffer(const std::vector<CheckedCamera> &cameras, std::
 {
     const std::string what = "Receive buffer";
     if (!bytes)
-        return {Verdict::NotKnown, what, "the system does not say how large it may be (net.core.rmem_max)", ""};
+        return {Verdict::NotKnown, what, "the system does not say how large it may be (net.core.rmem_max)",
+                ""};
     const std::string size = number(static_cast<double>(*bytes) / (1 << 20), "%.1f") + " MiB";
     if (*bytes >= enoughReceiveBuffer)
         return {Verdict::Good, what, "up to " + size + ", enough for network cameras", ""};
@@ -136,7 +142,8 @@ SetupFinding checkReceiveBuffer(const std::vector<CheckedCamera> &cameras, std::
     if (names.empty())
         return {Verdict::Good, what, size + ", which only network cameras would find too small", ""};
     return {Verdict::Bad, what, "only " + size + ": " + joined(names) + " will lose pictures",
-            "sudo sysctl -w net.core.rmem_max=" + std::to_string(enoughReceiveBuffer) + ", and put the same into /etc/sysctl.d/ to keep it"};
+            "sudo sysctl -w net.core.rmem_max=" + std::to_string(enoughReceiveBuffer) +
+                ", and put the same into /etc/sysctl.d/ to keep it"};
 }
 
 SetupFinding checkPacketSize(const std::vector<CheckedCamera> &cameras, const std::vector<NetworkPort> &ports)
@@ -152,7 +159,8 @@ SetupFinding checkPacketSize(const std::vector<CheckedCamera> &cameras, const st
     if (small.empty())
         return {Verdict::Good, what, "large packets are allowed", ""};
     return {Verdict::Warning, what, "small packets on " + joined(small),
-            "give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it"};
+            "give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if "
+            "camera and switch can take it"};
 }
 
 SetupFinding checkFlicker(const CheckedCamera &camera)
@@ -164,7 +172,8 @@ SetupFinding checkFlicker(const CheckedCamera &camera)
         const std::string word = chosen < filter->choices.size() ? filter->choices[chosen] : "";
         if (lowered(word).find("disabled") == std::string::npos)
             return {Verdict::Good, what, "filtered by the camera (" + word + ")", ""};
-        return {Verdict::Warning, what, "its filter is off: pictures may pulse under lamps", "set '" + filter->name + "' to your mains: 50 Hz in most countries, 60 Hz in the Americas"};
+        return {Verdict::Warning, what, "its filter is off: pictures may pulse under lamps",
+                "set '" + filter->name + "' to your mains: 50 Hz in most countries, 60 Hz in the Americas"};
     }
     const CameraControl *exposure = controlNamed(camera, {"exposure", "time"});
     const auto seconds = exposure ? exposureS(*exposure) : std::nullopt;
@@ -181,7 +190,10 @@ SetupFinding checkAutomatics(const CheckedCamera &camera)
 {
     const std::string what = "Automatics, camera " + camera.name;
     if (!camera.health.notHeld.empty())
-        return {Verdict::Warning, what, joined(camera.health.notHeld) + (camera.health.notHeld.size() > 1 ? " go on changing by themselves" : " goes on changing by itself"),
+        return {Verdict::Warning, what,
+                joined(camera.health.notHeld) + (camera.health.notHeld.size() > 1
+                                                     ? " go on changing by themselves"
+                                                     : " goes on changing by itself"),
                 "turn it off in the camera's own program, or keep the light steady while robots run"};
     if (camera.health.automaticsHeld.value_or(false))
         return {Verdict::Good, what, "exposure, gain, white balance and focus are held", ""};
@@ -203,29 +215,39 @@ SetupFinding checkStep(const std::vector<CheckedCamera> &cameras, const PairHeal
     if (least <= 0)
         return {Verdict::NotKnown, what, "a camera does not deliver", "see its own line"};
     if (most - least > rateApart * most)
-        return {Verdict::Warning, what, "the cameras run at " + number(least, "%.1f") + " and " + number(most, "%.1f") + " frames/s",
-                "set both to one rate; in dim light a camera halves its rate by itself, unless its automatic exposure is off"};
+        return {Verdict::Warning, what,
+                "the cameras run at " + number(least, "%.1f") + " and " + number(most, "%.1f") + " frames/s",
+                "set both to one rate; in dim light a camera halves its rate by itself, unless its automatic "
+                "exposure is off"};
     if (pairs.pairs == 0)
-        return {Verdict::NotKnown, what, "no two pictures have been taken together yet", "wait a few seconds, and look again"};
+        return {Verdict::NotKnown, what, "no two pictures have been taken together yet",
+                "wait a few seconds, and look again"};
     if (pairs.p95S > badStepS)
-        return {Verdict::Warning, what, inStepWords(pairs.p95S), "set both to one rate, or trigger them together"};
+        return {Verdict::Warning, what, inStepWords(pairs.p95S),
+                "set both to one rate, or trigger them together"};
     return {Verdict::Good, what, inStepWords(pairs.p95S), ""};
 }
 
 SetupFinding checkPictureSize(const CheckedCamera &camera)
 {
     const std::string what = "Picture size, camera " + camera.name;
-    const auto size = [](int width, int height) { return std::to_string(width) + "×" + std::to_string(height); };
+    const auto size = [](int width, int height) {
+        return std::to_string(width) + "×" + std::to_string(height);
+    };
     const std::string is = size(camera.description.widthPx, camera.description.heightPx);
     if (camera.registeredWidthPx == 0)
-        return {Verdict::Warning, what, "it is not registered to the floor", "register it in Testbed, or its pictures cannot tell where a robot is"};
-    if (camera.registeredWidthPx == camera.description.widthPx && camera.registeredHeightPx == camera.description.heightPx)
+        return {Verdict::Warning, what, "it is not registered to the floor",
+                "register it in Testbed, or its pictures cannot tell where a robot is"};
+    if (camera.registeredWidthPx == camera.description.widthPx &&
+        camera.registeredHeightPx == camera.description.heightPx)
         return {Verdict::Good, what, is + ", as it was registered", ""};
-    return {Verdict::Bad, what, is + ", but registered at " + size(camera.registeredWidthPx, camera.registeredHeightPx),
+    return {Verdict::Bad, what,
+            is + ", but registered at " + size(camera.registeredWidthPx, camera.registeredHeightPx),
             "let it send the size it was registered at, or calibrate and register it anew"};
 }
 
-std::vector<SetupFinding> checkSetup(std::vector<CheckedCamera> cameras, const PairHealth &pairs, const MachineFacts &machine)
+std::vector<SetupFinding> checkSetup(std::vector<CheckedCamera> cameras, const PairHealth &pairs,
+                                     const MachineFacts &machine)
 {
     for (CheckedCamera &camera : cameras) {
         const auto node = std::ranges::find_if(machine.nodes, [&](const VideoNode &each) {

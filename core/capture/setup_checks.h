@@ -16,7 +16,7 @@ struct CheckedCamera
 {
     std::string name; ///< in the project
     CameraDescription description;
-    std::vector<CameraControl> controls = {};           ///< as they stand; none: not known
+    std::vector<CameraControl> controls = {};          ///< as they stand; none: not known
     int registeredWidthPx = 0, registeredHeightPx = 0; ///< 0: not registered
     ViewHealth health = {};
     std::string usbBus = {}; ///< "usb1"; empty: no USB camera, or not known
@@ -66,7 +66,8 @@ SetupFinding checkPermissions(const std::vector<VideoNode> &nodes);
 /// Network cameras lose packets where the system's receive buffer is smaller than a picture.
 SetupFinding checkReceiveBuffer(const std::vector<CheckedCamera> &cameras, std::optional<std::int64_t> bytes);
 /// Large packets save network cameras most of their work.
-SetupFinding checkPacketSize(const std::vector<CheckedCamera> &cameras, const std::vector<NetworkPort> &ports);
+SetupFinding checkPacketSize(const std::vector<CheckedCamera> &cameras,
+                             const std::vector<NetworkPort> &ports);
 /// Lamps flicker at twice the mains' frequency: exposure, or the camera's filter, must fit.
 SetupFinding checkFlicker(const CheckedCamera &camera);
 /// Exposure, gain, white balance and focus that change by themselves change colours and the rate.
@@ -77,6 +78,7 @@ SetupFinding checkStep(const std::vector<CheckedCamera> &cameras, const PairHeal
 SetupFinding checkPictureSize(const CheckedCamera &camera);
 
 /// All of them, the worst first.
-std::vector<SetupFinding> checkSetup(std::vector<CheckedCamera> cameras, const PairHealth &pairs, const MachineFacts &machine);
+std::vector<SetupFinding> checkSetup(std::vector<CheckedCamera> cameras, const PairHealth &pairs,
+                                     const MachineFacts &machine);
 
 } // namespace odo

@@ -22,7 +22,8 @@ std::vector<GatePassage> LiveGates::add(const LivePosition &position)
         return {};
     m_samples.push_back(position.sample);
     m_points.push_back(position.point);
-    const auto old = std::ranges::find_if(m_samples, [&](const Sample &sample) { return sample.time >= position.sample.time - window; });
+    const auto old = std::ranges::find_if(
+        m_samples, [&](const Sample &sample) { return sample.time >= position.sample.time - window; });
     m_points.erase(m_points.begin(), m_points.begin() + (old - m_samples.begin()));
     m_samples.erase(m_samples.begin(), old);
     std::vector<GatePassage> found = findPassages(m_gates, m_samples, m_points);

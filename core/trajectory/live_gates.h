@@ -7,8 +7,8 @@
 
 namespace odo {
 
-/// Tells while a robot drives when it passes the gates of its task, by the same rule as the analysis (findPassages), with what
-/// is known a moment later. Not thread-safe.
+/// Tells while a robot drives when it passes the gates of its task, by the same rule as the analysis
+/// (findPassages), with what is known a moment later. Not thread-safe.
 class LiveGates
 {
 public:

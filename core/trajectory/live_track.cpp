@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 constexpr Nanoseconds stalledAfter = 200ms, lostAfter = 1s;
 constexpr double stalledIntervals = 2.5; // of a camera that is slower than that
-constexpr double worstSigmaM = 0.1; // beyond it a place is a guess
+constexpr double worstSigmaM = 0.1;      // beyond it a place is a guess
 constexpr std::size_t keptObservations = 60, keptTimes = 60, keptNodes = 90;
 constexpr std::size_t observationsForInterpolation = 8;
 constexpr double leastStepShare = 0.75; // of an interval: one position a picture, not one for each view's
@@ -38,7 +38,10 @@ void keepLast(std::vector<T> &values, std::size_t count)
 ViewTrack newestOf(const ViewTrack &view)
 {
     const std::size_t count = std::min(view.observations.size(), observationsForInterpolation);
-    return {view.view, view.floorView, Nanoseconds{0}, {view.observations.end() - static_cast<std::ptrdiff_t>(count), view.observations.end()}};
+    return {view.view,
+            view.floorView,
+            Nanoseconds{0},
+            {view.observations.end() - static_cast<std::ptrdiff_t>(count), view.observations.end()}};
 }
 
 } // namespace
@@ -55,7 +58,8 @@ LiveTrack::LiveTrack(std::vector<LiveView> views, RobotShape shape)
 std::optional<LivePosition> LiveTrack::add(std::size_t view, const Observation &observation)
 {
     ViewTrack &track = m_views[view];
-    if (!track.floorView || (!track.observations.empty() && observation.time <= track.observations.back().time))
+    if (!track.floorView ||
+        (!track.observations.empty() && observation.time <= track.observations.back().time))
         return std::nullopt;
     track.observations.push_back(observation);
     keepLast(track.observations, keptObservations);
@@ -74,7 +78,8 @@ std::optional<Nanoseconds> LiveTrack::commonTime() const
         if (!view.observations.empty())
             newest = std::max(newest, view.observations.back().time);
     }
-    const Nanoseconds patience = std::max(stalledAfter, fromSeconds(stalledIntervals * toSeconds(usualInterval())));
+    const Nanoseconds patience =
+        std::max(stalledAfter, fromSeconds(stalledIntervals * toSeconds(usualInterval())));
     Nanoseconds common = newest;
     for (const ViewTrack &view : m_views) {
         if (!view.observations.empty() && view.observations.back().time >= newest - patience)
@@ -83,7 +88,8 @@ std::optional<Nanoseconds> LiveTrack::commonTime() const
     if (m_times.empty())
         return common;
     const double stepS = toSeconds(common - m_times.back());
-    return stepS > leastStepShare * toSeconds(usualInterval()) && stepS > 0 ? std::optional(common) : std::nullopt;
+    return stepS > leastStepShare * toSeconds(usualInterval()) && stepS > 0 ? std::optional(common)
+                                                                            : std::nullopt;
 }
 
 /// Between the pictures of the view that has the most of them.
@@ -105,8 +111,10 @@ void LiveTrack::choosePlaneAgain()
         return;
     m_planeChosenAt = m_next;
     const PlaneChoice choice = choosePlane(m_views, m_times, m_shape);
-    // One height for good is known the better the longer the robot was seen; a robot on a ramp has another one each time.
-    if (choice.heightM > 0 && (m_shape.heightM || m_shape.heightVaries || m_plane.heightM <= 0 || choice.sigmaM < m_plane.sigmaM))
+    // One height for good is known the better the longer the robot was seen; a robot on a ramp has another
+    // one each time.
+    if (choice.heightM > 0 &&
+        (m_shape.heightM || m_shape.heightVaries || m_plane.heightM <= 0 || choice.sigmaM < m_plane.sigmaM))
         m_plane = choice;
 }
 
@@ -162,7 +170,8 @@ void LiveTrack::filter(LivePosition &position)
     }
     node.travelM = m_travelM;
     m_filter.predict(node);
-    if (node.measured && m_filter.started() && m_filter.distanceSquared(node) > refusalGate && ++m_refused < refusedInARow) {
+    if (node.measured && m_filter.started() && m_filter.distanceSquared(node) > refusalGate &&
+        ++m_refused < refusedInARow) {
         position.isSpike = true;
     } else if (node.measured) {
         if (m_refused >= refusedInARow) {

@@ -21,28 +21,31 @@ struct LiveView
 /// Where a robot is, as far as it can be known at once. World frame, SI.
 struct LivePosition
 {
-    /// The measurement, as the analysis of a recording fuses it; its time is on the clock that the observations came with.
+    /// The measurement, as the analysis of a recording fuses it; its time is on the clock that the
+    /// observations came with.
     Sample sample;
-    /// By the causal filter, which takes no sample that is rejected or lies too far off; points that are not valid: it does not
-    /// know the robot (yet, or any more).
+    /// By the causal filter, which takes no sample that is rejected or lies too far off; points that are not
+    /// valid: it does not know the robot (yet, or any more).
     ProfilePoint point;
     bool isSpike = false; ///< there is a position that the filter did not take
 };
 
-/// One robot's way, measured while it drives, with what the analysis of a recording uses too: each view's observation is laid
-/// on the plane of the robot's height, all views are interpolated to a common time, and fused; a Kalman filter of the same
-/// model as the smoother's, its noise fitted to the last seconds, gives position and velocity without looking ahead.
+/// One robot's way, measured while it drives, with what the analysis of a recording uses too: each view's
+/// observation is laid on the plane of the robot's height, all views are interpolated to a common time, and
+/// fused; a Kalman filter of the same model as the smoother's, its noise fitted to the last seconds, gives
+/// position and velocity without looking ahead.
 ///
-/// The common time is the newest one that every view has reached; a view that lags by more than a fifth of a second, or
-/// two and a half intervals, has stalled and is waited for no longer. What the solid's form tells (core/trajectory/shape_estimation.h) is left to the
-/// analysis: beside it a live position of a body of 60 mm differs by some millimetres. Not thread-safe.
+/// The common time is the newest one that every view has reached; a view that lags by more than a fifth of a
+/// second, or two and a half intervals, has stalled and is waited for no longer. What the solid's form tells
+/// (core/trajectory/shape_estimation.h) is left to the analysis: beside it a live position of a body of 60 mm
+/// differs by some millimetres. Not thread-safe.
 class LiveTrack
 {
 public:
     LiveTrack(std::vector<LiveView> views, RobotShape shape);
 
-    /// The next observation of a view, in order of time on a clock common to all views. Gives the position of a common time
-    /// that has been reached by it, if one has.
+    /// The next observation of a view, in order of time on a clock common to all views. Gives the position of
+    /// a common time that has been reached by it, if one has.
     std::optional<LivePosition> add(std::size_t view, const Observation &observation);
 
     const PlaneChoice &plane() const { return m_plane; }
@@ -55,7 +58,7 @@ private:
     LivePosition positionAt(Nanoseconds time);
     void filter(LivePosition &position);
 
-    std::vector<ViewTrack> m_views;               ///< the last observations of each
+    std::vector<ViewTrack> m_views;                 ///< the last observations of each
     std::vector<std::vector<Sighting>> m_sightings; ///< of each view at the common times of the last seconds
     std::vector<Nanoseconds> m_times;
     std::vector<std::int64_t> m_numbers;

@@ -16,8 +16,8 @@ constexpr double unknownPlaneSigmaM = 0.03;
 
 } // namespace
 
-std::vector<std::vector<Sighting>> lookFromAllViews(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
-                                                    double planeM)
+std::vector<std::vector<Sighting>> lookFromAllViews(const std::vector<ViewTrack> &views,
+                                                    const std::vector<Nanoseconds> &times, double planeM)
 {
     std::vector<std::vector<Sighting>> all;
     for (const ViewTrack &view : views)
@@ -26,11 +26,13 @@ std::vector<std::vector<Sighting>> lookFromAllViews(const std::vector<ViewTrack>
     return all;
 }
 
-PlaneChoice choosePlane(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times, const RobotShape &shape)
+PlaneChoice choosePlane(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
+                        const RobotShape &shape)
 {
     if (shape.heightM) {
         const bool mark = isMarkAtTop(views, *shape.heightM);
-        return {mark ? *shape.heightM : silhouettePlaneM(*shape.heightM), toldPlaneSigmaM, *shape.heightM, false};
+        return {mark ? *shape.heightM : silhouettePlaneM(*shape.heightM), toldPlaneSigmaM, *shape.heightM,
+                false};
     }
     if (const auto estimate = estimatePlane(lookFromAllViews(views, times, 0))) {
         const bool mark = isMarkAtTop(views, estimate->planeM);

@@ -17,11 +17,12 @@ struct PlaneChoice
 };
 
 /// Each view's sightings on a plane at common times, in their order. Unregistered views see nothing.
-std::vector<std::vector<Sighting>> lookFromAllViews(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
-                                                    double planeM);
+std::vector<std::vector<Sighting>> lookFromAllViews(const std::vector<ViewTrack> &views,
+                                                    const std::vector<Nanoseconds> &times, double planeM);
 
-/// The plane of a robot whose form is not known: by the height told (a mark at its top lies there, a body's silhouette
-/// half as high), or the one on which the views agree best, or, with one view alone, the floor.
-PlaneChoice choosePlane(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times, const RobotShape &shape);
+/// The plane of a robot whose form is not known: by the height told (a mark at its top lies there, a body's
+/// silhouette half as high), or the one on which the views agree best, or, with one view alone, the floor.
+PlaneChoice choosePlane(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
+                        const RobotShape &shape);
 
 } // namespace odo

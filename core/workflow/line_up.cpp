@@ -58,7 +58,8 @@ const TaskRecord *LineUp::task(const std::string &name) const
 
 const TrialRecord *LineUp::newestOf(const std::string &team) const
 {
-    const auto trial = std::ranges::find_if(m_trials, [&](const TrialRecord &each) { return each.teamName == team; });
+    const auto trial =
+        std::ranges::find_if(m_trials, [&](const TrialRecord &each) { return each.teamName == team; });
     return trial == m_trials.end() ? nullptr : &*trial;
 }
 
@@ -96,7 +97,8 @@ NextRun LineUp::first() const
 {
     if (m_teams.empty())
         return run({}, {});
-    const auto last = std::ranges::find_if(m_trials, [](const TrialRecord &trial) { return !trial.teamName.empty(); });
+    const auto last =
+        std::ranges::find_if(m_trials, [](const TrialRecord &trial) { return !trial.teamName.empty(); });
     if (last == m_trials.end())
         return run(m_teams.front().className, m_teams.front().name);
     NextRun before = run(last->className, last->teamName);
@@ -107,7 +109,8 @@ NextRun LineUp::first() const
 std::string LineUp::freeTrialName(const std::string &team) const
 {
     const std::string stem = team.empty() ? "Trial" : team;
-    const auto same = std::ranges::count_if(m_trials, [&](const TrialRecord &trial) { return team.empty() || trial.teamName == team; });
+    const auto same = std::ranges::count_if(
+        m_trials, [&](const TrialRecord &trial) { return team.empty() || trial.teamName == team; });
     for (auto number = same + 1;; ++number) {
         std::string name = stem + " " + std::to_string(number);
         if (std::ranges::find(m_trials, name, &TrialRecord::name) == m_trials.end())

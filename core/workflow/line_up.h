@@ -20,7 +20,8 @@ struct NextRun
     std::string trial; ///< free in the project
 };
 
-/// The teams of a project in the order in which they come up, and what each drove last. A value, read at once; any thread.
+/// The teams of a project in the order in which they come up, and what each drove last. A value, read at
+/// once; any thread.
 class LineUp
 {
 public:
@@ -35,11 +36,13 @@ public:
     const std::vector<RobotRecord> &robots() const { return m_robots; }
     const TaskRecord *task(const std::string &name) const;
 
-    /// A team's run: its robots and the task as in its newest trial, or else all robots and the task that was driven last.
+    /// A team's run: its robots and the task as in its newest trial, or else all robots and the task that was
+    /// driven last.
     NextRun run(const std::string &className, const std::string &team) const;
     /// The run of who comes after the team in its class, from the first again after the last; the task stays.
     NextRun next(const NextRun &run) const;
-    /// Who is up when the sitting begins: after the team of the newest trial; with no team at all a run without one.
+    /// Who is up when the sitting begins: after the team of the newest trial; with no team at all a run
+    /// without one.
     NextRun first() const;
     /// "Falcon 3", or "Trial 3" without a team.
     std::string freeTrialName(const std::string &team) const;

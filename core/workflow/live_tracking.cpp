@@ -15,13 +15,17 @@ using namespace std::chrono_literals;
 
 constexpr Nanoseconds keptBeforeARun = 10s, latencyWindow = 10s;
 
-Nanoseconds now() { return std::chrono::steady_clock::now().time_since_epoch(); }
+Nanoseconds now()
+{
+    return std::chrono::steady_clock::now().time_since_epoch();
+}
 
 double share(std::vector<double> values, double part)
 {
     if (values.empty())
         return 0;
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1) + 0.5);
+    const auto at =
+        values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1) + 0.5);
     std::nth_element(values.begin(), at, values.end());
     return *at;
 }
@@ -39,16 +43,20 @@ std::string liveWords(const LiveFigures &figures)
 {
     if (figures.latencyMedianS <= 0)
         return {};
-    std::string words = "the map is " + std::to_string(std::lround(1e3 * figures.latencyMedianS)) + " ms behind";
-    return words + (figures.dropped == 0 ? ", none skipped" : ", " + std::to_string(figures.dropped) + " skipped");
+    std::string words =
+        "the map is " + std::to_string(std::lround(1e3 * figures.latencyMedianS)) + " ms behind";
+    return words +
+           (figures.dropped == 0 ? ", none skipped" : ", " + std::to_string(figures.dropped) + " skipped");
 }
 
-Result<TaskAnalysis> analyseRun(const LiveRun &run, const AnalysisOptions &options, const std::optional<TaskRecord> &task)
+Result<TaskAnalysis> analyseRun(const LiveRun &run, const AnalysisOptions &options,
+                                const std::optional<TaskRecord> &task)
 {
     return analyseByTask(run.views, shapeOf(run.robot), options, task);
 }
 
-LiveTracker::LiveTracker(const std::vector<LiveView> &views, const std::vector<RobotRecord> &robots, Listener listener)
+LiveTracker::LiveTracker(const std::vector<LiveView> &views, const std::vector<RobotRecord> &robots,
+                         Listener listener)
     : m_robots(robots), m_listener(std::move(listener)), m_views(views.size())
 {
     for (std::size_t v = 0; v < views.size(); ++v) {
@@ -60,8 +68,8 @@ LiveTracker::LiveTracker(const std::vector<LiveView> &views, const std::vector<R
 }
 
 Result<std::unique_ptr<LiveTracker>> LiveTracker::create(const std::vector<LiveView> &views,
-                                                         const std::vector<RobotRecord> &robots, std::vector<Feed> feeds,
-                                                         Listener listener)
+                                                         const std::vector<RobotRecord> &robots,
+                                                         std::vector<Feed> feeds, Listener listener)
 {
     std::unique_ptr<LiveTracker> live(new LiveTracker(views, robots, std::move(listener)));
     std::vector<TrackTarget> targets;

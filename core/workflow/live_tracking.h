@@ -19,8 +19,8 @@ namespace odo {
 
 class ColourTracker;
 
-/// A view's picture with what the tracker saw in it: an observation a robot, stamped with when the picture was taken by this
-/// machine's steady clock.
+/// A view's picture with what the tracker saw in it: an observation a robot, stamped with when the picture
+/// was taken by this machine's steady clock.
 struct LiveSight
 {
     std::size_t view = 0;
@@ -39,8 +39,10 @@ struct LiveMoment
 /// How live tracking keeps up.
 struct LiveFigures
 {
-    std::uint64_t tracked = 0, dropped = 0; ///< pictures of all views; dropped: tracking was too slow for them
-    double latencyMedianS = 0, latencyP99S = 0; ///< of the last ten seconds' positions, from exposure; 0 of none
+    std::uint64_t tracked = 0,
+                  dropped = 0; ///< pictures of all views; dropped: tracking was too slow for them
+    double latencyMedianS = 0,
+           latencyP99S = 0; ///< of the last ten seconds' positions, from exposure; 0 of none
 };
 /// "the map is 38 ms behind, none skipped"; empty while nothing has been placed.
 std::string liveWords(const LiveFigures &figures);
@@ -51,12 +53,14 @@ struct LiveRun
     RobotRecord robot;
     std::vector<ViewTrack> views; ///< registered ones; times since the run's beginning
 };
-/// The run's figures by the ordinary analysis, from what was seen live: they stand until the recording itself has been
-/// tracked, which misses no picture. Errors: those of analyse(). Any thread.
-Result<TaskAnalysis> analyseRun(const LiveRun &run, const AnalysisOptions &options, const std::optional<TaskRecord> &task);
+/// The run's figures by the ordinary analysis, from what was seen live: they stand until the recording itself
+/// has been tracked, which misses no picture. Errors: those of analyse(). Any thread.
+Result<TaskAnalysis> analyseRun(const LiveRun &run, const AnalysisOptions &options,
+                                const std::optional<TaskRecord> &task);
 
-/// Tracks robots in live views while they drive: a thread a view, which takes its pictures from a queue that drops the oldest
-/// one where tracking is too slow. A recording does not come this way, so that it loses nothing.
+/// Tracks robots in live views while they drive: a thread a view, which takes its pictures from a queue that
+/// drops the oldest one where tracking is too slow. A recording does not come this way, so that it loses
+/// nothing.
 class LiveTracker
 {
 public:
@@ -68,8 +72,10 @@ public:
         std::function<void(const LiveMoment &)> moment;
     };
 
-    /// One feed a view. Without robots the pictures are only passed on. Errors: those of ColourTracker::create.
-    static Result<std::unique_ptr<LiveTracker>> create(const std::vector<LiveView> &views, const std::vector<RobotRecord> &robots,
+    /// One feed a view. Without robots the pictures are only passed on. Errors: those of
+    /// ColourTracker::create.
+    static Result<std::unique_ptr<LiveTracker>> create(const std::vector<LiveView> &views,
+                                                       const std::vector<RobotRecord> &robots,
                                                        std::vector<Feed> feeds, Listener listener);
     /// Closes the feeds and waits.
     ~LiveTracker();
@@ -77,7 +83,8 @@ public:
     LiveTracker &operator=(const LiveTracker &) = delete;
 
     LiveFigures figures() const;
-    /// A run has begun at this time of the steady clock, up to ten seconds ago: what is seen from then on is kept.
+    /// A run has begun at this time of the steady clock, up to ten seconds ago: what is seen from then on is
+    /// kept.
     void beginRun(Nanoseconds from);
     /// What was seen since then, a run for each robot. Nothing is kept any more.
     std::vector<LiveRun> endRun();
@@ -87,11 +94,12 @@ private:
     {
         LiveView view;
         Feed feed;
-        std::unique_ptr<ColourTracker> tracker; ///< of the view's thread
+        std::unique_ptr<ColourTracker> tracker;    ///< of the view's thread
         std::vector<std::deque<Observation>> kept; ///< of each robot
         std::thread thread;
     };
-    LiveTracker(const std::vector<LiveView> &views, const std::vector<RobotRecord> &robots, Listener listener);
+    LiveTracker(const std::vector<LiveView> &views, const std::vector<RobotRecord> &robots,
+                Listener listener);
     void follow(std::size_t view);
     void place(LiveSight sight);
     void keep(std::size_t view, const LiveSight &sight);
@@ -100,7 +108,7 @@ private:
     const Listener m_listener;
     std::vector<View> m_views;
 
-    mutable std::mutex m_mutex; ///< guards what follows, and the views' kept observations
+    mutable std::mutex m_mutex;      ///< guards what follows, and the views' kept observations
     std::vector<LiveTrack> m_tracks; ///< of each robot
     std::optional<Nanoseconds> m_runFrom;
     std::uint64_t m_tracked = 0;

@@ -13,7 +13,9 @@ const Gate *gateOf(const std::optional<Task> &task, GateRole role)
 {
     if (!task)
         return nullptr;
-    const auto found = std::ranges::find_if(task->gates, [role](const Gate &gate) { return gate.role == role || gate.role == GateRole::StartFinish; });
+    const auto found = std::ranges::find_if(task->gates, [role](const Gate &gate) {
+        return gate.role == role || gate.role == GateRole::StartFinish;
+    });
     return found == task->gates.end() ? nullptr : &*found;
 }
 
@@ -100,14 +102,16 @@ std::optional<RunOrder> RunControl::tick()
     const Nanoseconds now = m_clock();
     if (m_phase == RunPhase::CountingDown && now >= m_since + m_settings.countdown)
         return begin(m_since + m_settings.countdown);
-    if (m_phase == RunPhase::Recording && ((m_endsAt && now >= *m_endsAt) || now - m_since >= m_settings.longest))
+    if (m_phase == RunPhase::Recording &&
+        ((m_endsAt && now >= *m_endsAt) || now - m_since >= m_settings.longest))
         return end();
     return std::nullopt;
 }
 
 std::optional<RunOrder> RunControl::robotAt(std::size_t robot, const LivePosition &position)
 {
-    if (!startsByGate() || (m_phase != RunPhase::Armed && m_phase != RunPhase::Recording) || robot >= m_gates.size())
+    if (!startsByGate() || (m_phase != RunPhase::Armed && m_phase != RunPhase::Recording) ||
+        robot >= m_gates.size())
         return std::nullopt;
     const auto passed = m_gates[robot].add(position);
     if (m_phase == RunPhase::Armed) {
@@ -136,7 +140,9 @@ bool RunControl::allFinished() const
             ++started;
             laps = lapsOf(gates.passages()).size();
         }
-        const bool isLapped = std::ranges::any_of(gates.passages(), [](const GatePassage &passage) { return passage.role == GateRole::StartFinish; });
+        const bool isLapped = std::ranges::any_of(gates.passages(), [](const GatePassage &passage) {
+            return passage.role == GateRole::StartFinish;
+        });
         if (hasStarted && laps < static_cast<std::size_t>(isLapped ? std::max(1, m_settings.laps) : 1))
             return false;
     }

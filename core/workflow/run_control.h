@@ -14,12 +14,13 @@ namespace odo {
 struct RunSettings
 {
     Nanoseconds countdown{0}; ///< from the press to the beginning; 0: at once
-    /// A press only arms it: recording begins when a robot passes the task's start, and ends when each robot that has
-    /// started has finished. Without effect where the task has no start.
+    /// A press only arms it: recording begins when a robot passes the task's start, and ends when each robot
+    /// that has started has finished. Without effect where the task has no start.
     bool byGates = false;
     int laps = 1; ///< of a task whose start is its finish too
-    Nanoseconds before = std::chrono::seconds(1); ///< recorded before the press, or before the start is passed; not with a countdown
-    Nanoseconds after = std::chrono::seconds(1);  ///< recorded after the finish is passed
+    Nanoseconds before = std::chrono::seconds(
+        1); ///< recorded before the press, or before the start is passed; not with a countdown
+    Nanoseconds after = std::chrono::seconds(1);    ///< recorded after the finish is passed
     Nanoseconds longest = std::chrono::minutes(30); ///< a run that nobody ends ends by itself
 };
 
@@ -32,8 +33,8 @@ struct RunOrder
     Nanoseconds from{0}; ///< of Begin: from when on it is recorded, by the clock
 };
 
-/// Decides when a run is recorded: by a press (a button, a key), after a countdown, or by the robots passing the task's gates.
-/// Only decides; whoever asks does it. Not thread-safe.
+/// Decides when a run is recorded: by a press (a button, a key), after a countdown, or by the robots passing
+/// the task's gates. Only decides; whoever asks does it. Not thread-safe.
 class RunControl
 {
 public:
@@ -69,7 +70,7 @@ private:
     std::optional<Task> m_task;
     std::vector<LiveGates> m_gates; ///< of each robot
     RunPhase m_phase = RunPhase::Ready;
-    Nanoseconds m_since{0};               ///< when the phase began; of Recording: from when on it is recorded
+    Nanoseconds m_since{0};              ///< when the phase began; of Recording: from when on it is recorded
     std::optional<Nanoseconds> m_endsAt; ///< all have finished
 };
 

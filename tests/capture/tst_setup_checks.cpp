@@ -43,7 +43,10 @@ CameraControl choice(const std::string &name, std::vector<std::string> choices, 
     return control;
 }
 
-bool has(const std::string &text, const char *part) { return text.find(part) != std::string::npos; }
+bool has(const std::string &text, const char *part)
+{
+    return text.find(part) != std::string::npos;
+}
 
 void write(const fs::path &file, const std::string &content)
 {
@@ -95,7 +98,8 @@ void TestSetupChecks::permissions()
 void TestSetupChecks::receiveBuffer()
 {
     QCOMPARE(checkReceiveBuffer({}, std::nullopt).verdict, Verdict::NotKnown);
-    QCOMPARE(checkReceiveBuffer({camera("A")}, 212992).verdict, Verdict::Good); // a USB camera has no use for it
+    QCOMPARE(checkReceiveBuffer({camera("A")}, 212992).verdict,
+             Verdict::Good); // a USB camera has no use for it
     QCOMPARE(checkReceiveBuffer({camera("A", "aravis")}, 8 << 20).verdict, Verdict::Good);
     const SetupFinding small = checkReceiveBuffer({camera("A", "aravis")}, 212992); // Debian's
     QCOMPARE(small.verdict, Verdict::Bad);
@@ -120,8 +124,9 @@ void TestSetupChecks::flicker()
     CameraControl exposure;
     exposure.id = exposure.name = "Exposure Time, Absolute";
     exposure.unit = "100 µs";
-    for (const auto &[value, verdict] : {std::pair(100.0, Verdict::Good), std::pair(200.0, Verdict::Good), std::pair(83.0, Verdict::Good),
-                                         std::pair(30.0, Verdict::Warning), std::pair(156.0, Verdict::Warning)}) {
+    for (const auto &[value, verdict] :
+         {std::pair(100.0, Verdict::Good), std::pair(200.0, Verdict::Good), std::pair(83.0, Verdict::Good),
+          std::pair(30.0, Verdict::Warning), std::pair(156.0, Verdict::Warning)}) {
         exposure.value = value;
         a.controls = {exposure};
         QCOMPARE(checkFlicker(a).verdict, verdict);
@@ -142,7 +147,8 @@ void TestSetupChecks::automatics()
     QCOMPARE(checkAutomatics(a).verdict, Verdict::Good);
     a.health.notHeld = {"Exposure, Auto", "Gain, Auto"};
     QCOMPARE(checkAutomatics(a).verdict, Verdict::Warning);
-    QCOMPARE(checkAutomatics(a).words, std::string("Exposure, Auto and Gain, Auto go on changing by themselves"));
+    QCOMPARE(checkAutomatics(a).words,
+             std::string("Exposure, Auto and Gain, Auto go on changing by themselves"));
 }
 
 void TestSetupChecks::step()
@@ -185,7 +191,9 @@ void TestSetupChecks::theWorstComesFirst()
     const auto findings = checkSetup({camera("A"), b}, {}, machine);
     QCOMPARE(findings.size(), std::size_t(11)); // three a camera, five of the whole
     QCOMPARE(findings.front().what, std::string("Picture size, camera B"));
-    QVERIFY(std::ranges::any_of(findings, [](const SetupFinding &each) { return each.what == "USB buses" && each.verdict == Verdict::Warning; }));
+    QVERIFY(std::ranges::any_of(findings, [](const SetupFinding &each) {
+        return each.what == "USB buses" && each.verdict == Verdict::Warning;
+    }));
     for (const SetupFinding &finding : findings) {
         const bool bad = finding.verdict == Verdict::Bad || finding.verdict == Verdict::Warning;
         QVERIFY2(!finding.words.empty() && (!bad || !finding.advice.empty()), finding.what.c_str());

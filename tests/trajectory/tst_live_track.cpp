@@ -114,14 +114,16 @@ void TestLiveTrack::followsAtOnce()
 {
     QFETCH(double, laterS);
     QFETCH(double, fps);
-    const std::vector<ViewTrack> tracks{filmed(cameraA(), 0, std::max(30.0, fps)), filmed(cameraB(), laterS, fps)};
+    const std::vector<ViewTrack> tracks{filmed(cameraA(), 0, std::max(30.0, fps)),
+                                        filmed(cameraB(), laterS, fps)};
     const auto positions = follow(tracks, toldHeight);
     const LiveErrors errors = errorsFrom(1, positions, m_eight);
     // One position a picture of the faster view, within a twentieth.
     const double rate = std::max(30.0, fps);
-    QVERIFY2(errors.points > 0.95 * 9 * rate && errors.points < 1.05 * 9 * rate, qPrintable(QString::number(errors.points)));
-    // 0.3 px at some 3 m and 950 px are 1 mm a view; filtered without looking ahead hardly less. The speed: what a filter
-    // of constant acceleration lags behind at 5 m/s³.
+    QVERIFY2(errors.points > 0.95 * 9 * rate && errors.points < 1.05 * 9 * rate,
+             qPrintable(QString::number(errors.points)));
+    // 0.3 px at some 3 m and 950 px are 1 mm a view; filtered without looking ahead hardly less. The speed:
+    // what a filter of constant acceleration lags behind at 5 m/s³.
     QVERIFY2(errors.positionM < 0.003, qPrintable(QString::number(errors.positionM)));
     QVERIFY2(errors.speedMps < 0.05, qPrintable(QString::number(errors.speedMps)));
 }
@@ -182,7 +184,8 @@ void TestLiveTrack::aSpikeIsNotTakenAndARobotPutElsewhereIs()
         for (ViewTrack &track : tracks) {
             for (std::size_t i = from; i < to; ++i) {
                 const Eigen::Vector2d place = m_eight(i / 30.0).position + by;
-                track.observations[i].ellipse.centrePx = *track.floorView->pixelFromWorld({place.x(), place.y(), heightM / 2});
+                track.observations[i].ellipse.centrePx =
+                    *track.floorView->pixelFromWorld({place.x(), place.y(), heightM / 2});
             }
         }
     };
@@ -190,10 +193,12 @@ void TestLiveTrack::aSpikeIsNotTakenAndARobotPutElsewhereIs()
     moveTo(200, 300, {0, 0.3});
     const auto positions = follow(tracks, toldHeight);
     QCOMPARE(positions.size(), std::size_t(300));
-    QVERIFY(positions[120].isSpike && positions[121].isSpike && !positions[119].isSpike && !positions[122].isSpike);
+    QVERIFY(positions[120].isSpike && positions[121].isSpike && !positions[119].isSpike &&
+            !positions[122].isSpike);
     QVERIFY((positions[121].point.position - m_eight(121 / 30.0).position).norm() < 0.02);
     QVERIFY(positions[200].isSpike && !positions[206].isSpike);
-    QVERIFY((positions[215].point.position - m_eight(215 / 30.0).position - Eigen::Vector2d(0, 0.3)).norm() < 0.02);
+    QVERIFY((positions[215].point.position - m_eight(215 / 30.0).position - Eigen::Vector2d(0, 0.3)).norm() <
+            0.02);
 }
 
 QTEST_GUILESS_MAIN(TestLiveTrack)

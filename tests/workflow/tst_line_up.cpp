@@ -19,7 +19,8 @@ private Q_SLOTS:
     void withoutTeamsTrialsAreNumbered();
 
 private:
-    void addTrial(const std::string &name, const std::string &team, const std::string &task, const Names &robots, int minute);
+    void addTrial(const std::string &name, const std::string &team, const std::string &task,
+                  const Names &robots, int minute);
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<Project> m_project;
 };
@@ -37,7 +38,8 @@ void TestLineUp::init()
     }
 }
 
-void TestLineUp::addTrial(const std::string &name, const std::string &team, const std::string &task, const Names &robots, int minute)
+void TestLineUp::addTrial(const std::string &name, const std::string &team, const std::string &task,
+                          const Names &robots, int minute)
 {
     TrialRecord trial;
     trial.name = name;
@@ -52,7 +54,8 @@ void TestLineUp::addTrial(const std::string &name, const std::string &team, cons
 
 void TestLineUp::teamsComeUpOneAfterTheOther()
 {
-    for (const auto &[team, className] : {std::pair("Otter", "9A"), std::pair("Falcon", "9A"), std::pair("Lynx", "9B")})
+    for (const auto &[team, className] :
+         {std::pair("Otter", "9A"), std::pair("Falcon", "9A"), std::pair("Lynx", "9B")})
         QVERIFY(m_project->teams().add({0, team, className}));
     addTrial("x", "Falcon", "Circle", {"Blue 1"}, 1);
     const LineUp up = *LineUp::read(*m_project);

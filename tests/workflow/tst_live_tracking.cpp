@@ -36,10 +36,12 @@ struct Drive
 
     Result<std::unique_ptr<LiveTracker>> follow()
     {
-        return LiveTracker::create(views, robots, feeds, {[this](const LiveSight &sight) { ++sights[sight.view]; },
-                                                          [this](const LiveMoment &moment) { moments.push_back(moment); }});
+        return LiveTracker::create(views, robots, feeds,
+                                   {[this](const LiveSight &sight) { ++sights[sight.view]; },
+                                    [this](const LiveMoment &moment) { moments.push_back(moment); }});
     }
-    /// Each picture in its turn; none is dropped. stalls: a view that gives nothing in this part of the scene.
+    /// Each picture in its turn; none is dropped. stalls: a view that gives nothing in this part of the
+    /// scene.
     void play(double fromS, double toS, std::optional<std::size_t> silent = std::nullopt)
     {
         std::vector<std::unique_ptr<SceneRenderer>> renderers;
@@ -65,7 +67,8 @@ struct Drive
         for (const LiveMoment &moment : moments) {
             if (!moment.position.point.valid)
                 continue;
-            const MotionState truth = scene.robots.front().motion->at(toSeconds(moment.position.sample.time - zero));
+            const MotionState truth =
+                scene.robots.front().motion->at(toSeconds(moment.position.sample.time - zero));
             sum += (moment.position.point.position - truth.position).squaredNorm();
             ++count;
         }
@@ -106,7 +109,8 @@ void TestLiveTracking::placesAreTrueAndTheRunIsAnalysedAsARecordingIs()
     live->reset(); // all that was given is tracked
     const auto [rms, count] = drive.positionRms();
     QVERIFY2(count > 225, qPrintable(QString::number(count))); // of 240, the first tell no speed yet
-    // docs/accuracy.md has 1 mm for recordings; the silhouette's centre in place of the solid costs some millimetres.
+    // docs/accuracy.md has 1 mm for recordings; the silhouette's centre in place of the solid costs some
+    // millimetres.
     QVERIFY2(rms < 0.006, qPrintable(QString::number(rms)));
 
     QCOMPARE(runs.size(), std::size_t(1));
@@ -115,7 +119,8 @@ void TestLiveTracking::placesAreTrueAndTheRunIsAnalysedAsARecordingIs()
     QVERIFY(analysis);
     const auto top = std::ranges::find(analysis->profile.metrics, std::string("max_speed"), &Metric::name);
     QVERIFY(top != analysis->profile.metrics.end());
-    QVERIFY2(std::abs(top->value - 1.1) < 3 * top->sigma.value_or(0) + 0.01, qPrintable(QString::number(top->value)));
+    QVERIFY2(std::abs(top->value - 1.1) < 3 * top->sigma.value_or(0) + 0.01,
+             qPrintable(QString::number(top->value)));
 }
 
 void TestLiveTracking::oneCameraUnregisteredOrOfAnotherSize()
@@ -135,7 +140,8 @@ void TestLiveTracking::oneCameraUnregisteredOrOfAnotherSize()
     Intrinsics lens = b.view.camera().intrinsics();
     lens.widthPx = 640;
     other.views[0].floorView.reset();
-    other.views[1].floorView = FloorView(*CameraModel::create(lens), b.view.worldFromCamera(), b.view.poseCovariance());
+    other.views[1].floorView =
+        FloorView(*CameraModel::create(lens), b.view.worldFromCamera(), b.view.poseCovariance());
     auto live = other.follow();
     (*live)->beginRun(other.zero);
     other.play(0, 0.5);
@@ -154,7 +160,8 @@ void TestLiveTracking::aViewThatStalls()
         const auto before = drive.moments.size();
         drive.play(1, 3, silent);
         live->reset();
-        QVERIFY(drive.moments.size() > before + 45); // of 60, less the fifth of a second that it is waited for
+        QVERIFY(drive.moments.size() >
+                before + 45); // of 60, less the fifth of a second that it is waited for
         QCOMPARE(drive.moments.back().position.sample.views, silent == 0 ? 2u : 1u);
         const double rms = drive.positionRms().first;
         QVERIFY2(rms < 0.015, qPrintable(QString::number(rms)));
@@ -175,7 +182,8 @@ void TestLiveTracking::noRobotSeenAndNoneKnown()
         QVERIFY(!drive.moments.empty());
         for (const LiveMoment &moment : drive.moments)
             QVERIFY(!moment.position.sample.position && !moment.position.point.valid);
-        QVERIFY(analyseRun(runs.front(), {}, std::nullopt).error().why.find("was not found in any picture") != std::string::npos);
+        QVERIFY(analyseRun(runs.front(), {}, std::nullopt).error().why.find("was not found in any picture") !=
+                std::string::npos);
     }
     Drive none("circle");
     none.robots.clear();
@@ -197,13 +205,14 @@ void TestLiveTracking::whatIsTooFastIsDroppedAndCounted()
     std::promise<void> arrived, goOn;
     auto going = goOn.get_future();
     int sights = 0;
-    auto live = LiveTracker::create(drive.views, {}, drive.feeds, {[&](const LiveSight &) {
-                                                                      if (++sights == 1) {
-                                                                          arrived.set_value();
-                                                                          going.wait();
-                                                                      }
-                                                                  },
-                                                                  {}});
+    auto live = LiveTracker::create(drive.views, {}, drive.feeds,
+                                    {[&](const LiveSight &) {
+                                         if (++sights == 1) {
+                                             arrived.set_value();
+                                             going.wait();
+                                         }
+                                     },
+                                     {}});
     TimedFrame picture;
     picture.captured.frame = SceneRenderer(drive.scene, 0).render(0);
     drive.feeds[0]->pushOrDrop(picture);

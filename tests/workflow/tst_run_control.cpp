@@ -12,7 +12,8 @@ namespace {
 Task line()
 {
     Task task;
-    task.gates = {gateAcross("Start", GateRole::Start, {0.5, 0}, {1, 0}, 1), gateAcross("Finish", GateRole::Finish, {2.5, 0}, {1, 0}, 1)};
+    task.gates = {gateAcross("Start", GateRole::Start, {0.5, 0}, {1, 0}, 1),
+                  gateAcross("Finish", GateRole::Finish, {2.5, 0}, {1, 0}, 1)};
     return task;
 }
 
@@ -54,7 +55,10 @@ private Q_SLOTS:
 
 private:
     Nanoseconds m_now{0};
-    RunControl control() { return RunControl([this] { return m_now; }); }
+    RunControl control()
+    {
+        return RunControl([this] { return m_now; });
+    }
     /// Drives along x at 1 m/s for so long, 30 positions a second; gives the first order and when it came.
     std::optional<RunOrder> driveLine(RunControl &control, std::size_t robot, double fromM, double toM)
     {
@@ -143,7 +147,8 @@ void TestRunControl::lapsAreCounted()
     for (int i = 0; i < 30 * 14; ++i) { // anticlockwise from (1, 0): the gate is a quarter on
         m_now += fromSeconds(1 / 30.0);
         const double w = 2 * std::numbers::pi / periodS, angle = w * toSeconds(m_now - set);
-        const LivePosition here = at(m_now, {std::cos(angle), std::sin(angle)}, {-w * std::sin(angle), w * std::cos(angle)});
+        const LivePosition here =
+            at(m_now, {std::cos(angle), std::sin(angle)}, {-w * std::sin(angle), w * std::cos(angle)});
         for (const auto &order : {run.robotAt(0, here), run.tick()}) {
             if (order)
                 orders.emplace_back(order->kind, m_now - set);
@@ -151,7 +156,8 @@ void TestRunControl::lapsAreCounted()
     }
     QCOMPARE(orders.size(), std::size_t(2));
     QVERIFY(orders[0].first == RunOrder::Kind::Begin && std::chrono::abs(orders[0].second - 1s) < 100ms);
-    QVERIFY(orders[1].first == RunOrder::Kind::End && std::chrono::abs(orders[1].second - 10s) < 150ms); // 1 + 2·4 + 1 s after
+    QVERIFY(orders[1].first == RunOrder::Kind::End &&
+            std::chrono::abs(orders[1].second - 10s) < 150ms); // 1 + 2·4 + 1 s after
 }
 
 void TestRunControl::allWhoStartedMustFinish()

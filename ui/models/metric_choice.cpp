@@ -8,9 +8,9 @@ namespace odo {
 
 std::vector<Metric> tellingMetrics(const std::vector<Metric> &all, std::size_t count)
 {
-    static const std::vector<std::string> order = {"gate_time",       "best_lap",  "laps",       "cross_track_rms",
-                                                   "duration",        "path_length", "max_speed", "mean_speed",
-                                                   "max_accel",       "moving_time"};
+    static const std::vector<std::string> order = {"gate_time", "best_lap",    "laps",      "cross_track_rms",
+                                                   "duration",  "path_length", "max_speed", "mean_speed",
+                                                   "max_accel", "moving_time"};
     std::vector<Metric> chosen;
     for (const std::string &name : order) {
         const auto found = std::ranges::find(all, name, &Metric::name);

@@ -7,7 +7,8 @@
 
 namespace odo {
 
-/// So many of a run's metrics, the most telling ones first: the time of the task before all; what else there is fills up.
+/// So many of a run's metrics, the most telling ones first: the time of the task before all; what else there
+/// is fills up.
 std::vector<Metric> tellingMetrics(const std::vector<Metric> &all, std::size_t count);
 
 } // namespace odo

@@ -53,7 +53,8 @@ double MapPlan::scalePx() const
 QPointF MapPlan::fromWorld(const Eigen::Vector2d &point) const
 {
     const Eigen::Vector2d apart = (point - bounds.center()) * scalePx();
-    return {size.width() / 2.0 + apart.x(), topMargin + (size.height() - topMargin - footHeight - sideMargin) / 2.0 - apart.y()};
+    return {size.width() / 2.0 + apart.x(),
+            topMargin + (size.height() - topMargin - footHeight - sideMargin) / 2.0 - apart.y()};
 }
 
 void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette, bool overPicture)
@@ -73,11 +74,13 @@ void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette
         painter.drawLine(QPointF(0, y), QPointF(plan.size.width(), y));
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(colours.muted);
-    painter.drawText(QRectF(0, plan.size.height() - MapPlan::footHeight, plan.size.width() - 10, MapPlan::footHeight - 6),
-                     Qt::AlignRight | Qt::AlignBottom, Words::tr("grid %1 m").arg(QLocale().toString(step)));
+    painter.drawText(
+        QRectF(0, plan.size.height() - MapPlan::footHeight, plan.size.width() - 10, MapPlan::footHeight - 6),
+        Qt::AlignRight | Qt::AlignBottom, Words::tr("grid %1 m").arg(QLocale().toString(step)));
 }
 
-void drawMapMarkers(QPainter &painter, const MapPlan &plan, const MarkerLayout &layout, const QPalette &palette)
+void drawMapMarkers(QPainter &painter, const MapPlan &plan, const MarkerLayout &layout,
+                    const QPalette &palette)
 {
     const QColor colour = ThemeColours::of(palette).text;
     const QFontMetricsF metrics(painter.font());
@@ -108,7 +111,8 @@ void drawMapRobot(QPainter &painter, const MapPlan &plan, const MapRobot &robot,
     painter.save();
     painter.translate(at);
     if (robot.headingRad)
-        painter.rotate(-*robot.headingRad * 180 / std::numbers::pi); // Y is up on the floor, down on the screen
+        painter.rotate(-*robot.headingRad * 180 /
+                       std::numbers::pi); // Y is up on the floor, down on the screen
     painter.drawPath(robotSign(robot, scale));
     painter.restore();
     if (robot.label.isEmpty())

@@ -22,7 +22,7 @@ struct MapPlan
     static constexpr double footHeight = 30; ///< for the scale and the legend
 
     Eigen::AlignedBox2d bounds{Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)}; ///< that must be seen, metres
-    QSizeF size;                                                               ///< of the widget
+    QSizeF size;                                                              ///< of the widget
 
     double scalePx() const; ///< logical pixels a metre
     QPointF fromWorld(const Eigen::Vector2d &point) const;
@@ -31,7 +31,8 @@ struct MapPlan
 /// A line every round distance, and the distance at the foot.
 void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette, bool overPicture);
 /// The markers of a layout with their labels, outside of the field.
-void drawMapMarkers(QPainter &painter, const MapPlan &plan, const MarkerLayout &layout, const QPalette &palette);
+void drawMapMarkers(QPainter &painter, const MapPlan &plan, const MarkerLayout &layout,
+                    const QPalette &palette);
 
 /// A robot where it is now.
 struct MapRobot
@@ -43,7 +44,8 @@ struct MapRobot
     QColor colour;
     QString label; ///< may be empty
 };
-/// A haze of two σ, and the robot's footprint where it is known and large enough, else a dot, with a point towards the heading.
+/// A haze of two σ, and the robot's footprint where it is known and large enough, else a dot, with a point
+/// towards the heading.
 void drawMapRobot(QPainter &painter, const MapPlan &plan, const MapRobot &robot, const QPalette &palette);
 
 } // namespace odo

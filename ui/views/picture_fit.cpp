@@ -10,14 +10,18 @@ QRectF fittedRect(const QSize &picturePx, const QSizeF &widget, double devicePix
     if (picturePx.isEmpty())
         return {QPointF(0, 0), widget};
     const QSizeF size = QSizeF(picturePx).scaled(widget, Qt::KeepAspectRatio);
-    const auto whole = [devicePixelRatio](double length) { return std::round(length * devicePixelRatio) / devicePixelRatio; };
-    return {whole((widget.width() - size.width()) / 2), whole((widget.height() - size.height()) / 2), whole(size.width()),
-            whole(size.height())};
+    const auto whole = [devicePixelRatio](double length) {
+        return std::round(length * devicePixelRatio) / devicePixelRatio;
+    };
+    return {whole((widget.width() - size.width()) / 2), whole((widget.height() - size.height()) / 2),
+            whole(size.width()), whole(size.height())};
 }
 
 QPointF fromPicturePixel(const QPointF &pixel, const QSize &picturePx, const QRectF &fitted)
 {
-    return picturePx.isEmpty() ? pixel : fitted.topLeft() + (pixel + QPointF(0.5, 0.5)) * (fitted.width() / picturePx.width());
+    return picturePx.isEmpty()
+               ? pixel
+               : fitted.topLeft() + (pixel + QPointF(0.5, 0.5)) * (fitted.width() / picturePx.width());
 }
 
 } // namespace odo

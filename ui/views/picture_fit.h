@@ -7,8 +7,8 @@
 
 namespace odo {
 
-/// Where a picture of a size in pixels stands in a widget, as large as fits, on whole device pixels, so that it is not resampled
-/// once more. All of the widget for an empty size.
+/// Where a picture of a size in pixels stands in a widget, as large as fits, on whole device pixels, so that
+/// it is not resampled once more. All of the widget for an empty size.
 QRectF fittedRect(const QSize &picturePx, const QSizeF &widget, double devicePixelRatio);
 
 /// Where a pixel of it lies; pixel (0,0) is the centre of the top-left one.
