@@ -10,8 +10,8 @@ namespace odo {
 
 namespace {
 
-// Colour differences and the correction of luma are kept in 1/64 of a code value; the sum of (1 3 3 1)(1 3 3 1) over the pixels
-// of one colour is 16, over both kinds of green 32.
+// Colour differences and the correction of luma are kept in 1/64 of a code value; the sum of (1 3 3 1)(1 3 3
+// 1) over the pixels of one colour is 16, over both kinds of green 32.
 constexpr int fraction = 64;
 constexpr int differenceScale = fraction / 16;
 // BT.601 in 1/65536: Cb and Cr of R − G and B − G, and what is missing of luma when it is R/4 + G/2 + B/4.
@@ -47,7 +47,8 @@ public:
     BayerSplitter(const PlaneView &raw, BayerOrder order, FrameBuffer &frame)
         : m_raw(raw), m_order(order), m_frame(frame), m_column(static_cast<std::size_t>(raw.width) + 4),
           m_second(m_column.size()), m_cells(static_cast<std::size_t>(frame.chromaWidth()) + 2),
-          m_missing(static_cast<std::size_t>(frame.chromaWidth()) * static_cast<std::size_t>(frame.chromaHeight()))
+          m_missing(static_cast<std::size_t>(frame.chromaWidth()) *
+                    static_cast<std::size_t>(frame.chromaHeight()))
     {
     }
 
@@ -69,7 +70,8 @@ private:
     void mirrorMargins(std::vector<int> &sums) const
     {
         for (const int x : {-2, -1, m_raw.width, m_raw.width + 1})
-            sums[static_cast<std::size_t>(x + margin)] = sums[static_cast<std::size_t>(mirrored(x, m_raw.width) + margin)];
+            sums[static_cast<std::size_t>(x + margin)] =
+                sums[static_cast<std::size_t>(mirrored(x, m_raw.width) + margin)];
     }
     void splitChromaRow(int cy);
     void smoothLumaRow(int y);
@@ -79,13 +81,15 @@ private:
     const BayerOrder m_order;
     FrameBuffer &m_frame;
     std::vector<int> m_column, m_second; ///< weighted sums over rows, a column each
-    std::vector<int> m_cells;            ///< what luma misses in this row, in 1/256, a cell each, with one more on both sides
+    std::vector<int>
+        m_cells; ///< what luma misses in this row, in 1/256, a cell each, with one more on both sides
     std::vector<std::int16_t> m_missing; ///< of luma, in the middle of each cell
 };
 
 void BayerSplitter::splitChromaRow(int cy)
 {
-    const std::uint8_t *above = row(2 * cy - 1), *first = row(2 * cy), *second = row(2 * cy + 1), *below = row(2 * cy + 2);
+    const std::uint8_t *above = row(2 * cy - 1), *first = row(2 * cy), *second = row(2 * cy + 1),
+                       *below = row(2 * cy + 2);
     // Rows 2cy and 2cy + 2 have the same two colours, and so have 2cy − 1 and 2cy + 1.
     for (int x = 0; x < m_raw.width; ++x) {
         m_column[static_cast<std::size_t>(x + margin)] = 3 * first[x] + below[x];
@@ -93,7 +97,8 @@ void BayerSplitter::splitChromaRow(int cy)
     }
     mirrorMargins(m_column);
     mirrorMargins(m_second);
-    const std::vector<int> &withRed = redIsBelow(m_order) ? m_second : m_column, &withBlue = redIsBelow(m_order) ? m_column : m_second;
+    const std::vector<int> &withRed = redIsBelow(m_order) ? m_second : m_column,
+                           &withBlue = redIsBelow(m_order) ? m_column : m_second;
     const int red = redIsRight(m_order);
     std::uint8_t *u = m_frame.uRow(cy), *v = m_frame.vRow(cy);
     for (int cx = 0; cx < m_frame.chromaWidth(); ++cx) {
@@ -103,15 +108,18 @@ void BayerSplitter::splitChromaRow(int cy)
         const int twiceGreen = red ? even(withRed) + odd(withBlue) : odd(withRed) + even(withBlue);
         const int redMore = (2 * (red ? odd(withRed) : even(withRed)) - twiceGreen) * differenceScale / 2;
         const int blueMore = (2 * (red ? even(withBlue) : odd(withBlue)) - twiceGreen) * differenceScale / 2;
-        constexpr int shift = 22, middle = (128 << shift) + (1 << (shift - 1)) - 1; // -1 keeps pure blue and red at 255
+        constexpr int shift = 22,
+                      middle = (128 << shift) + (1 << (shift - 1)) - 1; // -1 keeps pure blue and red at 255
         u[cx] = toCode((blueOfRed * redMore + blueOfBlue * blueMore + middle) >> shift);
         v[cx] = toCode((redOfRed * redMore + redOfBlue * blueMore + middle) >> shift);
-        m_missing[static_cast<std::size_t>(cy) * static_cast<std::size_t>(m_frame.chromaWidth()) + static_cast<std::size_t>(cx)] =
+        m_missing[static_cast<std::size_t>(cy) * static_cast<std::size_t>(m_frame.chromaWidth()) +
+                  static_cast<std::size_t>(cx)] =
             static_cast<std::int16_t>((lumaOfRed * redMore + lumaOfBlue * blueMore + (1 << 15)) >> 16);
     }
 }
 
-/// What luma misses lies in the middle of the cells: between them in proportion, a quarter and three quarters of the way.
+/// What luma misses lies in the middle of the cells: between them in proportion, a quarter and three quarters
+/// of the way.
 void BayerSplitter::gatherMissing(int y)
 {
     const int width = m_frame.chromaWidth(), last = m_frame.chromaHeight() - 1;

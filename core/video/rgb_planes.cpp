@@ -47,15 +47,19 @@ Frame rgbPlanes(const RgbView &picture, std::int64_t index, Nanoseconds time)
         const std::uint8_t *pixel = picture.data + y * picture.stride;
         std::uint8_t *luma = frame->yRow(y);
         for (int x = 0; x < picture.width; ++x, pixel += 3)
-            luma[x] = static_cast<std::uint8_t>((19595 * pixel[redAt] + 38470 * pixel[1] + 7471 * pixel[2 - redAt] + (1 << 15)) >> 16);
+            luma[x] = static_cast<std::uint8_t>(
+                (19595 * pixel[redAt] + 38470 * pixel[1] + 7471 * pixel[2 - redAt] + (1 << 15)) >> 16);
     }
-    constexpr int shift = 18, middle = (128 << shift) + (1 << (shift - 1)) - 1; // -1 keeps pure blue and red at 255
+    constexpr int shift = 18,
+                  middle = (128 << shift) + (1 << (shift - 1)) - 1; // -1 keeps pure blue and red at 255
     for (int cy = 0; cy < frame->chromaHeight(); ++cy) {
         std::uint8_t *u = frame->uRow(cy), *v = frame->vRow(cy);
         for (int cx = 0; cx < frame->chromaWidth(); ++cx) {
             const Block sum = blockAt(picture, cx, cy, redAt);
-            u[cx] = static_cast<std::uint8_t>((-11059 * sum.red - 21709 * sum.green + 32768 * sum.blue + middle) >> shift);
-            v[cx] = static_cast<std::uint8_t>((32768 * sum.red - 27439 * sum.green - 5329 * sum.blue + middle) >> shift);
+            u[cx] = static_cast<std::uint8_t>(
+                (-11059 * sum.red - 21709 * sum.green + 32768 * sum.blue + middle) >> shift);
+            v[cx] = static_cast<std::uint8_t>(
+                (32768 * sum.red - 27439 * sum.green - 5329 * sum.blue + middle) >> shift);
         }
     }
     return FrameBuffer::toFrame(std::move(frame), index, time);

@@ -15,8 +15,9 @@ struct RgbView
     Order order = Order::Rgb;
 };
 
-/// Planes of a picture of packed colours: luma at full size, U and V the mean of each 2×2 pixels, so that they lie in their middle
-/// (siting Center; of an odd last column or row, of what there is); full range, BT.601 as JFIF 1.02 defines it. Any thread.
+/// Planes of a picture of packed colours: luma at full size, U and V the mean of each 2×2 pixels, so that
+/// they lie in their middle (siting Center; of an odd last column or row, of what there is); full range,
+/// BT.601 as JFIF 1.02 defines it. Any thread.
 Frame rgbPlanes(const RgbView &picture, std::int64_t index, Nanoseconds time);
 
 /// Planes of a picture without colours: luma as it is, no chroma (128, 4:2:0); full range. Any thread.

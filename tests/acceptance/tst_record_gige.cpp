@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From two GigE cameras to a robot's track, by the command line: the simulated testbed is streamed over the loopback as raw Bayer pictures, by
-// cameras whose clocks know nothing of one another.
+// From two GigE cameras to a robot's track, by the command line: the simulated testbed is streamed over the
+// loopback as raw Bayer pictures, by cameras whose clocks know nothing of one another.
 #include "core/exchange/intrinsics_yaml.h"
 #include "core/simulation/demo_testbed.h"
 #include "tests/support/gige/raw_painters.h"
@@ -79,7 +79,8 @@ void TestRecordGige::setUpScene()
         m_scene.cameras[i].framesPerSecond = rate;
         m_scene.cameras[i].clockDriftPpm = 0;
         m_scene.cameras[i].sensor.exposureS = exposureS;
-        m_painters[i] = scenePainter(m_scene, static_cast<int>(i), firstFrame, pixel::bayerRg8, m_beginning + i * phase);
+        m_painters[i] =
+            scenePainter(m_scene, static_cast<int>(i), firstFrame, pixel::bayerRg8, m_beginning + i * phase);
     }
 }
 
@@ -102,7 +103,8 @@ void TestRecordGige::setUpProject()
 {
     QByteArray layout = "label,x_mm,y_mm\n";
     for (const Marker &marker : m_scene.floor.markers.markers)
-        layout += QByteArray::fromStdString(marker.label) + ',' + QByteArray::number(1000 * marker.pointInWorld.x()) + ',' +
+        layout += QByteArray::fromStdString(marker.label) + ',' +
+                  QByteArray::number(1000 * marker.pointInWorld.x()) + ',' +
                   QByteArray::number(1000 * marker.pointInWorld.y()) + '\n';
     write(QStringLiteral("layout.csv"), layout);
     succeed(QStringLiteral("new %/p.odo"));
@@ -113,11 +115,14 @@ void TestRecordGige::setUpProject()
         const QString name(QChar(u'A' + i));
         QByteArray markers = "label,u,v\n";
         for (const Marker &marker : m_scene.floor.markers.markers) {
-            const Vector2d at = *camera.view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
-            markers += QByteArray::fromStdString(marker.label) + ',' + QByteArray::number(at.x(), 'f', 2) + ',' + QByteArray::number(at.y(), 'f', 2) + '\n';
+            const Vector2d at =
+                *camera.view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
+            markers += QByteArray::fromStdString(marker.label) + ',' + QByteArray::number(at.x(), 'f', 2) +
+                       ',' + QByteArray::number(at.y(), 'f', 2) + '\n';
         }
         write(name + QStringLiteral(".csv"), markers);
-        QVERIFY(writeIntrinsics(m_folder.filePath(name + QStringLiteral(".yaml")).toStdString(), camera.name, camera.view.camera().intrinsics()));
+        QVERIFY(writeIntrinsics(m_folder.filePath(name + QStringLiteral(".yaml")).toStdString(), camera.name,
+                                camera.view.camera().intrinsics()));
         succeed(QStringLiteral("intrinsics import %/p.odo %1 %/%1.yaml").arg(name));
         succeed(QStringLiteral("register %/p.odo --camera %1 --layout floor --pixels %/%1.csv").arg(name));
     }
@@ -141,15 +146,19 @@ void TestRecordGige::theyAreListed()
             uris << camera[QStringLiteral("uri")].toString();
     }
     QVERIFY(uris.contains(QStringLiteral("aravis:GIGE-A")) && uris.contains(QStringLiteral("aravis:GIGE-B")));
-    const ProgramRun refused = call(QStringLiteral("record %/p.odo --trial x --camera A=aravis:127.31.5.99 --robot red"));
+    const ProgramRun refused =
+        call(QStringLiteral("record %/p.odo --trial x --camera A=aravis:127.31.5.99 --robot red"));
     QCOMPARE(refused.exitStatus, 1);
-    QVERIFY2(refused.err.startsWith("odograph: camera aravis:127.31.5.99: it does not answer; ") && refused.err.count('\n') == 1, refused.err.constData());
+    QVERIFY2(refused.err.startsWith("odograph: camera aravis:127.31.5.99: it does not answer; ") &&
+                 refused.err.count('\n') == 1,
+             refused.err.constData());
 }
 
 void TestRecordGige::aRobotIsMeasured()
 {
-    const ProgramRun recorded = call(QStringLiteral("record %/p.odo --trial run --camera A=aravis:127.31.5.2 --camera B=aravis:GIGE-B "
-                                                    "--seconds 5 --robot red --json"));
+    const ProgramRun recorded = call(
+        QStringLiteral("record %/p.odo --trial run --camera A=aravis:127.31.5.2 --camera B=aravis:GIGE-B "
+                       "--seconds 5 --robot red --json"));
     QVERIFY2(recorded.exitStatus == 0, recorded.err.constData());
     const QJsonObject answer = recorded.json(), views = answer.value(QStringLiteral("views")).toObject();
     for (const char *name : {"A", "B"}) {
@@ -160,7 +169,8 @@ void TestRecordGige::aRobotIsMeasured()
     }
     QVERIFY2(answer.value(QStringLiteral("pairs")).toInt() > 55, recorded.out.constData());
     // B is 12 ms later than A; their clocks are an hour apart.
-    const double apartMs = answer.value(QStringLiteral("pair_error_ms")).toObject().value(QStringLiteral("median")).toDouble();
+    const double apartMs =
+        answer.value(QStringLiteral("pair_error_ms")).toObject().value(QStringLiteral("median")).toDouble();
     QVERIFY2(std::abs(apartMs - 12) < 1, qPrintable(QString::number(apartMs)));
 
     succeed(QStringLiteral("track %/p.odo run --json"));
@@ -195,7 +205,8 @@ void TestRecordGige::aRobotIsMeasured()
 void TestRecordGige::aCameraThatIsGoneForAWhile()
 {
     auto recording = std::async(std::launch::async, [this] {
-        return call(QStringLiteral("record %/p.odo --trial gap --camera A=aravis:127.31.5.2 --camera B=aravis:127.31.5.3 --seconds 8 --robot red --json"));
+        return call(QStringLiteral("record %/p.odo --trial gap --camera A=aravis:127.31.5.2 --camera "
+                                   "B=aravis:127.31.5.3 --seconds 8 --robot red --json"));
     });
     QTRY_VERIFY_WITH_TIMEOUT(m_cameras[1]->pictures > 40 && m_cameras[0]->pictures > 40, 20000);
     const std::uint64_t sent = m_cameras[1]->pictures;
@@ -208,7 +219,9 @@ void TestRecordGige::aCameraThatIsGoneForAWhile()
     QVERIFY2(recorded.exitStatus == 0, recorded.err.constData());
     QVERIFY2(recorded.err.contains("it does not answer"), recorded.err.constData()); // it is told, and why
     const QJsonObject views = recorded.json().value(QStringLiteral("views")).toObject();
-    const auto frames = [&](const char *name) { return views.value(QLatin1String(name)).toObject().value(QStringLiteral("recorded")).toDouble(); };
+    const auto frames = [&](const char *name) {
+        return views.value(QLatin1String(name)).toObject().value(QStringLiteral("recorded")).toDouble();
+    };
     QVERIFY2(frames("A") > 0.7 * 8 * rate, recorded.out.constData()); // noticed nothing
     QVERIFY2(frames("B") > 0.3 * 8 * rate && frames("B") < frames("A") - 15, recorded.out.constData());
     succeed(QStringLiteral("track %/p.odo gap --json"));

@@ -21,7 +21,9 @@ public:
             for (int x = 0; x < stride(); ++x) {
                 const Colour colour = colourAt(x, y);
                 const bool red = x % 2 == redX && y % 2 == redY, blue = x % 2 != redX && y % 2 != redY;
-                m_bytes.push_back(static_cast<std::uint8_t>(std::lround(red ? colour.red : blue ? colour.blue : colour.green)));
+                m_bytes.push_back(static_cast<std::uint8_t>(std::lround(red    ? colour.red
+                                                                        : blue ? colour.blue
+                                                                               : colour.green)));
             }
         }
     }
@@ -33,8 +35,10 @@ private:
     std::vector<std::uint8_t> m_bytes;
 };
 
-const std::pair<const char *, BayerOrder> orders[] = {
-    {"RGGB", BayerOrder::Rggb}, {"GRBG", BayerOrder::Grbg}, {"GBRG", BayerOrder::Gbrg}, {"BGGR", BayerOrder::Bggr}};
+const std::pair<const char *, BayerOrder> orders[] = {{"RGGB", BayerOrder::Rggb},
+                                                      {"GRBG", BayerOrder::Grbg},
+                                                      {"GBRG", BayerOrder::Gbrg},
+                                                      {"BGGR", BayerOrder::Bggr}};
 
 } // namespace
 
@@ -56,7 +60,8 @@ void TestBayerPlanes::flatColoursAreThoseOfBt601_data()
     QTest::addColumn<int>("width");
     QTest::addColumn<int>("height");
     for (const auto &[name, order] : orders)
-        for (const auto &[width, height] : {std::pair{16, 12}, std::pair{15, 11}, std::pair{2, 2}, std::pair{3, 2}})
+        for (const auto &[width, height] :
+             {std::pair{16, 12}, std::pair{15, 11}, std::pair{2, 2}, std::pair{3, 2}})
             QTest::addRow("%s %dx%d", name, width, height) << int(order) << width << height;
 }
 
@@ -84,7 +89,8 @@ void TestBayerPlanes::edgesLieWhereTheyAre_data()
     for (const auto &[name, order] : orders)
         for (const bool upright : {true, false})
             for (const double place : {31.0, 31.25, 31.5, 32.3})
-                QTest::addRow("%s %s %g", name, upright ? "upright" : "level", place) << int(order) << upright << place;
+                QTest::addRow("%s %s %g", name, upright ? "upright" : "level", place)
+                    << int(order) << upright << place;
 }
 
 /// An edge between colours that differ in all planes: luma has it in its place, chroma where its siting says.
@@ -94,28 +100,34 @@ void TestBayerPlanes::edgesLieWhereTheyAre()
     QFETCH(bool, upright);
     QFETCH(double, place);
     const Colour before{10, 20, 160}, after{250, 230, 30};
-    const RawPicture raw(64, 64, BayerOrder(order),
-                         [&](int x, int y) { return between(before, after, softStep((upright ? x : y) - place)); });
+    const RawPicture raw(64, 64, BayerOrder(order), [&](int x, int y) {
+        return between(before, after, softStep((upright ? x : y) - place));
+    });
     const Frame frame = bayerPlanes(raw.view(), BayerOrder(order), 0, {});
-    // Rounding to a level the 14 samples of an edge 190 levels high, of which the tails round one way, moves it by some 0.03 pixels.
+    // Rounding to a level the 14 samples of an edge 190 levels high, of which the tails round one way, moves
+    // it by some 0.03 pixels.
     for (const double found : edgePlaces(frame.y, upright))
         QVERIFY2(std::abs(found - place) < 0.05, qPrintable(QString::number(found)));
     // Chroma is 40 levels high at least, in samples two pixels apart; a wrong siting is off by 0.5 pixels.
     const double offset = upright ? frame.format.chromaOffsetX() : frame.format.chromaOffsetY();
     for (const PlaneView &plane : {frame.u, frame.v}) {
         for (const double found : edgePlaces(plane, upright))
-            QVERIFY2(std::abs(2 * found + offset - place) < 0.15, qPrintable(QString::number(2 * found + offset)));
+            QVERIFY2(std::abs(2 * found + offset - place) < 0.15,
+                     qPrintable(QString::number(2 * found + offset)));
     }
 }
 
 /// Of a step from black to white every row is smoothed alike, whatever its colours: no zipper.
 void TestBayerPlanes::aSharpGreyEdgeHasNoPattern()
 {
-    const RawPicture raw(32, 16, BayerOrder::Rggb, [](int x, int) { return x < 15 ? Colour{0, 0, 0} : Colour{200, 200, 200}; });
+    const RawPicture raw(32, 16, BayerOrder::Rggb, [](int x, int) {
+        return x < 15 ? Colour{0, 0, 0} : Colour{200, 200, 200};
+    });
     const Frame frame = bayerPlanes(raw.view(), BayerOrder::Rggb, 0, {});
     for (int y = 0; y < 16; ++y) {
         QCOMPARE(int(frame.y.at(13, y)), 0);
-        QVERIFY(std::abs(frame.y.at(14, y) - 50) <= 9); // a quarter; but for what the colours of the sharp step seem to be
+        QVERIFY(std::abs(frame.y.at(14, y) - 50) <=
+                9); // a quarter; but for what the colours of the sharp step seem to be
         QVERIFY(std::abs(frame.y.at(15, y) - 150) <= 9);
         QCOMPARE(frame.y.at(14, y), frame.y.at(14, 0));
         QCOMPARE(frame.y.at(15, y), frame.y.at(15, 0));

@@ -13,7 +13,8 @@ class PackedPicture
 {
 public:
     template <class ColourAt>
-    PackedPicture(int width, int height, RgbView::Order order, ColourAt colourAt) : m_view{nullptr, width, height, 3 * width + 5, order}
+    PackedPicture(int width, int height, RgbView::Order order, ColourAt colourAt)
+        : m_view{nullptr, width, height, 3 * width + 5, order}
     {
         m_bytes.resize(static_cast<std::size_t>(m_view.stride) * static_cast<std::size_t>(height), 77);
         for (int y = 0; y < height; ++y) {
@@ -48,7 +49,8 @@ private Q_SLOTS:
         QTest::addColumn<int>("height");
         for (const auto order : {RgbView::Order::Rgb, RgbView::Order::Bgr})
             for (const auto &[width, height] : {std::pair{8, 6}, std::pair{7, 5}, std::pair{1, 1}})
-                QTest::addRow("%s %dx%d", order == RgbView::Order::Rgb ? "RGB" : "BGR", width, height) << int(order) << width << height;
+                QTest::addRow("%s %dx%d", order == RgbView::Order::Rgb ? "RGB" : "BGR", width, height)
+                    << int(order) << width << height;
     }
     void flatColoursAreThoseOfBt601()
     {
@@ -56,7 +58,8 @@ private Q_SLOTS:
         QFETCH(int, width);
         QFETCH(int, height);
         for (const Colour &colour : flatColours) {
-            const PackedPicture picture(width, height, RgbView::Order(order), [&](int, int) { return colour; });
+            const PackedPicture picture(width, height, RgbView::Order(order),
+                                        [&](int, int) { return colour; });
             const Frame frame = rgbPlanes(picture.view(), 0, {});
             const Yuv expected = closedForm(colour);
             compareWithin(frame.y, expected.y, 0.51); // rounding to a level
@@ -78,17 +81,21 @@ private Q_SLOTS:
         QFETCH(bool, upright);
         QFETCH(double, place);
         const Colour before{10, 20, 160}, after{250, 230, 30};
-        const PackedPicture picture(64, 64, RgbView::Order::Rgb,
-                                    [&](int x, int y) { return between(before, after, softStep((upright ? x : y) - place)); });
+        const PackedPicture picture(64, 64, RgbView::Order::Rgb, [&](int x, int y) {
+            return between(before, after, softStep((upright ? x : y) - place));
+        });
         const Frame frame = rgbPlanes(picture.view(), 3, std::chrono::seconds(1));
-        // Rounding to a level the 14 samples of an edge 190 levels high, of which the tails round one way, moves it by some 0.03 pixels.
+        // Rounding to a level the 14 samples of an edge 190 levels high, of which the tails round one way,
+        // moves it by some 0.03 pixels.
         for (const double found : edgePlaces(frame.y, upright))
             QVERIFY2(std::abs(found - place) < 0.05, qPrintable(QString::number(found)));
-        // Chroma is 40 levels high at least, in samples two pixels apart; a wrong siting is off by 0.5 pixels.
+        // Chroma is 40 levels high at least, in samples two pixels apart; a wrong siting is off by 0.5
+        // pixels.
         const double offset = upright ? frame.format.chromaOffsetX() : frame.format.chromaOffsetY();
         for (const PlaneView &plane : {frame.u, frame.v}) {
             for (const double found : edgePlaces(plane, upright))
-                QVERIFY2(std::abs(2 * found + offset - place) < 0.15, qPrintable(QString::number(2 * found + offset)));
+                QVERIFY2(std::abs(2 * found + offset - place) < 0.15,
+                         qPrintable(QString::number(2 * found + offset)));
         }
         QCOMPARE(frame.index, 3);
         QCOMPARE(frame.time, Nanoseconds(1'000'000'000));

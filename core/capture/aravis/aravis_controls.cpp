@@ -17,15 +17,15 @@ struct KnownFeature
 
 // An automatic comes before what it changes.
 constexpr std::array<KnownFeature, 10> known{{{"ExposureAuto", "Automatic exposure", "", ""},
-                                             {"ExposureTime", "Exposure", "µs", "ExposureAuto"},
-                                             {"ExposureTimeAbs", "Exposure", "µs", "ExposureAuto"},
-                                             {"GainAuto", "Automatic gain", "", ""},
-                                             {"Gain", "Gain", "dB", "GainAuto"},
-                                             {"GainRaw", "Gain", "", "GainAuto"},
-                                             {"BalanceWhiteAuto", "Automatic white balance", "", ""},
-                                             {"BalanceRatio", "White balance", "", "BalanceWhiteAuto"},
-                                             {"BlackLevel", "Black level", "", ""},
-                                             {"Gamma", "Gamma", "", ""}}};
+                                              {"ExposureTime", "Exposure", "µs", "ExposureAuto"},
+                                              {"ExposureTimeAbs", "Exposure", "µs", "ExposureAuto"},
+                                              {"GainAuto", "Automatic gain", "", ""},
+                                              {"Gain", "Gain", "dB", "GainAuto"},
+                                              {"GainRaw", "Gain", "", "GainAuto"},
+                                              {"BalanceWhiteAuto", "Automatic white balance", "", ""},
+                                              {"BalanceRatio", "White balance", "", "BalanceWhiteAuto"},
+                                              {"BlackLevel", "Black level", "", ""},
+                                              {"Gamma", "Gamma", "", ""}}};
 constexpr const char *off = "Off";
 
 bool isAutomatic(const KnownFeature &feature)
@@ -46,7 +46,8 @@ bool readChoice(ArvCamera *camera, CameraControl &control)
     control.kind = CameraControl::Kind::Choice;
     ArvFailure failure;
     unsigned count = 0;
-    const ArvList<const char *> entries(arv_camera_dup_available_enumerations_as_strings(camera, control.id.c_str(), &count, failure.out()));
+    const ArvList<const char *> entries(
+        arv_camera_dup_available_enumerations_as_strings(camera, control.id.c_str(), &count, failure.out()));
     if (failure || count == 0)
         return false;
     control.choices.assign(entries.get(), entries.get() + count);
@@ -66,7 +67,8 @@ bool readReal(ArvCamera *camera, CameraControl &control)
     control.value = arv_camera_get_float(camera, control.id.c_str(), failure.out());
     if (failure)
         return false;
-    arv_camera_get_float_bounds(camera, control.id.c_str(), &control.minimum, &control.maximum, failure.out());
+    arv_camera_get_float_bounds(camera, control.id.c_str(), &control.minimum, &control.maximum,
+                                failure.out());
     return !failure;
 }
 
@@ -81,7 +83,8 @@ bool readInteger(ArvCamera *camera, CameraControl &control)
     arv_camera_get_integer_bounds(camera, control.id.c_str(), &least, &most, failure.out());
     control.minimum = static_cast<double>(least);
     control.maximum = static_cast<double>(most);
-    control.step = static_cast<double>(std::max<gint64>(1, arv_camera_get_integer_increment(camera, control.id.c_str(), ArvFailure().out())));
+    control.step = static_cast<double>(std::max<gint64>(
+        1, arv_camera_get_integer_increment(camera, control.id.c_str(), ArvFailure().out())));
     return !failure;
 }
 
@@ -120,19 +123,26 @@ std::vector<CameraControl> readAravisControls(ArvCamera *camera)
 
 Result<void> setAravisControl(ArvCamera *camera, const std::string &uri, const std::string &id, double value)
 {
-    const auto feature = std::ranges::find(known, id, [](const KnownFeature &one) { return std::string(one.id); });
+    const auto feature =
+        std::ranges::find(known, id, [](const KnownFeature &one) { return std::string(one.id); });
     const auto control = feature == known.end() ? std::nullopt : readControl(camera, *feature);
     if (!control)
-        return fail(ErrorCode::NotFound, "camera " + uri, "it has nothing named '" + id + "' that could be set", "leave it out");
+        return fail(ErrorCode::NotFound, "camera " + uri,
+                    "it has nothing named '" + id + "' that could be set", "leave it out");
     if (control->readOnly)
-        return fail(ErrorCode::InvalidInput, "camera " + uri, control->name + " cannot be set while it is automatic", "turn the automatic off");
+        return fail(ErrorCode::InvalidInput, "camera " + uri,
+                    control->name + " cannot be set while it is automatic", "turn the automatic off");
     if (!(value >= control->minimum && value <= control->maximum))
-        return fail(ErrorCode::InvalidInput, "camera " + uri, control->name + " goes from " + formatNumber(control->minimum, 2) + " to " + formatNumber(control->maximum, 2),
+        return fail(ErrorCode::InvalidInput, "camera " + uri,
+                    control->name + " goes from " + formatNumber(control->minimum, 2) + " to " +
+                        formatNumber(control->maximum, 2),
                     "set it to something between");
     ArvFailure failure;
     switch (control->kind) {
     case CameraControl::Kind::Choice:
-        arv_camera_set_string(camera, id.c_str(), control->choices[static_cast<std::size_t>(std::lround(value))].c_str(), failure.out());
+        arv_camera_set_string(camera, id.c_str(),
+                              control->choices[static_cast<std::size_t>(std::lround(value))].c_str(),
+                              failure.out());
         break;
     case CameraControl::Kind::Real:
         arv_camera_set_float(camera, id.c_str(), value, failure.out());
@@ -141,9 +151,12 @@ Result<void> setAravisControl(ArvCamera *camera, const std::string &uri, const s
         arv_camera_set_integer(camera, id.c_str(), std::llround(value), failure.out());
     }
     if (failure.is(ARV_DEVICE_ERROR_TIMEOUT))
-        return fail(ErrorCode::Unavailable, "camera " + uri, "it does not answer", "check its power and cable");
+        return fail(ErrorCode::Unavailable, "camera " + uri, "it does not answer",
+                    "check its power and cable");
     if (failure)
-        return fail(ErrorCode::InvalidInput, "camera " + uri, "it does not take this for " + control->name + " (" + failure.words() + ")", "set it to something else");
+        return fail(ErrorCode::InvalidInput, "camera " + uri,
+                    "it does not take this for " + control->name + " (" + failure.words() + ")",
+                    "set it to something else");
     return {};
 }
 
@@ -162,7 +175,8 @@ HeldAutomatics holdAravisAutomatics(ArvCamera *camera)
         }
         const auto choice = std::ranges::find(control->choices, off);
         const auto place = static_cast<double>(choice - control->choices.begin());
-        const bool isOff = choice != control->choices.end() && (control->value == place || setAravisControl(camera, {}, feature.id, place));
+        const bool isOff = choice != control->choices.end() &&
+                           (control->value == place || setAravisControl(camera, {}, feature.id, place));
         if (isOff)
             held.settings.emplace_back(feature.id, place);
         else

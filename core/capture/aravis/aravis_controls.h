@@ -6,14 +6,15 @@
 
 namespace odo {
 
-/// What can be set at a camera, by the names of GenICam's SFNC: those of exposure, gain, white balance, black level and gamma that
-/// it has. On the camera's thread.
+/// What can be set at a camera, by the names of GenICam's SFNC: those of exposure, gain, white balance, black
+/// level and gamma that it has. On the camera's thread.
 std::vector<CameraControl> readAravisControls(ArvCamera *camera);
 
 /// Errors: those of CameraSource::set.
 Result<void> setAravisControl(ArvCamera *camera, const std::string &uri, const std::string &id, double value);
 
-/// What has to be set for the camera to stay as it is, in order: the automatics off, then the values they have left.
+/// What has to be set for the camera to stay as it is, in order: the automatics off, then the values they
+/// have left.
 struct HeldAutomatics
 {
     std::vector<std::pair<std::string, double>> settings;

@@ -64,7 +64,8 @@ tl::unexpected<Error> inUse(const AravisAddress &address)
 /// A stamp in nanoseconds, as Aravis makes them of ticks.
 Nanoseconds ticksToTime(std::int64_t ticks, std::int64_t perSecond)
 {
-    return Nanoseconds(ticks / perSecond * nanosecondsPerSecond + ticks % perSecond * nanosecondsPerSecond / perSecond);
+    return Nanoseconds(ticks / perSecond * nanosecondsPerSecond +
+                       ticks % perSecond * nanosecondsPerSecond / perSecond);
 }
 
 } // namespace
@@ -89,7 +90,8 @@ Result<AravisPlace> AravisDevice::find(const AravisAddress &address)
                 "check its power and cable; odograph cameras lists those that answer");
 }
 
-Result<std::unique_ptr<AravisDevice>> AravisDevice::open(const AravisPlace &place, const AravisAddress &wanted)
+Result<std::unique_ptr<AravisDevice>> AravisDevice::open(const AravisPlace &place,
+                                                         const AravisAddress &wanted)
 {
     if (place.onNetwork) {
         const auto controlled = isGvcpControlled(place.openId, askPatience);
@@ -105,22 +107,27 @@ Result<std::unique_ptr<AravisDevice>> AravisDevice::open(const AravisPlace &plac
         camera.reset(arv_camera_new(place.openId.c_str(), failure.out()));
     }
     if (!camera)
-        return fail(ErrorCode::Unavailable, "camera " + wanted.uri, "it cannot be opened (" + failure.words() + ")",
-                    place.onNetwork ? "check its cable and address" : "check that you may use it (a udev rule), and that no other program does");
+        return fail(
+            ErrorCode::Unavailable, "camera " + wanted.uri, "it cannot be opened (" + failure.words() + ")",
+            place.onNetwork ? "check its cable and address"
+                            : "check that you may use it (a udev rule), and that no other program does");
     std::unique_ptr<AravisDevice> device(new AravisDevice(place, std::move(camera)));
     // Aravis opens a camera that another program has got hold of meanwhile, and cannot do anything with it.
-    if (place.onNetwork && !arv_gv_device_is_controller(ARV_GV_DEVICE(arv_camera_get_device(device->camera()))))
+    if (place.onNetwork &&
+        !arv_gv_device_is_controller(ARV_GV_DEVICE(arv_camera_get_device(device->camera()))))
         return inUse(wanted);
     if (const auto set = device->setUp(wanted); !set)
         return tl::unexpected(set.error());
     return device;
 }
 
-AravisDevice::AravisDevice(AravisPlace place, ArvPointer<ArvCamera> camera) : m_place(std::move(place)), m_camera(std::move(camera))
+AravisDevice::AravisDevice(AravisPlace place, ArvPointer<ArvCamera> camera)
+    : m_place(std::move(place)), m_camera(std::move(camera))
 {
     // It is told in a thread of Aravis, in which nothing may be done with the camera.
     const auto lost = +[](ArvDevice *, void *flag) { *static_cast<std::atomic<bool> *>(flag) = true; };
-    m_lostHandler = g_signal_connect(arv_camera_get_device(m_camera.get()), "control-lost", G_CALLBACK(lost), &m_lost);
+    m_lostHandler =
+        g_signal_connect(arv_camera_get_device(m_camera.get()), "control-lost", G_CALLBACK(lost), &m_lost);
 }
 
 AravisDevice::~AravisDevice()
@@ -128,14 +135,17 @@ AravisDevice::~AravisDevice()
     g_signal_handler_disconnect(arv_camera_get_device(m_camera.get()), m_lostHandler);
 }
 
-tl::unexpected<Error> AravisDevice::refused(const AravisAddress &wanted, const std::string &what, const ArvFailure &failure) const
+tl::unexpected<Error> AravisDevice::refused(const AravisAddress &wanted, const std::string &what,
+                                            const ArvFailure &failure) const
 {
     if (failure.is(ARV_DEVICE_ERROR_TIMEOUT))
         return doesNotAnswer(wanted);
-    return fail(ErrorCode::InvalidInput, "camera " + wanted.uri, what + " (" + failure.words() + ")", "ask it for something else, or leave that to the camera");
+    return fail(ErrorCode::InvalidInput, "camera " + wanted.uri, what + " (" + failure.words() + ")",
+                "ask it for something else, or leave that to the camera");
 }
 
-/// The order matters: what a picture looks like sets the bounds of the rate, and setting the rate turns a trigger off.
+/// The order matters: what a picture looks like sets the bounds of the rate, and setting the rate turns a
+/// trigger off.
 Result<void> AravisDevice::setUp(const AravisAddress &wanted)
 {
     arv_camera_set_range_check_policy(m_camera.get(), ARV_RANGE_CHECK_POLICY_ENABLE);
@@ -154,10 +164,15 @@ Result<void> AravisDevice::chooseSize(const AravisAddress &wanted)
     const auto [sensorWidth, sensorHeight] = largestSize(m_camera.get());
     ArvFailure failure;
     if (sensorWidth > 0 && (width > sensorWidth || height > sensorHeight))
-        return fail(ErrorCode::InvalidInput, "camera " + wanted.uri, "its pictures have " + std::to_string(sensorWidth) + "x" + std::to_string(sensorHeight) + " pixels at most",
+        return fail(ErrorCode::InvalidInput, "camera " + wanted.uri,
+                    "its pictures have " + std::to_string(sensorWidth) + "x" + std::to_string(sensorHeight) +
+                        " pixels at most",
                     "ask it for a size within that");
-    const auto middle = [](int sensor, int size) { return std::max(0, (sensor - size) / 2 / offsetStep * offsetStep); };
-    arv_camera_set_region(m_camera.get(), middle(sensorWidth, width), middle(sensorHeight, height), width, height, failure.out());
+    const auto middle = [](int sensor, int size) {
+        return std::max(0, (sensor - size) / 2 / offsetStep * offsetStep);
+    };
+    arv_camera_set_region(m_camera.get(), middle(sensorWidth, width), middle(sensorHeight, height), width,
+                          height, failure.out());
     if (failure)
         return refused(wanted, "it does not take this size", failure);
     return {};
@@ -173,7 +188,8 @@ Result<void> AravisDevice::chooseFormat(const AravisAddress &wanted)
         return {};
     }
     unsigned count = 0;
-    const ArvList<gint64> offered(arv_camera_dup_available_pixel_formats(m_camera.get(), &count, failure.out()));
+    const ArvList<gint64> offered(
+        arv_camera_dup_available_pixel_formats(m_camera.get(), &count, failure.out()));
     for (const GenicamFormat &format : usableGenicamFormats()) {
         if (std::find(offered.get(), offered.get() + count, gint64{format.code}) == offered.get() + count)
             continue;
@@ -181,7 +197,8 @@ Result<void> AravisDevice::chooseFormat(const AravisAddress &wanted)
         if (!failure)
             return {};
     }
-    return fail(ErrorCode::InvalidInput, "camera " + wanted.uri, "it has no pixel format that is understood", "take a camera that has one of " + namesOfUsableFormats());
+    return fail(ErrorCode::InvalidInput, "camera " + wanted.uri, "it has no pixel format that is understood",
+                "take a camera that has one of " + namesOfUsableFormats());
 }
 
 Result<void> AravisDevice::choosePace(const AravisAddress &wanted)
@@ -250,14 +267,16 @@ Result<void> AravisDevice::readBack(const AravisAddress &wanted)
     if (failure)
         return refused(wanted, "it does not tell its pixel format", failure);
     if (!format)
-        return fail(ErrorCode::InvalidInput, "camera " + wanted.uri, "its pixel format is not understood", "ask it for one of " + namesOfUsableFormats());
+        return fail(ErrorCode::InvalidInput, "camera " + wanted.uri, "its pixel format is not understood",
+                    "ask it for one of " + namesOfUsableFormats());
     m_mode.format = *format;
     int x = 0, y = 0;
     arv_camera_get_region(camera, &x, &y, &m_mode.widthPx, &m_mode.heightPx, failure.out());
     if (failure)
         return refused(wanted, "it does not tell its size", failure);
     if (m_mode.widthPx < 2 || m_mode.heightPx < 2)
-        return fail(ErrorCode::InvalidInput, "camera " + wanted.uri, "its pictures have no size", "set its width and height");
+        return fail(ErrorCode::InvalidInput, "camera " + wanted.uri, "its pictures have no size",
+                    "set its width and height");
     m_mode.payload = arv_camera_get_payload(camera, failure.out());
     if (failure)
         return refused(wanted, "it does not tell how large its pictures are", failure);
@@ -290,11 +309,14 @@ std::optional<ClockReading> AravisDevice::readClockOnce()
     ArvFailure failure;
     ClockReading reading;
     reading.before = steadyNow();
-    arv_camera_execute_command(m_camera.get(), m_latch == Latch::Gige ? "GevTimestampControlLatch" : "TimestampLatch", failure.out());
+    arv_camera_execute_command(m_camera.get(),
+                               m_latch == Latch::Gige ? "GevTimestampControlLatch" : "TimestampLatch",
+                               failure.out());
     reading.after = steadyNow();
     if (failure)
         return std::nullopt;
-    const std::int64_t ticks = arv_camera_get_integer(m_camera.get(), m_latch == Latch::Gige ? "GevTimestampValue" : "TimestampLatchValue", failure.out());
+    const std::int64_t ticks = arv_camera_get_integer(
+        m_camera.get(), m_latch == Latch::Gige ? "GevTimestampValue" : "TimestampLatchValue", failure.out());
     if (failure)
         return std::nullopt;
     reading.device = ticksToTime(ticks, m_ticksPerSecond);
@@ -305,7 +327,8 @@ std::optional<ClockReading> AravisDevice::readClock()
 {
     std::optional<ClockReading> best;
     const auto roundTrip = [](const ClockReading &reading) { return reading.after - reading.before; };
-    for (int i = 0; m_latch != Latch::None && i < mostReadings && !(best && roundTrip(*best) < shortRoundTrip); ++i) {
+    for (int i = 0;
+         m_latch != Latch::None && i < mostReadings && !(best && roundTrip(*best) < shortRoundTrip); ++i) {
         const auto reading = readClockOnce();
         if (!reading)
             break;

@@ -13,8 +13,8 @@ namespace odo {
 /// Where a camera is, as found by its address.
 struct AravisPlace
 {
-    std::string openId;        ///< what Aravis opens it by; on the network its IPv4 address
-    bool onNetwork = false;    ///< GigE Vision; else USB3 Vision
+    std::string openId;     ///< what Aravis opens it by; on the network its IPv4 address
+    bool onNetwork = false; ///< GigE Vision; else USB3 Vision
     std::string vendor, model, serial;
 };
 
@@ -29,20 +29,21 @@ struct AravisMode
 
     std::size_t imageSize() const
     {
-        return static_cast<std::size_t>(widthPx) * static_cast<std::size_t>(heightPx) * static_cast<std::size_t>(format.bytesPerPixel);
+        return static_cast<std::size_t>(widthPx) * static_cast<std::size_t>(heightPx) *
+               static_cast<std::size_t>(format.bytesPerPixel);
     }
 };
 
-/// An open camera of Aravis: setting it up, its clock, its trigger. Everything on one thread. Calls to one that does not answer any more
-/// block for 2.5 s and more: ask it by GVCP before.
+/// An open camera of Aravis: setting it up, its clock, its trigger. Everything on one thread. Calls to one
+/// that does not answer any more block for 2.5 s and more: ask it by GVCP before.
 class AravisDevice
 {
 public:
-    /// Finds the camera, on the network or on the USB; takes two seconds for a serial number, none for an IPv4 address.
-    /// Errors: Unavailable where none answers.
+    /// Finds the camera, on the network or on the USB; takes two seconds for a serial number, none for an
+    /// IPv4 address. Errors: Unavailable where none answers.
     static Result<AravisPlace> find(const AravisAddress &address);
-    /// Opens it and sets it as wanted. Errors: Unavailable when it does not answer or another program has it; InvalidInput for
-    /// what it cannot do.
+    /// Opens it and sets it as wanted. Errors: Unavailable when it does not answer or another program has it;
+    /// InvalidInput for what it cannot do.
     static Result<std::unique_ptr<AravisDevice>> open(const AravisPlace &place, const AravisAddress &wanted);
     ~AravisDevice();
     AravisDevice(const AravisDevice &) = delete;
@@ -54,7 +55,8 @@ public:
     /// Aravis has found that the camera is not ours any more, or not there.
     bool isLost() const { return m_lost; }
 
-    /// Reads the camera's clock, in nanoseconds, the quickest of some tries; nullopt where it cannot be asked.
+    /// Reads the camera's clock, in nanoseconds, the quickest of some tries; nullopt where it cannot be
+    /// asked.
     std::optional<ClockReading> readClock();
     /// True when the camera took the order.
     bool fireTrigger();
@@ -70,7 +72,8 @@ private:
     Result<void> choosePace(const AravisAddress &wanted);
     Result<void> setUpTransport(const AravisAddress &wanted);
     Result<void> readBack(const AravisAddress &wanted);
-    tl::unexpected<Error> refused(const AravisAddress &wanted, const std::string &what, const ArvFailure &failure) const;
+    tl::unexpected<Error> refused(const AravisAddress &wanted, const std::string &what,
+                                  const ArvFailure &failure) const;
 
     AravisPlace m_place;
     ArvPointer<ArvCamera> m_camera;

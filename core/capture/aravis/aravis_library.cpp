@@ -42,8 +42,8 @@ std::vector<UsbVisionCamera> AravisLibrary::usbCameras()
     arv_update_device_list();
     std::vector<UsbVisionCamera> cameras;
     for (unsigned i = 0; i < arv_get_n_devices(); ++i)
-        cameras.push_back({textOf(arv_get_device_id(i)), textOf(arv_get_device_vendor(i)), textOf(arv_get_device_model(i)),
-                           textOf(arv_get_device_serial_nbr(i))});
+        cameras.push_back({textOf(arv_get_device_id(i)), textOf(arv_get_device_vendor(i)),
+                           textOf(arv_get_device_model(i)), textOf(arv_get_device_serial_nbr(i))});
     arv_enable_interface(gigE);
     return cameras;
 }

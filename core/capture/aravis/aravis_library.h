@@ -30,8 +30,8 @@ public:
     /// What is on the USB. Takes as long as an opening that is under way.
     std::vector<UsbVisionCamera> usbCameras();
 
-    /// Takes over a thread that is still letting go of a camera: one that is gone takes Aravis up to 7.5 s. It is waited for
-    /// when the program ends, at the latest.
+    /// Takes over a thread that is still letting go of a camera: one that is gone takes Aravis up to 7.5 s.
+    /// It is waited for when the program ends, at the latest.
     void finishLater(std::thread thread, std::function<bool()> hasEnded);
 
 private:

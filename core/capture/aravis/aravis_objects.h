@@ -24,7 +24,8 @@ struct GFree
 template <class T>
 using ArvList = std::unique_ptr<T[], GFree>;
 
-/// Takes the error of one call of Aravis: `ArvFailure failure; arv_...(camera, failure.out()); if (failure) ...`.
+/// Takes the error of one call of Aravis: `ArvFailure failure; arv_...(camera, failure.out()); if (failure)
+/// ...`.
 class ArvFailure
 {
 public:

@@ -53,7 +53,9 @@ std::string namesOfUsableFormats()
 Frame genicamPlanes(const GenicamFormat &format, const std::uint8_t *bytes, int widthPx, int heightPx)
 {
     const PlaneView raw{bytes, widthPx, heightPx, widthPx};
-    const auto packed = [&](RgbView::Order order) { return RgbView{bytes, widthPx, heightPx, std::ptrdiff_t{3} * widthPx, order}; };
+    const auto packed = [&](RgbView::Order order) {
+        return RgbView{bytes, widthPx, heightPx, std::ptrdiff_t{3} * widthPx, order};
+    };
     switch (format.code) {
     case BayerRg8:
         return bayerPlanes(raw, BayerOrder::Rggb, 0, {});

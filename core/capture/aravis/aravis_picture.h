@@ -18,8 +18,8 @@ struct GenicamFormat
     int bytesPerPixel = 1;
 };
 
-/// Those that can be used, the best for tracking first: colours as the sensor has them, then colours that the camera made of
-/// them, then none.
+/// Those that can be used, the best for tracking first: colours as the sensor has them, then colours that the
+/// camera made of them, then none.
 std::span<const GenicamFormat> usableGenicamFormats();
 std::optional<GenicamFormat> usableGenicamFormat(std::uint32_t code);
 

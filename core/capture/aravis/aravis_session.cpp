@@ -22,7 +22,8 @@ Result<CapturedFrame> AravisSession::next(Nanoseconds patience)
     }
     if (m_trouble)
         return tl::unexpected(*m_trouble);
-    return fail(ErrorCode::Unavailable, "camera " + m_uri, "no picture came for half a second", "wait, or check its cable");
+    return fail(ErrorCode::Unavailable, "camera " + m_uri, "no picture came for half a second",
+                "wait, or check its cable");
 }
 
 CameraCounts AravisSession::counts() const

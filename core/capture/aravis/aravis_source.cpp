@@ -27,7 +27,8 @@ class AravisSource : public CameraSource
 public:
     AravisSource(AravisAddress address, std::promise<Result<CameraDescription>> opened)
         : m_session(std::make_shared<AravisSession>(address.uri)),
-          m_worker(std::make_shared<AravisWorker>(std::move(address), m_session, std::move(opened))), m_thread([worker = m_worker] { worker->run(); })
+          m_worker(std::make_shared<AravisWorker>(std::move(address), m_session, std::move(opened))),
+          m_thread([worker = m_worker] { worker->run(); })
     {
     }
     ~AravisSource() override
@@ -36,7 +37,8 @@ public:
         if (m_session->waitForEnd(endWithin))
             m_thread.join();
         else
-            AravisLibrary::instance().finishLater(std::move(m_thread), [session = m_session] { return session->waitForEnd(0ns); });
+            AravisLibrary::instance().finishLater(std::move(m_thread),
+                                                  [session = m_session] { return session->waitForEnd(0ns); });
     }
 
     void describe(CameraDescription description) { m_description = std::move(description); }
@@ -48,26 +50,32 @@ public:
 
     Result<std::vector<CameraControl>> controls() override
     {
-        const auto read = [otherwise = noAnswer(m_description.uri)](AravisDevice *device, AravisWorker &) -> Result<std::vector<CameraControl>> {
-            return device ? Result<std::vector<CameraControl>>(readAravisControls(device->camera())) : otherwise;
+        const auto read = [otherwise = noAnswer(m_description.uri)](
+                              AravisDevice *device, AravisWorker &) -> Result<std::vector<CameraControl>> {
+            return device ? Result<std::vector<CameraControl>>(readAravisControls(device->camera()))
+                          : otherwise;
         };
         return onCamera<Result<std::vector<CameraControl>>>(read, noAnswer(m_description.uri));
     }
     Result<void> set(const std::string &id, double value) override
     {
-        const auto setIt = [id, value, uri = m_description.uri](AravisDevice *device, AravisWorker &worker) -> Result<void> {
+        const auto setIt = [id, value, uri = m_description.uri](AravisDevice *device,
+                                                                AravisWorker &worker) -> Result<void> {
             return device ? worker.set(*device, id, value) : noAnswer(uri);
         };
         return onCamera<Result<void>>(setIt, noAnswer(m_description.uri));
     }
     std::vector<std::string> holdAutomatics() override
     {
-        const auto hold = [](AravisDevice *device, AravisWorker &worker) { return worker.holdAutomatics(device); };
+        const auto hold = [](AravisDevice *device, AravisWorker &worker) {
+            return worker.holdAutomatics(device);
+        };
         return onCamera<std::vector<std::string>>(hold, {"Exposure and gain"});
     }
 
 private:
-    /// Has the camera's thread do something, and waits for it; gives the other answer where it cannot be waited for.
+    /// Has the camera's thread do something, and waits for it; gives the other answer where it cannot be
+    /// waited for.
     template <class Answer, class Work>
     Answer onCamera(Work work, Answer otherwise)
     {
@@ -86,7 +94,8 @@ private:
     std::thread m_thread;
 };
 
-CameraDescription describeFound(const std::string &place, const std::string &vendor, const std::string &model, const std::string &serial, bool busy)
+CameraDescription describeFound(const std::string &place, const std::string &vendor, const std::string &model,
+                                const std::string &serial, bool busy)
 {
     CameraDescription camera;
     camera.uri = "aravis:" + (serial.empty() ? place : serial);
@@ -121,7 +130,8 @@ std::vector<CameraDescription> listAravisCameras()
 {
     std::vector<CameraDescription> cameras;
     for (const GvcpCamera &camera : discoverGvcpCameras(discoveryPatience))
-        cameras.push_back(describeFound(camera.address, camera.vendor, camera.model, camera.serial, isGvcpControlled(camera.address, askPatience).value_or(false)));
+        cameras.push_back(describeFound(camera.address, camera.vendor, camera.model, camera.serial,
+                                        isGvcpControlled(camera.address, askPatience).value_or(false)));
     for (const UsbVisionCamera &camera : AravisLibrary::instance().usbCameras())
         cameras.push_back(describeFound(camera.id, camera.vendor, camera.model, camera.serial, false));
     return cameras;

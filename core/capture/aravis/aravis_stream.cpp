@@ -21,8 +21,8 @@ constexpr double bufferedS = 0.6;
 constexpr std::size_t leastReceiveBuffer = 4 << 20, mostReceiveBuffer = 32 << 20, picturesInReceiveBuffer = 4;
 constexpr Nanoseconds oldestArrival = 2s;
 
-/// The socket of this process that is bound to a UDP port; -1 without one. Aravis does not give it out, and sets its size only when
-/// the first picture has begun, which loses that one.
+/// The socket of this process that is bound to a UDP port; -1 without one. Aravis does not give it out, and
+/// sets its size only when the first picture has begun, which loses that one.
 int socketOfPort(std::uint16_t port)
 {
     std::error_code error;
@@ -35,7 +35,8 @@ int socketOfPort(std::uint16_t port)
         sockaddr_in name{};
         socklen_t nameLength = sizeof name;
         if (getsockopt(handle, SOL_SOCKET, SO_TYPE, &type, &length) == 0 && type == SOCK_DGRAM &&
-            getsockname(handle, reinterpret_cast<sockaddr *>(&name), &nameLength) == 0 && name.sin_family == AF_INET && ntohs(name.sin_port) == port)
+            getsockname(handle, reinterpret_cast<sockaddr *>(&name), &nameLength) == 0 &&
+            name.sin_family == AF_INET && ntohs(name.sin_port) == port)
             return handle;
     }
     return -1;
@@ -55,9 +56,12 @@ std::size_t setReceiveBuffer(int handle, std::size_t wanted)
 
 Nanoseconds arrivalOf(ArvBuffer *buffer)
 {
-    // Aravis stamps by the clock of the day, which may be set; that it is not long ago is all that is taken from it.
-    const Nanoseconds now = std::chrono::steady_clock::now().time_since_epoch(), today = std::chrono::system_clock::now().time_since_epoch();
-    const Nanoseconds ago = today - Nanoseconds(static_cast<std::int64_t>(arv_buffer_get_system_timestamp(buffer)));
+    // Aravis stamps by the clock of the day, which may be set; that it is not long ago is all that is taken
+    // from it.
+    const Nanoseconds now = std::chrono::steady_clock::now().time_since_epoch(),
+                      today = std::chrono::system_clock::now().time_since_epoch();
+    const Nanoseconds ago =
+        today - Nanoseconds(static_cast<std::int64_t>(arv_buffer_get_system_timestamp(buffer)));
     return ago >= 0ns && ago < oldestArrival ? now - ago : now;
 }
 
@@ -66,7 +70,9 @@ Nanoseconds arrivalOf(ArvBuffer *buffer)
 Result<std::unique_ptr<AravisStream>> AravisStream::start(AravisDevice &device, const AravisAddress &address)
 {
     const auto cannot = [&](const ArvFailure &failure) {
-        return fail(ErrorCode::Unavailable, "camera " + address.uri, "it does not start (" + failure.words() + ")", "check its cable, and that no other program uses it");
+        return fail(ErrorCode::Unavailable, "camera " + address.uri,
+                    "it does not start (" + failure.words() + ")",
+                    "check its cable, and that no other program uses it");
     };
     ArvFailure failure;
     ArvPointer<ArvStream> created(arv_camera_create_stream(device.camera(), nullptr, nullptr, failure.out()));
@@ -86,7 +92,10 @@ Result<std::unique_ptr<AravisStream>> AravisStream::start(AravisDevice &device, 
     return stream;
 }
 
-AravisStream::AravisStream(AravisDevice &device, ArvPointer<ArvStream> stream) : m_device(device), m_stream(std::move(stream)) {}
+AravisStream::AravisStream(AravisDevice &device, ArvPointer<ArvStream> stream)
+    : m_device(device), m_stream(std::move(stream))
+{
+}
 
 AravisStream::~AravisStream()
 {
@@ -96,19 +105,23 @@ AravisStream::~AravisStream()
 
 void AravisStream::enlargeReceiveBuffer()
 {
-    const std::size_t wanted = std::clamp(picturesInReceiveBuffer * m_device.mode().payload, leastReceiveBuffer, mostReceiveBuffer);
+    const std::size_t wanted =
+        std::clamp(picturesInReceiveBuffer * m_device.mode().payload, leastReceiveBuffer, mostReceiveBuffer);
     // Fixed at no size: Aravis leaves it to us.
-    g_object_set(m_stream.get(), "socket-buffer", ARV_GV_STREAM_SOCKET_BUFFER_FIXED, "socket-buffer-size", 0, nullptr);
+    g_object_set(m_stream.get(), "socket-buffer", ARV_GV_STREAM_SOCKET_BUFFER_FIXED, "socket-buffer-size", 0,
+                 nullptr);
     const int handle = socketOfPort(arv_gv_stream_get_port(ARV_GV_STREAM(m_stream.get())));
     const std::size_t granted = handle < 0 ? 0 : setReceiveBuffer(handle, wanted);
     if (granted < std::min(wanted, 2 * m_device.mode().payload))
-        m_warning = "the system keeps only " + std::to_string(granted / 1024) + " kB of the network's packets; sysctl -w net.core.rmem_max=" + std::to_string(wanted);
+        m_warning = "the system keeps only " + std::to_string(granted / 1024) +
+                    " kB of the network's packets; sysctl -w net.core.rmem_max=" + std::to_string(wanted);
 }
 
 std::optional<AravisPicture> AravisStream::next(Nanoseconds patience)
 {
     const auto microseconds = std::chrono::duration_cast<std::chrono::microseconds>(patience).count();
-    ArvBuffer *buffer = arv_stream_timeout_pop_buffer(m_stream.get(), static_cast<guint64>(std::max<std::int64_t>(0, microseconds)));
+    ArvBuffer *buffer = arv_stream_timeout_pop_buffer(
+        m_stream.get(), static_cast<guint64>(std::max<std::int64_t>(0, microseconds)));
     if (!buffer)
         return std::nullopt;
     auto picture = pictureIn(buffer);
@@ -124,15 +137,18 @@ std::optional<AravisPicture> AravisStream::pictureIn(ArvBuffer *buffer)
         return std::nullopt;
     const AravisMode &mode = m_device.mode();
     std::size_t size = 0;
-    const void *bytes = status == ARV_BUFFER_STATUS_SUCCESS ? arv_buffer_get_image_data(buffer, &size) : nullptr;
-    if (!bytes || size < mode.imageSize() || arv_buffer_get_image_width(buffer) != mode.widthPx || arv_buffer_get_image_height(buffer) != mode.heightPx ||
+    const void *bytes =
+        status == ARV_BUFFER_STATUS_SUCCESS ? arv_buffer_get_image_data(buffer, &size) : nullptr;
+    if (!bytes || size < mode.imageSize() || arv_buffer_get_image_width(buffer) != mode.widthPx ||
+        arv_buffer_get_image_height(buffer) != mode.heightPx ||
         arv_buffer_get_image_pixel_format(buffer) != mode.format.code) {
         ++m_damaged;
         return std::nullopt;
     }
     AravisPicture picture;
     picture.arrival = arrivalOf(buffer);
-    picture.frame = genicamPlanes(mode.format, static_cast<const std::uint8_t *>(bytes), mode.widthPx, mode.heightPx);
+    picture.frame =
+        genicamPlanes(mode.format, static_cast<const std::uint8_t *>(bytes), mode.widthPx, mode.heightPx);
     picture.id = arv_buffer_get_frame_id(buffer);
     picture.stamp = Nanoseconds(static_cast<std::int64_t>(arv_buffer_get_timestamp(buffer)));
     return picture;

@@ -41,7 +41,8 @@ CameraDescription describe(const AravisAddress &address, const AravisDevice &dev
 
 } // namespace
 
-AravisWorker::AravisWorker(AravisAddress address, std::shared_ptr<AravisSession> session, std::promise<Result<CameraDescription>> opened)
+AravisWorker::AravisWorker(AravisAddress address, std::shared_ptr<AravisSession> session,
+                           std::promise<Result<CameraDescription>> opened)
     : m_address(std::move(address)), m_session(std::move(session)), m_opened(std::move(opened))
 {
 }
@@ -86,12 +87,14 @@ Result<AravisPlace> AravisWorker::findAgain()
 {
     auto found = AravisDevice::find(m_address);
     if (found && m_place && found->serial != m_place->serial)
-        return fail(ErrorCode::Unavailable, "camera " + m_address.uri, "another camera (" + found->serial + ") is in the place of camera " + m_place->serial,
+        return fail(ErrorCode::Unavailable, "camera " + m_address.uri,
+                    "another camera (" + found->serial + ") is in the place of camera " + m_place->serial,
                     "connect the one that belongs there, or begin anew with this one");
     return found;
 }
 
-/// A camera that was without power has forgotten how it was set. What is there the first time is what it is to be.
+/// A camera that was without power has forgotten how it was set. What is there the first time is what it is
+/// to be.
 Result<void> AravisWorker::setAsBefore(AravisDevice &device)
 {
     const AravisMode &mode = device.mode();
@@ -103,8 +106,10 @@ Result<void> AravisWorker::setAsBefore(AravisDevice &device)
         }
         return {};
     }
-    if (mode.widthPx != m_mode.widthPx || mode.heightPx != m_mode.heightPx || mode.format.code != m_mode.format.code)
-        return fail(ErrorCode::Unavailable, "camera " + m_address.uri, "it came back with pictures of another size or format",
+    if (mode.widthPx != m_mode.widthPx || mode.heightPx != m_mode.heightPx ||
+        mode.format.code != m_mode.format.code)
+        return fail(ErrorCode::Unavailable, "camera " + m_address.uri,
+                    "it came back with pictures of another size or format",
                     "set it as before, or begin anew with size and format in its address");
     for (const auto &[id, value] : m_settings)
         setAravisControl(device.camera(), m_address.uri, id, value);
@@ -137,7 +142,8 @@ std::vector<std::string> AravisWorker::holdAutomatics(AravisDevice *device)
 
 AravisWorker::Opened AravisWorker::takeUp()
 {
-    // A camera that was found by its serial number is most likely where it was; looking for it takes two seconds.
+    // A camera that was found by its serial number is most likely where it was; looking for it takes two
+    // seconds.
     const bool where = m_place && m_place->onNetwork && !isIpAddress(m_address.place);
     const auto there = where ? askGvcpCamera(m_place->openId, askPatience) : std::nullopt;
     auto place = there && there->serial == m_place->serial ? Result<AravisPlace>(*m_place) : findAgain();
@@ -181,8 +187,8 @@ void AravisWorker::updateCounts(const AravisStream &stream)
     m_session->count(m_counts);
 }
 
-/// How long until the next one. All cameras that are fired by the same rate keep to the same grid of the steady clock, so that
-/// they see the same moments without knowing of one another.
+/// How long until the next one. All cameras that are fired by the same rate keep to the same grid of the
+/// steady clock, so that they see the same moments without knowing of one another.
 Nanoseconds AravisWorker::fireIfDue(AravisDevice &device)
 {
     if (m_address.trigger != AravisAddress::Trigger::Software)
@@ -191,7 +197,8 @@ Nanoseconds AravisWorker::fireIfDue(AravisDevice &device)
     if (now >= m_nextFire) {
         // A camera that is gone would hold us up: one that is silent is asked before.
         const bool silent = now - m_lastPicture > shortestSilence + interval;
-        if (m_nextFire != 0ns && (!silent || !device.place().onNetwork || askGvcpCamera(device.place().openId, askPatience)))
+        if (m_nextFire != 0ns &&
+            (!silent || !device.place().onNetwork || askGvcpCamera(device.place().openId, askPatience)))
             device.fireTrigger();
         m_nextFire = (steadyNow() / interval + 1) * interval;
     }
@@ -226,14 +233,16 @@ void AravisWorker::deliver(AravisDevice &device, AravisStream &stream, AravisPic
     captured.frame = std::move(picture.frame);
     captured.frame.time = m_times.place(middle, picture.arrival, m_reading);
     if (std::exchange(m_resumed, false) && m_lastTime) {
-        const double missed = toSeconds(captured.frame.time - *m_lastTime) * device.mode().framesPerSecond - 1;
+        const double missed =
+            toSeconds(captured.frame.time - *m_lastTime) * device.mode().framesPerSecond - 1;
         m_numbering.interrupt(static_cast<std::uint64_t>(std::max(0.0, std::round(missed))));
     }
     m_lastTime = captured.frame.time;
     captured.sequence = m_numbering.number(picture.id);
     captured.frame.index = static_cast<std::int64_t>(captured.sequence);
     if (std::exchange(m_readingIsNew, false))
-        captured.clock = ClockReading{m_times.onScale(m_reading->device), m_reading->before, m_reading->after};
+        captured.clock =
+            ClockReading{m_times.onScale(m_reading->device), m_reading->before, m_reading->after};
     m_lastPicture = steadyNow();
     m_unanswered = 0;
     m_damagedBefore = stream.damaged();
@@ -269,7 +278,9 @@ bool AravisWorker::stillStreams(AravisDevice &device, AravisStream &stream)
         return false;
     }
     if (stream.damaged() > m_damagedBefore)
-        tell("its pictures come incomplete", stream.warning().empty() ? "check its cable and the network; ask for a smaller size or rate" : stream.warning());
+        tell("its pictures come incomplete",
+             stream.warning().empty() ? "check its cable and the network; ask for a smaller size or rate"
+                                      : stream.warning());
     else
         tell("it answers, but sends no pictures", "check its trigger and this computer's firewall");
     return silence < longestStall + usual;

@@ -9,13 +9,14 @@
 
 namespace odo {
 
-/// The one thread of a camera that touches Aravis: opens the camera, takes its pictures, reads its clock, watches that it lives,
-/// and takes it up anew, as it was, when it was away.
+/// The one thread of a camera that touches Aravis: opens the camera, takes its pictures, reads its clock,
+/// watches that it lives, and takes it up anew, as it was, when it was away.
 class AravisWorker
 {
 public:
     /// opened: told once, what was found or why it cannot be opened.
-    AravisWorker(AravisAddress address, std::shared_ptr<AravisSession> session, std::promise<Result<CameraDescription>> opened);
+    AravisWorker(AravisAddress address, std::shared_ptr<AravisSession> session,
+                 std::promise<Result<CameraDescription>> opened);
 
     /// Until the session is stopped.
     void run();
@@ -24,7 +25,8 @@ public:
 
     /// Sets it now, and again when the camera comes back.
     Result<void> set(AravisDevice &device, const std::string &id, double value);
-    /// Holds them now, and again when the camera comes back; without a camera, when it does. Gives what is not held.
+    /// Holds them now, and again when the camera comes back; without a camera, when it does. Gives what is
+    /// not held.
     std::vector<std::string> holdAutomatics(AravisDevice *device);
 
 private:
@@ -54,15 +56,15 @@ private:
     PictureNumbering m_numbering;
     std::optional<ClockReading> m_reading; ///< the last one of the camera's own clock
     bool m_readingIsNew = false;
-    int m_readings = 0;                    ///< tried since the camera was taken up
+    int m_readings = 0; ///< tried since the camera was taken up
     Nanoseconds m_nextReading{0};
-    Nanoseconds m_lastPicture{0};          ///< or the start of the stream
+    Nanoseconds m_lastPicture{0}; ///< or the start of the stream
     Nanoseconds m_nextFire{0};
     std::optional<Nanoseconds> m_lastTime; ///< of a picture, on the scale
     bool m_resumed = false;                ///< taken up anew, without a picture yet
     int m_unanswered = 0;
-    std::uint64_t m_damagedBefore = 0;     ///< when the last picture came
-    CameraCounts m_before, m_counts;       ///< of former streams; of all
+    std::uint64_t m_damagedBefore = 0; ///< when the last picture came
+    CameraCounts m_before, m_counts;   ///< of former streams; of all
 };
 
 } // namespace odo

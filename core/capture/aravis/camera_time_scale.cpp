@@ -26,15 +26,19 @@ Nanoseconds CameraTimeScale::passedBefore(const Picture &picture) const
 bool CameraTimeScale::follows(const Picture &picture) const
 {
     const Nanoseconds passed = passedBefore(picture);
-    const Nanoseconds tolerance = (m_interrupted ? latestAfterInterruption : latest) + fromSeconds(fastestClock * toSeconds(passed));
-    return picture.stamp > m_last->stamp && std::chrono::abs(picture.stamp - m_last->stamp - passed) <= tolerance;
+    const Nanoseconds tolerance =
+        (m_interrupted ? latestAfterInterruption : latest) + fromSeconds(fastestClock * toSeconds(passed));
+    return picture.stamp > m_last->stamp &&
+           std::chrono::abs(picture.stamp - m_last->stamp - passed) <= tolerance;
 }
 
-Nanoseconds CameraTimeScale::place(Nanoseconds stamp, Nanoseconds arrival, const std::optional<ClockReading> &reading)
+Nanoseconds CameraTimeScale::place(Nanoseconds stamp, Nanoseconds arrival,
+                                   const std::optional<ClockReading> &reading)
 {
     Picture picture{stamp, arrival, std::nullopt};
     if (reading) {
-        const Nanoseconds host = reading->before + (reading->after - reading->before) / 2 + (stamp - reading->device);
+        const Nanoseconds host =
+            reading->before + (reading->after - reading->before) / 2 + (stamp - reading->device);
         if (std::chrono::abs(host - arrival) < latest) // else it is one of before the clock was set
             picture.host = host;
     }
@@ -51,7 +55,8 @@ std::uint64_t PictureNumbering::number(std::uint64_t cameraNumber)
 {
     if (m_last) {
         const bool wide = cameraNumber > lastOf16Bits || *m_last > lastOf16Bits;
-        const std::uint64_t step = wide ? cameraNumber - *m_last : (cameraNumber + lastOf16Bits - *m_last) % lastOf16Bits;
+        const std::uint64_t step =
+            wide ? cameraNumber - *m_last : (cameraNumber + lastOf16Bits - *m_last) % lastOf16Bits;
         if (step > 1 && step < largestGap)
             m_next += step - 1;
     }

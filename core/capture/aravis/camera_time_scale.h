@@ -5,18 +5,23 @@
 
 namespace odo {
 
-/// A camera's time stamps on one scale, zero at its first picture, that goes on when the camera was away and its clock begins
-/// anew: then the time between is taken from this machine's clock. Not thread-safe.
+/// A camera's time stamps on one scale, zero at its first picture, that goes on when the camera was away and
+/// its clock begins anew: then the time between is taken from this machine's clock. Not thread-safe.
 class CameraTimeScale
 {
 public:
     /// The camera was taken up anew.
     void interrupt() { m_interrupted = true; }
 
-    /// False where a picture's stamp does not follow that of the one before: the clock was set anew, and should be read now.
-    bool goesOn(Nanoseconds stamp, Nanoseconds arrival) const { return !m_last || follows({stamp, arrival, std::nullopt}); }
+    /// False where a picture's stamp does not follow that of the one before: the clock was set anew, and
+    /// should be read now.
+    bool goesOn(Nanoseconds stamp, Nanoseconds arrival) const
+    {
+        return !m_last || follows({stamp, arrival, std::nullopt});
+    }
 
-    /// The time of a picture; they come in order. reading: of the camera's clock, within some seconds of the picture.
+    /// The time of a picture; they come in order. reading: of the camera's clock, within some seconds of the
+    /// picture.
     Nanoseconds place(Nanoseconds stamp, Nanoseconds arrival, const std::optional<ClockReading> &reading);
 
     /// Any time of the camera's clock; after the first picture.
@@ -36,7 +41,8 @@ private:
     bool m_interrupted = false;
 };
 
-/// Numbers pictures without an end, from a camera's numbers of 16 bits that go from 65535 to 1, or of 64. Not thread-safe.
+/// Numbers pictures without an end, from a camera's numbers of 16 bits that go from 65535 to 1, or of 64. Not
+/// thread-safe.
 class PictureNumbering
 {
 public:

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <span>
 
 namespace odo {
@@ -25,10 +26,12 @@ constexpr std::uint16_t controlPort = 3956;
 constexpr std::size_t headerSize = 8;
 // Key, flags (an answer is wanted), command, length, and the number of the request.
 constexpr std::array<std::uint8_t, 8> discoveryQuestion{0x42, 0x01, 0x00, 0x02, 0x00, 0x00, 0xff, 0xfe};
-constexpr std::array<std::uint8_t, 12> privilegeQuestion{0x42, 0x01, 0x00, 0x80, 0x00, 0x04, 0xff, 0xfd, 0x00, 0x00, 0x0a, 0x00};
+constexpr std::array<std::uint8_t, 12> privilegeQuestion{0x42, 0x01, 0x00, 0x80, 0x00, 0x04,
+                                                         0xff, 0xfd, 0x00, 0x00, 0x0a, 0x00};
 constexpr std::uint8_t discoveryAnswer = 0x03, readAnswer = 0x81;
 // Places in a discovery's answer: of the bootstrap registers.
-constexpr std::size_t vendorAt = 0x48, modelAt = 0x68, serialAt = 0xd8, nameSize = 32, serialSize = 16, discoverySize = 0xf8;
+constexpr std::size_t vendorAt = 0x48, modelAt = 0x68, serialAt = 0xd8, nameSize = 32, serialSize = 16,
+                      discoverySize = 0xf8;
 
 class UdpSocket
 {
@@ -45,7 +48,8 @@ public:
     int handle() const { return m_handle; }
     bool send(std::span<const std::uint8_t> bytes, const sockaddr_in &to) const
     {
-        return sendto(m_handle, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr *>(&to), sizeof to) == static_cast<ssize_t>(bytes.size());
+        return sendto(m_handle, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr *>(&to),
+                      sizeof to) == static_cast<ssize_t>(bytes.size());
     }
 
 private:
@@ -72,11 +76,13 @@ std::string fieldOf(const Answer &answer, std::size_t at, std::size_t size)
 
 std::optional<GvcpCamera> cameraIn(const Answer &answer, ssize_t size, in_addr from)
 {
-    if (size < static_cast<ssize_t>(headerSize + discoverySize) || answer[0] != 0 || answer[3] != discoveryAnswer)
+    if (size < static_cast<ssize_t>(headerSize + discoverySize) || answer[0] != 0 ||
+        answer[3] != discoveryAnswer)
         return std::nullopt;
     std::array<char, INET_ADDRSTRLEN> address{};
     inet_ntop(AF_INET, &from, address.data(), address.size());
-    return GvcpCamera{address.data(), fieldOf(answer, vendorAt, nameSize), fieldOf(answer, modelAt, nameSize), fieldOf(answer, serialAt, serialSize)};
+    return GvcpCamera{address.data(), fieldOf(answer, vendorAt, nameSize), fieldOf(answer, modelAt, nameSize),
+                      fieldOf(answer, serialAt, serialSize)};
 }
 
 bool waitReadable(int handle, Clock::time_point until)
@@ -87,7 +93,8 @@ bool waitReadable(int handle, Clock::time_point until)
 }
 
 /// Asks one address. Who refuses (nobody listens there) is known at once. Less than 0 without an answer.
-ssize_t ask(const std::string &address, std::span<const std::uint8_t> question, std::chrono::milliseconds patience, Answer &answer)
+ssize_t ask(const std::string &address, std::span<const std::uint8_t> question,
+            std::chrono::milliseconds patience, Answer &answer)
 {
     in_addr ip{};
     if (inet_pton(AF_INET, address.c_str(), &ip) != 1)
@@ -133,7 +140,8 @@ void receiveAll(const UdpSocket &socket, std::vector<GvcpCamera> &cameras)
     sockaddr_in from{};
     for (;;) {
         socklen_t length = sizeof from;
-        const ssize_t size = recvfrom(socket.handle(), answer.data(), answer.size(), MSG_DONTWAIT, reinterpret_cast<sockaddr *>(&from), &length);
+        const ssize_t size = recvfrom(socket.handle(), answer.data(), answer.size(), MSG_DONTWAIT,
+                                      reinterpret_cast<sockaddr *>(&from), &length);
         if (size < 0)
             return;
         const auto camera = cameraIn(answer, size, from.sin_addr);

@@ -15,9 +15,9 @@ struct GvcpCamera
     std::string vendor, model, serial;
 };
 
-// A few questions of GigE Vision's control protocol (GVCP; GigE Vision 2.0, 14 to 18) asked directly. Aravis would take seconds
-// to find out that a camera is gone, and hold its locks meanwhile; these take as long as they are told, and need no
-// control of the camera. Any thread.
+// A few questions of GigE Vision's control protocol (GVCP; GigE Vision 2.0, 14 to 18) asked directly. Aravis
+// would take seconds to find out that a camera is gone, and hold its locks meanwhile; these take as long as
+// they are told, and need no control of the camera. Any thread.
 
 /// True for four numbers with points.
 bool isIpAddress(const std::string &text);
@@ -28,8 +28,8 @@ std::optional<GvcpCamera> askGvcpCamera(const std::string &address, std::chrono:
 /// Whether a program controls the camera at an address; nullopt when it does not answer.
 std::optional<bool> isGvcpControlled(const std::string &address, std::chrono::milliseconds patience);
 
-/// All that answer to a broadcast on any network of this machine, each address once. Takes as long as it is told: the protocol
-/// lets cameras take a second to answer. Empty without a network.
+/// All that answer to a broadcast on any network of this machine, each address once. Takes as long as it is
+/// told: the protocol lets cameras take a second to answer. Empty without a network.
 std::vector<GvcpCamera> discoverGvcpCameras(std::chrono::milliseconds patience);
 
 } // namespace odo

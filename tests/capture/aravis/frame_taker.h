@@ -73,7 +73,8 @@ public:
     std::size_t countSince(Nanoseconds begin) const
     {
         const auto all = frames();
-        return static_cast<std::size_t>(std::ranges::count_if(all, [begin](const Taken &one) { return one.code.begin > begin; }));
+        return static_cast<std::size_t>(
+            std::ranges::count_if(all, [begin](const Taken &one) { return one.code.begin > begin; }));
     }
 
 private:
@@ -83,7 +84,8 @@ private:
             auto captured = m_source.next();
             const std::lock_guard lock(m_mutex);
             if (captured) {
-                m_frames.push_back({captured->sequence, captured->frame.time, captured->hostTime, readCode(captured->frame), captured->clock});
+                m_frames.push_back({captured->sequence, captured->frame.time, captured->hostTime,
+                                    readCode(captured->frame), captured->clock});
                 continue;
             }
             if (captured.error().code == ErrorCode::Cancelled)

@@ -17,9 +17,11 @@ private Q_SLOTS:
         const auto plain = parseAravisAddress("aravis:192.168.1.20");
         QVERIFY(plain);
         QCOMPARE(plain->place, std::string("192.168.1.20"));
-        QVERIFY(!plain->framesPerSecond && !plain->sizePx && !plain->format && plain->trigger == AravisAddress::Trigger::None);
-        const auto full = parseAravisAddress("aravis:SN-17?rate=29.5&exposure_ms=5&gain=-2&format=BayerRG8&size=640x480&trigger=software"
-                                             "&packet_size=9000&packet_delay_us=12.5");
+        QVERIFY(!plain->framesPerSecond && !plain->sizePx && !plain->format &&
+                plain->trigger == AravisAddress::Trigger::None);
+        const auto full = parseAravisAddress(
+            "aravis:SN-17?rate=29.5&exposure_ms=5&gain=-2&format=BayerRG8&size=640x480&trigger=software"
+            "&packet_size=9000&packet_delay_us=12.5");
         QVERIFY2(full, full ? "" : full.error().message().c_str());
         QCOMPARE(full->place, std::string("SN-17"));
         QCOMPARE(full->framesPerSecond, 29.5);
@@ -36,11 +38,15 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("uri");
         QTest::addColumn<QByteArray>("part");
-        for (const auto &[uri, part] : {std::pair("aravis:", "neither an address nor a serial number"), std::pair("aravis:?rate=30", "neither"),
-                                        std::pair("aravis:A?rate=0", "'rate=0'"), std::pair("aravis:A?rate=30&size=640", "'size=640'"),
-                                        std::pair("aravis:A?size=640.5x2", "'size=640.5x2'"), std::pair("aravis:A?format=", "'format='"),
-                                        std::pair("aravis:A?trigger=line", "'trigger=line'"), std::pair("aravis:A?nonsense", "'nonsense'"),
-                                        std::pair("aravis:A?exposure_ms=-1", "'exposure_ms=-1'")})
+        for (const auto &[uri, part] :
+             {std::pair("aravis:", "neither an address nor a serial number"),
+              std::pair("aravis:?rate=30", "neither"), std::pair("aravis:A?rate=0", "'rate=0'"),
+              std::pair("aravis:A?rate=30&size=640", "'size=640'"),
+              std::pair("aravis:A?size=640.5x2", "'size=640.5x2'"),
+              std::pair("aravis:A?format=", "'format='"),
+              std::pair("aravis:A?trigger=line", "'trigger=line'"),
+              std::pair("aravis:A?nonsense", "'nonsense'"),
+              std::pair("aravis:A?exposure_ms=-1", "'exposure_ms=-1'")})
             QTest::newRow(uri) << QByteArray(uri) << QByteArray(part);
     }
     void whatIsNotUnderstoodIsNamed()
@@ -50,7 +56,8 @@ private Q_SLOTS:
         const auto address = parseAravisAddress(uri.toStdString());
         QVERIFY(!address);
         QCOMPARE(address.error().code, ErrorCode::InvalidInput);
-        QVERIFY2(address.error().message().find(part.toStdString()) != std::string::npos, address.error().message().c_str());
+        QVERIFY2(address.error().message().find(part.toStdString()) != std::string::npos,
+                 address.error().message().c_str());
     }
 
     void timeBeginsAtTheFirstPictureAndGoesOn()
@@ -62,7 +69,8 @@ private Q_SLOTS:
         QCOMPARE(scale.onScale(999s), Nanoseconds(-1s));
     }
 
-    /// After an interruption the clock may have begun anew: what passed is known from ours, exactly where the clock was read.
+    /// After an interruption the clock may have begun anew: what passed is known from ours, exactly where the
+    /// clock was read.
     void aClockThatBeginsAnewIsJoined()
     {
         CameraTimeScale byArrival;
@@ -71,7 +79,9 @@ private Q_SLOTS:
         QCOMPARE(byArrival.place(3s, 57s, {}), Nanoseconds(7s));
         QCOMPARE(byArrival.place(3s + 33ms, 57s + 33ms, {}), Nanoseconds(7s + 33ms));
 
-        const auto reading = [](Nanoseconds device, Nanoseconds host) { return ClockReading{device, host - 50us, host + 50us}; };
+        const auto reading = [](Nanoseconds device, Nanoseconds host) {
+            return ClockReading{device, host - 50us, host + 50us};
+        };
         CameraTimeScale byReading;
         byReading.place(1000s, 50s + 8ms, reading(999s, 49s)); // taken at 50 s
         byReading.interrupt();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How well the times of GigE pictures are known: cameras whose clocks are an hour apart, run 100 ppm fast and slow, and whose pictures
-// come up to 5 ms late at random. The truth is written in the pictures.
+// How well the times of GigE pictures are known: cameras whose clocks are an hour apart, run 100 ppm fast and
+// slow, and whose pictures come up to 5 ms late at random. The truth is written in the pictures.
 #include "core/capture/frame_pairing.h"
 #include "core/capture/recorded_clock.h"
 #include "frame_taker.h"
@@ -91,8 +91,10 @@ private Q_SLOTS:
 /// Both kinds of cameras at once, because it takes its time.
 void TestAravisClocks::timesAreThoseOfTheTruth()
 {
-    SimulatedGigeCamera readA(cameraSettings("127.31.3.2", false, true), codedPainter()), readB(cameraSettings("127.31.3.3", true, true), codedPainter());
-    SimulatedGigeCamera mutedA(cameraSettings("127.31.3.4", false, false), codedPainter()), mutedB(cameraSettings("127.31.3.5", true, false), codedPainter());
+    SimulatedGigeCamera readA(cameraSettings("127.31.3.2", false, true), codedPainter()),
+        readB(cameraSettings("127.31.3.3", true, true), codedPainter());
+    SimulatedGigeCamera mutedA(cameraSettings("127.31.3.4", false, false), codedPainter()),
+        mutedB(cameraSettings("127.31.3.5", true, false), codedPainter());
     std::vector<std::unique_ptr<CameraSource>> sources;
     for (const char *address : {"127.31.3.2", "127.31.3.3", "127.31.3.4", "127.31.3.5"}) {
         sources.push_back(opened(std::string("aravis:") + address));
@@ -117,14 +119,17 @@ void TestAravisClocks::timesAreThoseOfTheTruth()
     // Late by half an exposure and the transfer, which is the same for both.
     QVERIFY2(late > 1.9 && late < 6, qPrintable(QString::number(late)));
 
-    const PairFigures wide = pairFigures({a.derived.taken, b.derived.taken}, 15ms), narrow = pairFigures({a.derived.taken, b.derived.taken}, 5ms);
+    const PairFigures wide = pairFigures({a.derived.taken, b.derived.taken}, 15ms),
+                      narrow = pairFigures({a.derived.taken, b.derived.taken}, 5ms);
     QVERIFY(wide.pairs > enough * 9 / 10);
     QCOMPARE(narrow.pairs, 0u);
     const double apart = 1e3 * median(wide.errorsS);
-    const double truth = 1e3 * toSeconds(b.frames[100].code.begin - a.frames[100].code.begin), interval = 1e3 / 30;
+    const double truth = 1e3 * toSeconds(b.frames[100].code.begin - a.frames[100].code.begin),
+                 interval = 1e3 / 30;
     const double expected = std::remainder(truth, interval);
     // The cameras drift apart by 200 ppm: 1.4 ms in these seconds.
-    QVERIFY2(std::abs(apart - expected) < 1.5, qPrintable(QStringLiteral("%1 for %2").arg(apart).arg(expected)));
+    QVERIFY2(std::abs(apart - expected) < 1.5,
+             qPrintable(QStringLiteral("%1 for %2").arg(apart).arg(expected)));
 }
 
 QTEST_GUILESS_MAIN(TestAravisClocks)

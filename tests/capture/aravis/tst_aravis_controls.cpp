@@ -54,7 +54,8 @@ private Q_SLOTS:
         for (const double value : {-1.0, 25.0, std::nan("")}) {
             const auto outside = source->set("Gain", value);
             QCOMPARE(outside.error().code, ErrorCode::InvalidInput);
-            QVERIFY2(outside.error().message().find("Gain goes from 0.00 to 24.00; ") != std::string::npos, outside.error().message().c_str());
+            QVERIFY2(outside.error().message().find("Gain goes from 0.00 to 24.00; ") != std::string::npos,
+                     outside.error().message().c_str());
         }
         QCOMPARE(camera.readFloat(reg::Gain), 0.f);
     }
@@ -70,7 +71,9 @@ private Q_SLOTS:
         QTRY_VERIFY(taker.count() > 5);
         QVERIFY(controlOf(*source, "ExposureTime")->readOnly);
         const auto refused = source->set("ExposureTime", 1000);
-        QVERIFY2(!refused && refused.error().message().find("cannot be set while it is automatic; ") != std::string::npos, refused ? "" : refused.error().message().c_str());
+        QVERIFY2(!refused && refused.error().message().find("cannot be set while it is automatic; ") !=
+                                 std::string::npos,
+                 refused ? "" : refused.error().message().c_str());
         const auto automatic = controlOf(*source, "ExposureAuto");
         QCOMPARE(automatic->kind, CameraControl::Kind::Choice);
         QCOMPARE(automatic->choices, (std::vector<std::string>{"Off", "Once", "Continuous"}));
@@ -107,7 +110,8 @@ private Q_SLOTS:
         QTRY_VERIFY(taker.said("it does not answer"));
         QCOMPARE(source->holdAutomatics(), std::vector<std::string>{"Exposure and gain"});
         camera = std::make_unique<SimulatedGigeCamera>(settings, codedPainter());
-        QTRY_VERIFY_WITH_TIMEOUT(camera->read(reg::ExposureAuto) == 0u && camera->read(reg::GainAuto) == 0u, 15000);
+        QTRY_VERIFY_WITH_TIMEOUT(camera->read(reg::ExposureAuto) == 0u && camera->read(reg::GainAuto) == 0u,
+                                 15000);
     }
 };
 

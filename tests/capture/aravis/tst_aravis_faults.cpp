@@ -39,7 +39,8 @@ private:
 
 std::ptrdiff_t openFiles()
 {
-    return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), std::filesystem::directory_iterator());
+    return std::distance(std::filesystem::directory_iterator("/proc/self/fd"),
+                         std::filesystem::directory_iterator());
 }
 
 } // namespace
@@ -65,7 +66,8 @@ void TestAravisFaults::anUnpluggedCameraIsToldAndComesBackAsItWas()
     SimulatedGigeCamera::Settings settings{.address = "127.31.2.2", .serial = "LOST", .clockPpm = 50};
     auto camera = std::make_unique<SimulatedGigeCamera>(settings, codedPainter());
     SimulatedGigeCamera other({.address = "127.31.2.3", .serial = "OTHER"}, codedPainter());
-    const auto source = opened("aravis:127.31.2.2?exposure_ms=4&rate=25"), otherSource = opened("aravis:127.31.2.3");
+    const auto source = opened("aravis:127.31.2.2?exposure_ms=4&rate=25"),
+               otherSource = opened("aravis:127.31.2.3");
     QVERIFY(source && otherSource);
     FrameTaker taker(*source), otherTaker(*otherSource);
     QVERIFY(source->set("Gain", 7));
@@ -96,7 +98,8 @@ void TestAravisFaults::anUnpluggedCameraIsToldAndComesBackAsItWas()
         QVERIFY(frames[i].time > frames[i - 1].time && frames[i].sequence > frames[i - 1].sequence);
     // What it would have taken meanwhile is a gap.
     const double expected = toSeconds(last.code.begin - first.code.begin) * 25;
-    QVERIFY2(std::abs(static_cast<double>(last.sequence - first.sequence) - expected) < 6, qPrintable(QString::number(expected)));
+    QVERIFY2(std::abs(static_cast<double>(last.sequence - first.sequence) - expected) < 6,
+             qPrintable(QString::number(expected)));
 
     // The other one has noticed nothing.
     const auto others = otherTaker.frames();
@@ -185,7 +188,8 @@ void TestAravisFaults::aCameraBelongsToOneProgram()
         const auto second = openCamera("aravis:127.31.2.8");
         QVERIFY(!second);
         QCOMPARE(second.error().code, ErrorCode::Unavailable);
-        QVERIFY2(second.error().message().find("another program uses it; ") != std::string::npos, second.error().message().c_str());
+        QVERIFY2(second.error().message().find("another program uses it; ") != std::string::npos,
+                 second.error().message().c_str());
         const std::size_t before = taker.count();
         QTRY_VERIFY(taker.count() > before + 10);
         QCOMPARE(taker.failures().size(), std::size_t(0));
@@ -202,7 +206,8 @@ void TestAravisFaults::aCrashedProgramsCameraIsFreeAfterAWhile()
     QTRY_VERIFY(camera.isControlled());
     const auto inUse = openCamera("aravis:127.31.2.9");
     QVERIFY(!inUse);
-    QVERIFY2(inUse.error().message().find("another program uses it; ") != std::string::npos, inUse.error().message().c_str());
+    QVERIFY2(inUse.error().message().find("another program uses it; ") != std::string::npos,
+             inUse.error().message().c_str());
     QTRY_VERIFY(openCamera("aravis:127.31.2.9"));
 }
 
@@ -222,7 +227,8 @@ void TestAravisFaults::aClockThatBeginsAnewIsNotSeen()
         QVERIFY(frames[i].time > frames[i - 1].time);
     std::vector<double> errorsMs;
     for (const auto &frame : frames)
-        errorsMs.push_back(1e3 * std::abs(toSeconds((frame.time - first.time) - (frame.code.begin - first.code.begin))));
+        errorsMs.push_back(
+            1e3 * std::abs(toSeconds((frame.time - first.time) - (frame.code.begin - first.code.begin))));
     std::ranges::sort(errorsMs);
     // It is read as soon as a stamp does not follow the one before.
     QVERIFY2(errorsMs[errorsMs.size() / 2] < 1, qPrintable(QString::number(errorsMs[errorsMs.size() / 2])));
@@ -230,7 +236,8 @@ void TestAravisFaults::aClockThatBeginsAnewIsNotSeen()
 
 void TestAravisFaults::closingACameraThatIsGoneTakesNoTime()
 {
-    auto camera = std::make_unique<SimulatedGigeCamera>(SimulatedGigeCamera::Settings{.address = "127.31.2.11"}, codedPainter());
+    auto camera = std::make_unique<SimulatedGigeCamera>(
+        SimulatedGigeCamera::Settings{.address = "127.31.2.11"}, codedPainter());
     auto source = opened("aravis:127.31.2.11");
     QVERIFY(source);
     QVERIFY(source->next());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of simulated GigE cameras as they come through Aravis: what is in them, what is missing, how the camera is set.
+// Pictures of simulated GigE cameras as they come through Aravis: what is in them, what is missing, how the
+// camera is set.
 #include "core/capture/aravis/gvcp.h"
 #include "frame_taker.h"
 
@@ -12,7 +13,8 @@ namespace {
 
 constexpr RgbColour orange{220, 120, 40};
 
-/// So many pictures; fewer when none comes for seconds. This machine stalls for longer than a camera may be silent.
+/// So many pictures; fewer when none comes for seconds. This machine stalls for longer than a camera may be
+/// silent.
 std::vector<CapturedFrame> take(CameraSource &source, std::size_t count)
 {
     std::vector<CapturedFrame> frames;
@@ -66,7 +68,8 @@ void TestAravisStreaming::picturesAreWhatTheCameraSaw()
 {
     QFETCH(std::uint32_t, format);
     const QByteArray name = QTest::currentDataTag();
-    SimulatedGigeCamera camera({.address = "127.31.1.2", .ticksPerSecond = 125'000'000}, codedPainter(orange));
+    SimulatedGigeCamera camera({.address = "127.31.1.2", .ticksPerSecond = 125'000'000},
+                               codedPainter(orange));
     const auto source = opened("aravis:127.31.1.2?format=" + name.toStdString());
     QVERIFY(source);
     QCOMPARE(camera.read(reg::PixelFormat), format);
@@ -97,7 +100,8 @@ void TestAravisStreaming::picturesAreWhatTheCameraSaw()
 
 void TestAravisStreaming::numbersWrap()
 {
-    SimulatedGigeCamera camera({.address = "127.31.1.3", .framesPerSecond = 60, .firstId = 65520}, codedPainter());
+    SimulatedGigeCamera camera({.address = "127.31.1.3", .framesPerSecond = 60, .firstId = 65520},
+                               codedPainter());
     const auto source = opened("aravis:127.31.1.3");
     QVERIFY(source);
     const auto frames = take(*source, 40);
@@ -163,7 +167,8 @@ void TestAravisStreaming::shortPicturesAreRefusedAndSaidSo()
     }
     QVERIFY(!frame);
     QCOMPARE(frame.error().code, ErrorCode::Unavailable);
-    QVERIFY2(frame.error().message().find("its pictures come incomplete; ") != std::string::npos, frame.error().message().c_str());
+    QVERIFY2(frame.error().message().find("its pictures come incomplete; ") != std::string::npos,
+             frame.error().message().c_str());
     QVERIFY(source->counts().damaged >= 5);
     camera.cutRows = 0;
     QTRY_VERIFY(source->next());
@@ -171,8 +176,10 @@ void TestAravisStreaming::shortPicturesAreRefusedAndSaidSo()
 
 void TestAravisStreaming::whatIsWantedIsSetAndReadBack()
 {
-    SimulatedGigeCamera camera({.address = "127.31.1.8", .sensorWidth = 1280, .sensorHeight = 960}, codedPainter());
-    const auto source = opened("aravis:127.31.1.8?size=640x480&rate=50&exposure_ms=3&gain=6&packet_size=8000&packet_delay_us=2");
+    SimulatedGigeCamera camera({.address = "127.31.1.8", .sensorWidth = 1280, .sensorHeight = 960},
+                               codedPainter());
+    const auto source = opened(
+        "aravis:127.31.1.8?size=640x480&rate=50&exposure_ms=3&gain=6&packet_size=8000&packet_delay_us=2");
     QVERIFY(source);
     QCOMPARE(camera.read(reg::Width), 640u);
     QCOMPARE(camera.read(reg::OffsetX), 320u); // the middle of the sensor
@@ -200,10 +207,12 @@ void TestAravisStreaming::whatTheCameraCannotDoIsSaid_data()
 {
     QTest::addColumn<QByteArray>("query");
     QTest::addColumn<QByteArray>("words");
-    QTest::newRow("size") << QByteArray("size=9999x9999") << QByteArray("its pictures have 640x480 pixels at most; ");
+    QTest::newRow("size") << QByteArray("size=9999x9999")
+                          << QByteArray("its pictures have 640x480 pixels at most; ");
     QTest::newRow("odd size") << QByteArray("size=8x8") << QByteArray("it does not take this size (");
     QTest::newRow("format") << QByteArray("format=Bayer17") << QByteArray("it has no format Bayer17 (");
-    QTest::newRow("exposure") << QByteArray("exposure_ms=0.0005") << QByteArray("it does not take this exposure (");
+    QTest::newRow("exposure") << QByteArray("exposure_ms=0.0005")
+                              << QByteArray("it does not take this exposure (");
     QTest::newRow("gain") << QByteArray("gain=90") << QByteArray("it does not take this gain (");
 }
 
@@ -215,7 +224,8 @@ void TestAravisStreaming::whatTheCameraCannotDoIsSaid()
     const auto source = openCamera("aravis:127.31.1.9?" + query.toStdString());
     QVERIFY(!source);
     QCOMPARE(source.error().code, ErrorCode::InvalidInput);
-    QVERIFY2(source.error().message().find(words.toStdString()) != std::string::npos, source.error().message().c_str());
+    QVERIFY2(source.error().message().find(words.toStdString()) != std::string::npos,
+             source.error().message().c_str());
     QCOMPARE(camera.readFloat(reg::ExposureTime), 5000.f);
     QTRY_VERIFY(!camera.isControlled()); // others may have it
 }
@@ -223,8 +233,10 @@ void TestAravisStreaming::whatTheCameraCannotDoIsSaid()
 /// Each is fired by itself, on one grid of time.
 void TestAravisStreaming::triggeredCamerasSeeTheSameMoments()
 {
-    SimulatedGigeCamera a({.address = "127.31.1.10", .serial = "A"}, codedPainter()), b({.address = "127.31.1.11", .serial = "B"}, codedPainter());
-    const auto first = opened("aravis:127.31.1.10?trigger=software&rate=25"), second = opened("aravis:127.31.1.11?trigger=software&rate=25");
+    SimulatedGigeCamera a({.address = "127.31.1.10", .serial = "A"}, codedPainter()),
+        b({.address = "127.31.1.11", .serial = "B"}, codedPainter());
+    const auto first = opened("aravis:127.31.1.10?trigger=software&rate=25"),
+               second = opened("aravis:127.31.1.11?trigger=software&rate=25");
     QVERIFY(first && second);
     QCOMPARE(first->description().framesPerSecond, 25.0);
     std::vector<double> apartMs;
@@ -236,7 +248,8 @@ void TestAravisStreaming::triggeredCamerasSeeTheSameMoments()
     for (const CapturedFrame &frame : framesOfA) {
         double nearest = 1e9;
         for (const CapturedFrame &other : framesOfB)
-            nearest = std::min(nearest, 1e3 * std::abs(toSeconds(readCode(frame.frame).begin - readCode(other.frame).begin)));
+            nearest = std::min(nearest, 1e3 * std::abs(toSeconds(readCode(frame.frame).begin -
+                                                                 readCode(other.frame).begin)));
         apartMs.push_back(nearest);
     }
     std::ranges::sort(apartMs);
@@ -255,7 +268,9 @@ void TestAravisStreaming::camerasAreFound()
     QCOMPARE(source->description().name, std::string("Odograph Other"));
     QVERIFY(source->next());
     const std::vector<CameraDescription> all = listCameras();
-    const auto listed = [&](const std::string &uri) { return std::ranges::find(all, uri, &CameraDescription::uri); };
+    const auto listed = [&](const std::string &uri) {
+        return std::ranges::find(all, uri, &CameraDescription::uri);
+    };
     QVERIFY(listed("aravis:FOUND-A") != all.end());
     QCOMPARE(listed("aravis:FOUND-A")->kind, std::string("aravis"));
     QCOMPARE(listed("aravis:FOUND-A")->name, std::string("Odograph Simulated"));
@@ -271,11 +286,13 @@ void TestAravisStreaming::nobodyAtAnAddressIsSaidAtOnce()
     const auto nobody = openCamera("aravis:127.31.1.99");
     QVERIFY(!nobody);
     QCOMPARE(nobody.error().code, ErrorCode::Unavailable);
-    QVERIFY2(nobody.error().message().starts_with("camera aravis:127.31.1.99: it does not answer; "), nobody.error().message().c_str());
+    QVERIFY2(nobody.error().message().starts_with("camera aravis:127.31.1.99: it does not answer; "),
+             nobody.error().message().c_str());
     QVERIFY(toSeconds(steadyNow() - begin) < 2);
     const auto unknown = openCamera("aravis:NO-SUCH-SERIAL");
     QVERIFY(!unknown);
-    QVERIFY2(unknown.error().message().find("no camera of this serial number answers; ") != std::string::npos, unknown.error().message().c_str());
+    QVERIFY2(unknown.error().message().find("no camera of this serial number answers; ") != std::string::npos,
+             unknown.error().message().c_str());
 }
 
 QTEST_GUILESS_MAIN(TestAravisStreaming)

@@ -14,20 +14,26 @@ namespace {
 class Description
 {
 public:
-    void integer(const std::string &name, std::uint32_t address, const std::string &limits, const char *access = "RW", int length = 4)
+    void integer(const std::string &name, std::uint32_t address, const std::string &limits,
+                 const char *access = "RW", int length = 4)
     {
         m_features.push_back(name);
-        m_nodes << "<Integer Name=\"" << name << "\"><pValue>" << name << "Reg</pValue>" << limits << "</Integer>\n";
+        m_nodes << "<Integer Name=\"" << name << "\"><pValue>" << name << "Reg</pValue>" << limits
+                << "</Integer>\n";
         intRegister(name, address, access, length);
     }
-    void real(const std::string &name, std::uint32_t address, const char *unit, const std::string &limits, const std::string &lock = {})
+    void real(const std::string &name, std::uint32_t address, const char *unit, const std::string &limits,
+              const std::string &lock = {})
     {
         m_features.push_back(name);
-        m_nodes << "<Float Name=\"" << name << "\">" << (lock.empty() ? "" : "<pIsLocked>" + lock + "Reg</pIsLocked>") << "<pValue>" << name
-                << "Reg</pValue>" << limits << "<Unit>" << unit << "</Unit></Float>\n<FloatReg Name=\"" << name << "Reg\">"
-                << place(address, "RW", 4) << "<Endianess>BigEndian</Endianess></FloatReg>\n";
+        m_nodes << "<Float Name=\"" << name << "\">"
+                << (lock.empty() ? "" : "<pIsLocked>" + lock + "Reg</pIsLocked>") << "<pValue>" << name
+                << "Reg</pValue>" << limits << "<Unit>" << unit << "</Unit></Float>\n<FloatReg Name=\""
+                << name << "Reg\">" << place(address, "RW", 4)
+                << "<Endianess>BigEndian</Endianess></FloatReg>\n";
     }
-    void choice(const std::string &name, std::uint32_t address, const std::vector<std::pair<const char *, std::uint32_t>> &entries)
+    void choice(const std::string &name, std::uint32_t address,
+                const std::vector<std::pair<const char *, std::uint32_t>> &entries)
     {
         m_features.push_back(name);
         m_nodes << "<Enumeration Name=\"" << name << "\">";
@@ -39,7 +45,8 @@ public:
     void command(const std::string &name, std::uint32_t address, std::uint32_t value)
     {
         m_features.push_back(name);
-        m_nodes << "<Command Name=\"" << name << "\"><pValue>" << name << "Reg</pValue><CommandValue>" << value << "</CommandValue></Command>\n";
+        m_nodes << "<Command Name=\"" << name << "\"><pValue>" << name << "Reg</pValue><CommandValue>"
+                << value << "</CommandValue></Command>\n";
         intRegister(name, address, "RW", 4);
     }
     void text(const std::string &name, std::uint32_t address, int length)
@@ -58,7 +65,9 @@ public:
 <Category Name="Root" NameSpace="Standard">)";
         for (const std::string &feature : m_features)
             whole << "<pFeature>" << feature << "</pFeature>";
-        whole << "</Category>\n" << m_nodes.str() << "<Port Name=\"Device\" NameSpace=\"Standard\"></Port>\n</RegisterDescription>\n";
+        whole << "</Category>\n"
+              << m_nodes.str()
+              << "<Port Name=\"Device\" NameSpace=\"Standard\"></Port>\n</RegisterDescription>\n";
         return whole.str();
     }
 
@@ -99,8 +108,13 @@ void describePicture(Description &description)
     description.integer("OffsetX", reg::OffsetX, limits(0, 4096, 2));
     description.integer("OffsetY", reg::OffsetY, limits(0, 4096, 2));
     description.choice("PixelFormat", reg::PixelFormat,
-                       {{"Mono8", 0x01080001}, {"BayerGR8", 0x01080008}, {"BayerRG8", 0x01080009}, {"BayerGB8", 0x0108000a},
-                        {"BayerBG8", 0x0108000b}, {"RGB8", 0x02180014}, {"BGR8", 0x02180015}});
+                       {{"Mono8", 0x01080001},
+                        {"BayerGR8", 0x01080008},
+                        {"BayerRG8", 0x01080009},
+                        {"BayerGB8", 0x0108000a},
+                        {"BayerBG8", 0x0108000b},
+                        {"RGB8", 0x02180014},
+                        {"BGR8", 0x02180015}});
     description.integer("PayloadSize", reg::Payload, {}, "RO");
 }
 
@@ -110,10 +124,12 @@ void describeAcquisition(Description &description, bool automatics)
     description.command("AcquisitionStart", reg::Acquisition, 1);
     description.command("AcquisitionStop", reg::Acquisition, 0);
     description.real("AcquisitionFrameRate", reg::FrameRate, "Hz", limits(0.1, 1000));
-    description.real("ExposureTime", reg::ExposureTime, "us", limits(10, 1e6), automatics ? "ExposureAuto" : "");
+    description.real("ExposureTime", reg::ExposureTime, "us", limits(10, 1e6),
+                     automatics ? "ExposureAuto" : "");
     description.real("Gain", reg::Gain, "dB", limits(0, 24), automatics ? "GainAuto" : "");
     if (automatics) {
-        for (const auto &[name, address] : {std::pair{"ExposureAuto", reg::ExposureAuto}, std::pair{"GainAuto", reg::GainAuto}})
+        for (const auto &[name, address] :
+             {std::pair{"ExposureAuto", reg::ExposureAuto}, std::pair{"GainAuto", reg::GainAuto}})
             description.choice(name, address, {{"Off", 0}, {"Once", 1}, {"Continuous", 2}});
     }
     description.choice("TriggerSelector", reg::TriggerSelector, {{"FrameStart", 0}});

@@ -12,7 +12,8 @@ struct GenicamAbilities
     bool automatics = false;    ///< has ExposureAuto and GainAuto
 };
 
-/// The GenICam file (EMVA, GenICam 2.1.1; names by its SFNC 2.7) that describes the registers of gige_registers.h.
+/// The GenICam file (EMVA, GenICam 2.1.1; names by its SFNC 2.7) that describes the registers of
+/// gige_registers.h.
 std::string genicamDescription(const GenicamAbilities &abilities);
 
 } // namespace odo::test

@@ -19,8 +19,21 @@ namespace {
 constexpr std::uint16_t controlPort = 3956;
 constexpr std::size_t headerSize = 8;
 constexpr std::uint8_t key = 0x42;
-enum Command : std::uint16_t { Discovery = 0x0002, PacketResend = 0x0040, ReadRegister = 0x0080, WriteRegister = 0x0082, ReadMemory = 0x0084, WriteMemory = 0x0086 };
-enum Status : std::uint16_t { Success = 0, NotImplemented = 0x8001, InvalidAddress = 0x8003, WriteProtected = 0x8004, AccessDenied = 0x8006 };
+enum Command : std::uint16_t {
+    Discovery = 0x0002,
+    PacketResend = 0x0040,
+    ReadRegister = 0x0080,
+    WriteRegister = 0x0082,
+    ReadMemory = 0x0084,
+    WriteMemory = 0x0086
+};
+enum Status : std::uint16_t {
+    Success = 0,
+    NotImplemented = 0x8001,
+    InvalidAddress = 0x8003,
+    WriteProtected = 0x8004,
+    AccessDenied = 0x8006
+};
 constexpr std::size_t discoverySize = 0xf8;
 constexpr std::uint32_t privilegeBits = 3, latchBit = 2, resetBit = 1, fireTestBit = 0x80000000u;
 
@@ -47,8 +60,10 @@ bool isSame(const sockaddr_in &a, const sockaddr_in &b)
 } // namespace
 
 SimulatedGigeCamera::SimulatedGigeCamera(Settings settings, Painter painter)
-    : m_settings(std::move(settings)), m_painter(std::move(painter)), m_control(boundSocket(m_settings.address.c_str(), controlPort, false)),
-      m_broadcast(boundSocket("255.255.255.255", controlPort, true)), m_data(boundSocket(m_settings.address.c_str(), 0, false)),
+    : m_settings(std::move(settings)), m_painter(std::move(painter)),
+      m_control(boundSocket(m_settings.address.c_str(), controlPort, false)),
+      m_broadcast(boundSocket("255.255.255.255", controlPort, true)),
+      m_data(boundSocket(m_settings.address.c_str(), 0, false)),
       m_clock(m_settings.clockOffsetS, m_settings.clockPpm, m_settings.ticksPerSecond, steadyNow()),
       m_lastId(static_cast<std::uint16_t>(m_settings.firstId - 1)), m_random(m_settings.seed)
 {
@@ -149,7 +164,8 @@ void SimulatedGigeCamera::answerControl()
             const std::lock_guard lock(m_mutex);
             if (m_stopped)
                 return;
-            if (m_controller && steadyNow() - m_lastHeard > std::chrono::milliseconds(m_registers.get(reg::HeartbeatTimeout)))
+            if (m_controller &&
+                steadyNow() - m_lastHeard > std::chrono::milliseconds(m_registers.get(reg::HeartbeatTimeout)))
                 releaseControl();
         }
         for (const pollfd &one : waiting) {
@@ -164,15 +180,16 @@ void SimulatedGigeCamera::answer(int socket)
     std::array<std::uint8_t, 2048> bytes{};
     sockaddr_in from{};
     socklen_t length = sizeof from;
-    const ssize_t size = recvfrom(socket, bytes.data(), bytes.size(), MSG_DONTWAIT, reinterpret_cast<sockaddr *>(&from), &length);
+    const ssize_t size = recvfrom(socket, bytes.data(), bytes.size(), MSG_DONTWAIT,
+                                  reinterpret_cast<sockaddr *>(&from), &length);
     if (size < static_cast<ssize_t>(headerSize) || bytes[0] != key || muteControl)
         return;
     const std::lock_guard lock(m_mutex);
     handle({bytes.data(), static_cast<std::size_t>(size)}, from);
 }
 
-void SimulatedGigeCamera::acknowledge(const sockaddr_in &to, std::uint16_t status, std::uint16_t command, std::uint16_t id,
-                                      std::span<const std::uint8_t> content)
+void SimulatedGigeCamera::acknowledge(const sockaddr_in &to, std::uint16_t status, std::uint16_t command,
+                                      std::uint16_t id, std::span<const std::uint8_t> content)
 {
     std::vector<std::uint8_t> bytes(headerSize);
     writeBig16(&bytes[0], status);
@@ -194,7 +211,9 @@ void SimulatedGigeCamera::handle(std::span<const std::uint8_t> message, const so
     const std::span<const std::uint8_t> content = message.subspan(headerSize);
     if (m_controller && isSame(*m_controller, from))
         m_lastHeard = steadyNow();
-    const auto reply = [&](std::uint16_t status, std::span<const std::uint8_t> bytes = {}) { acknowledge(from, status, command, id, bytes); };
+    const auto reply = [&](std::uint16_t status, std::span<const std::uint8_t> bytes = {}) {
+        acknowledge(from, status, command, id, bytes);
+    };
     const std::uint32_t address = content.size() >= 4 ? readBig32(content.data()) : 0;
     switch (command) {
     case Discovery:
@@ -223,7 +242,8 @@ void SimulatedGigeCamera::handle(std::span<const std::uint8_t> message, const so
     }
     case PacketResend:
         if (m_settings.answersResends && content.size() >= 12)
-            resend(static_cast<std::uint16_t>(address), readBig32(&content[4]) & 0xffffff, readBig32(&content[8]) & 0xffffff);
+            resend(static_cast<std::uint16_t>(address), readBig32(&content[4]) & 0xffffff,
+                   readBig32(&content[8]) & 0xffffff);
         return;
     default:
         return reply(NotImplemented);
@@ -306,7 +326,9 @@ sockaddr_in SimulatedGigeCamera::destination() const
 void SimulatedGigeCamera::resend(std::uint16_t imageId, std::uint32_t first, std::uint32_t last)
 {
     const sockaddr_in to = destination();
-    const auto sendOne = [&](const Packet &packet) { sendto(m_data, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr *>(&to), sizeof to); };
+    const auto sendOne = [&](const Packet &packet) {
+        sendto(m_data, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr *>(&to), sizeof to);
+    };
     for (const auto &[id, packets] : m_sent) {
         if (id != imageId)
             continue;

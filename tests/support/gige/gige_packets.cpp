@@ -44,13 +44,15 @@ Packet trailerOf(const GigeImage &image, std::uint32_t number)
 
 } // namespace
 
-std::vector<Packet> packetsOf(const GigeImage &image, std::span<const std::uint8_t> pixels, std::size_t packetSize)
+std::vector<Packet> packetsOf(const GigeImage &image, std::span<const std::uint8_t> pixels,
+                              std::size_t packetSize)
 {
     const std::size_t block = packetSize - ipAndUdpHeaders - headerSize;
     std::vector<Packet> packets{leaderOf(image)};
     for (std::size_t at = 0; at < pixels.size(); at += block) {
         const auto part = pixels.subspan(at, std::min(block, pixels.size() - at));
-        packets.push_back(emptyPacket(Kind::Payload, image.id, static_cast<std::uint32_t>(packets.size()), part.size()));
+        packets.push_back(
+            emptyPacket(Kind::Payload, image.id, static_cast<std::uint32_t>(packets.size()), part.size()));
         std::ranges::copy(part, packets.back().begin() + headerSize);
     }
     packets.push_back(trailerOf(image, static_cast<std::uint32_t>(packets.size())));

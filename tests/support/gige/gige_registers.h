@@ -14,7 +14,8 @@ std::uint16_t readBig16(const std::uint8_t *bytes);
 void writeBig32(std::uint8_t *bytes, std::uint32_t value);
 void writeBig16(std::uint8_t *bytes, std::uint16_t value);
 
-/// Addresses of a simulated camera's registers: those that GigE Vision lays down (table 28-1), and its own from 0x1000 on.
+/// Addresses of a simulated camera's registers: those that GigE Vision lays down (table 28-1), and its own
+/// from 0x1000 on.
 namespace reg {
 enum Address : std::uint32_t {
     Version = 0x0000,
@@ -53,10 +54,10 @@ enum Address : std::uint32_t {
     Payload = 0x101c,
     Acquisition = 0x1020,
     AcquisitionMode = 0x1024,
-    FrameRate = 0x1028,       ///< float
-    ExposureTime = 0x102c,    ///< float, microseconds
+    FrameRate = 0x1028,    ///< float
+    ExposureTime = 0x102c, ///< float, microseconds
     ExposureAuto = 0x1030,
-    Gain = 0x1034,            ///< float, dB
+    Gain = 0x1034, ///< float, dB
     GainAuto = 0x1038,
     TriggerMode = 0x103c,
     TriggerSource = 0x1040,
@@ -74,13 +75,19 @@ class GigeRegisters
 public:
     GigeRegisters() : m_bytes(reg::End) {}
 
-    bool holds(std::uint32_t address, std::size_t size) const { return address % 4 == 0 && address + size <= m_bytes.size(); }
+    bool holds(std::uint32_t address, std::size_t size) const
+    {
+        return address % 4 == 0 && address + size <= m_bytes.size();
+    }
     std::uint32_t get(std::uint32_t address) const { return readBig32(m_bytes.data() + address); }
     void set(std::uint32_t address, std::uint32_t value) { writeBig32(m_bytes.data() + address, value); }
     float getFloat(std::uint32_t address) const;
     void setFloat(std::uint32_t address, float value);
     void setText(std::uint32_t address, const std::string &text);
-    std::span<const std::uint8_t> bytes(std::uint32_t address, std::size_t size) const { return {m_bytes.data() + address, size}; }
+    std::span<const std::uint8_t> bytes(std::uint32_t address, std::size_t size) const
+    {
+        return {m_bytes.data() + address, size};
+    }
 
 private:
     std::vector<std::uint8_t> m_bytes;

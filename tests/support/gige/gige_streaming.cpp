@@ -13,7 +13,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t keptForResending = 8;
-constexpr int mostPicturesBehind = 30; // of a thread that this machine has let wait; after more it begins anew
+constexpr int mostPicturesBehind =
+    30; // of a thread that this machine has let wait; after more it begins anew
 constexpr Nanoseconds longestBurst = 500us;
 constexpr double bytesPerSecond = 400e6;
 
@@ -43,11 +44,13 @@ std::optional<Nanoseconds> SimulatedGigeCamera::waitForExposure(Lock &lock)
             return std::nullopt;
         return std::exchange(m_trigger, std::nullopt);
     }
-    const Nanoseconds interval = m_clock.hostSpan(1 / std::max(0.1, double{m_registers.getFloat(reg::FrameRate)}));
+    const Nanoseconds interval =
+        m_clock.hostSpan(1 / std::max(0.1, double{m_registers.getFloat(reg::FrameRate)}));
     const Nanoseconds now = steadyNow();
     m_next += interval;
     if (m_next < now - mostPicturesBehind * interval || m_next > now + interval) {
-        const auto passed = static_cast<std::int64_t>(std::floor(toSeconds(now - m_settings.grid) / toSeconds(interval)));
+        const auto passed =
+            static_cast<std::int64_t>(std::floor(toSeconds(now - m_settings.grid) / toSeconds(interval)));
         m_next = m_settings.grid + (passed + 1) * interval;
     }
     if (!sleepUntil(lock, m_next))
@@ -99,8 +102,8 @@ void SimulatedGigeCamera::takePicture(Lock &lock, Nanoseconds begin)
     for (int i = skipIds.exchange(0); i >= 0; --i)
         m_lastId = idAfter(m_lastId);
     exposure.id = m_lastId;
-    GigeImage image{exposure.id, m_clock.ticks(begin), exposure.pixelFormat, static_cast<std::uint32_t>(exposure.width),
-                    static_cast<std::uint32_t>(exposure.height)};
+    GigeImage image{exposure.id, m_clock.ticks(begin), exposure.pixelFormat,
+                    static_cast<std::uint32_t>(exposure.width), static_cast<std::uint32_t>(exposure.height)};
     std::vector<std::uint8_t> pixels(m_registers.get(reg::Payload));
     lock.unlock();
     m_painter(exposure, pixels);
@@ -117,7 +120,8 @@ void SimulatedGigeCamera::takePicture(Lock &lock, Nanoseconds begin)
     while (m_sent.size() > keptForResending)
         m_sent.pop_front();
     const std::vector<Packet> packets = m_sent.back().second;
-    const double delayS = static_cast<double>(m_registers.get(reg::PacketDelay)) / static_cast<double>(m_settings.ticksPerSecond);
+    const double delayS = static_cast<double>(m_registers.get(reg::PacketDelay)) /
+                          static_cast<double>(m_settings.ticksPerSecond);
     const sockaddr_in to = destination();
     lock.unlock();
     send(packets, to, delayS);
@@ -133,7 +137,8 @@ void SimulatedGigeCamera::send(const std::vector<Packet> &packets, const sockadd
     Nanoseconds due = steadyNow();
     for (const Packet &packet : packets) {
         if (chance(m_random) >= loss)
-            sendto(m_data, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr *>(&to), sizeof to);
+            sendto(m_data, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr *>(&to),
+                   sizeof to);
         due += fromSeconds(delayS + static_cast<double>(packet.size()) / bytesPerSecond);
         if (due - steadyNow() > longestBurst)
             std::this_thread::sleep_until(std::chrono::steady_clock::time_point(due));

@@ -16,11 +16,15 @@ constexpr int cell = 8, idBits = 16, timeBits = 64;
 class Canvas
 {
 public:
-    Canvas(const Exposure &exposure, std::span<std::uint8_t> bytes) : m_bytes(bytes), m_width(exposure.width), m_format(exposure.pixelFormat) {}
+    Canvas(const Exposure &exposure, std::span<std::uint8_t> bytes)
+        : m_bytes(bytes), m_width(exposure.width), m_format(exposure.pixelFormat)
+    {
+    }
 
     void set(int x, int y, const RgbColour &colour)
     {
-        const auto place = static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width) + static_cast<std::size_t>(x);
+        const auto place =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width) + static_cast<std::size_t>(x);
         switch (m_format) {
         case pixel::rgb8:
         case pixel::bgr8: {
@@ -31,7 +35,8 @@ public:
             break;
         }
         case pixel::mono8:
-            m_bytes[place] = static_cast<std::uint8_t>(std::lround(0.299 * colour.red + 0.587 * colour.green + 0.114 * colour.blue));
+            m_bytes[place] = static_cast<std::uint8_t>(
+                std::lround(0.299 * colour.red + 0.587 * colour.green + 0.114 * colour.blue));
             break;
         default:
             m_bytes[place] = isRed(x, y) ? colour.red : isRed(x + 1, y + 1) ? colour.blue : colour.green;
@@ -41,7 +46,8 @@ public:
 private:
     bool isRed(int x, int y) const
     {
-        const int right = m_format == pixel::bayerGr8 || m_format == pixel::bayerBg8, below = m_format == pixel::bayerGb8 || m_format == pixel::bayerBg8;
+        const int right = m_format == pixel::bayerGr8 || m_format == pixel::bayerBg8,
+                  below = m_format == pixel::bayerGb8 || m_format == pixel::bayerBg8;
         return x % 2 == right && y % 2 == below;
     }
 
@@ -56,7 +62,9 @@ RgbColour colourAt(const Frame &frame, int x, int y)
     const double luma = (frame.y.at(x, y) - 16) * 255.0 / 219;
     const int cx = std::min(x / 2, frame.u.width - 1), cy = std::min(y / 2, frame.u.height - 1);
     const double cb = (frame.u.at(cx, cy) - 128) * 255.0 / 224, cr = (frame.v.at(cx, cy) - 128) * 255.0 / 224;
-    const auto code = [](double value) { return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L)); };
+    const auto code = [](double value) {
+        return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
+    };
     return {code(luma + 1.402 * cr), code(luma - 0.344136 * cb - 0.714136 * cr), code(luma + 1.772 * cb)};
 }
 
@@ -64,16 +72,26 @@ RgbColour colourAt(const Frame &frame, int x, int y)
 
 SimulatedGigeCamera::Painter codedPainter(RgbColour below)
 {
-    return [below](const Exposure &exposure, std::span<std::uint8_t> pixels) {
+    // What is the same in all pictures is painted once.
+    return [below, still = std::vector<std::uint8_t>()](const Exposure &exposure, std::span<std::uint8_t> pixels) mutable {
+        if (still.size() != pixels.size()) {
+            still.resize(pixels.size());
+            Canvas canvas(exposure, still);
+            for (int y = 0; y < exposure.height; ++y) {
+                for (int x = 0; x < exposure.width; ++x)
+                    canvas.set(x, y, below);
+            }
+        }
+        std::ranges::copy(still, pixels.begin());
         Canvas canvas(exposure, pixels);
         const auto time = static_cast<std::uint64_t>(exposure.begin.count());
-        for (int y = 0; y < exposure.height; ++y) {
-            for (int x = 0; x < exposure.width; ++x) {
-                const int bit = x / cell;
-                const bool set = bit < idBits ? exposure.id >> bit & 1 : bit < idBits + timeBits && time >> (bit - idBits) & 1;
-                const std::uint8_t level = set ? 255 : 0;
-                canvas.set(x, y, y < cell ? RgbColour{level, level, level} : below);
-            }
+        for (int x = 0; x < exposure.width; ++x) {
+            const int bit = x / cell;
+            const bool set =
+                bit < idBits ? exposure.id >> bit & 1 : bit < idBits + timeBits && time >> (bit - idBits) & 1;
+            const std::uint8_t level = set ? 255 : 0;
+            for (int y = 0; y < cell; ++y)
+                canvas.set(x, y, {level, level, level});
         }
     };
 }
@@ -91,8 +109,8 @@ PictureCode readCode(const Frame &frame)
     return code;
 }
 
-SimulatedGigeCamera::Painter scenePainter(const SimulatedScene &scene, int camera, std::int64_t firstFrame, std::uint32_t pixelFormat,
-                                          Nanoseconds beginning)
+SimulatedGigeCamera::Painter scenePainter(const SimulatedScene &scene, int camera, std::int64_t firstFrame,
+                                          std::uint32_t pixelFormat, Nanoseconds beginning)
 {
     SceneRenderer renderer(scene, camera);
     auto pictures = std::make_shared<std::vector<std::vector<std::uint8_t>>>();
@@ -100,7 +118,8 @@ SimulatedGigeCamera::Painter scenePainter(const SimulatedScene &scene, int camer
         const Frame frame = renderer.render(i);
         const Exposure exposure{0, {}, {}, pixelFormat, frame.format.width, frame.format.height};
         const int bytesPerPixel = static_cast<int>(pixelFormat >> 16 & 0xff) / 8;
-        std::vector<std::uint8_t> &raw = pictures->emplace_back(static_cast<std::size_t>(exposure.width * exposure.height * bytesPerPixel));
+        std::vector<std::uint8_t> &raw = pictures->emplace_back(
+            static_cast<std::size_t>(exposure.width * exposure.height * bytesPerPixel));
         Canvas canvas(exposure, raw);
         for (int y = 0; y < exposure.height; ++y) {
             for (int x = 0; x < exposure.width; ++x)
@@ -110,8 +129,10 @@ SimulatedGigeCamera::Painter scenePainter(const SimulatedScene &scene, int camer
     const double framesPerSecond = scene.cameras[static_cast<std::size_t>(camera)].framesPerSecond;
     return [pictures, framesPerSecond, beginning](const Exposure &exposure, std::span<std::uint8_t> pixels) {
         const double since = toSeconds(exposure.begin + exposure.length / 2 - beginning);
-        const auto number = static_cast<std::int64_t>(std::floor(since * framesPerSecond + 0.5)), count = static_cast<std::int64_t>(pictures->size());
-        const std::vector<std::uint8_t> &picture = (*pictures)[static_cast<std::size_t>(((number % count) + count) % count)];
+        const auto number = static_cast<std::int64_t>(std::floor(since * framesPerSecond + 0.5)),
+                   count = static_cast<std::int64_t>(pictures->size());
+        const std::vector<std::uint8_t> &picture =
+            (*pictures)[static_cast<std::size_t>(((number % count) + count) % count)];
         if (picture.size() == pixels.size())
             std::ranges::copy(picture, pixels.begin());
     };

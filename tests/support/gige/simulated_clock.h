@@ -12,7 +12,8 @@ inline Nanoseconds steadyNow()
     return std::chrono::steady_clock::now().time_since_epoch();
 }
 
-/// A camera's own clock: begins anywhere, runs fast by some ppm, counts in ticks. The truth that clock maps are measured against.
+/// A camera's own clock: begins anywhere, runs fast by some ppm, counts in ticks. The truth that clock maps
+/// are measured against.
 class SimulatedClock
 {
 public:
@@ -25,7 +26,8 @@ public:
     {
         const double shownS = m_offsetS + toSeconds(host - m_beginning) * m_rate;
         const auto wholeS = static_cast<std::uint64_t>(shownS);
-        return wholeS * m_ticksPerSecond + static_cast<std::uint64_t>((shownS - static_cast<double>(wholeS)) * static_cast<double>(m_ticksPerSecond));
+        return wholeS * m_ticksPerSecond + static_cast<std::uint64_t>((shownS - static_cast<double>(wholeS)) *
+                                                                      static_cast<double>(m_ticksPerSecond));
     }
     /// As long as the camera takes for what it thinks to be this.
     Nanoseconds hostSpan(double cameraS) const { return fromSeconds(cameraS / m_rate); }

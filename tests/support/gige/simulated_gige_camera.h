@@ -28,11 +28,12 @@ struct Exposure
     int width = 0, height = 0;
 };
 
-/// A GigE Vision camera on this machine's loopback: answers GVCP and streams GVSP like a real one, with a clock of its own and
-/// with whatever can go wrong on a cable. It exists on the network as long as the object lives: destroying it is pulling the plug.
+/// A GigE Vision camera on this machine's loopback: answers GVCP and streams GVSP like a real one, with a
+/// clock of its own and with whatever can go wrong on a cable. It exists on the network as long as the object
+/// lives: destroying it is pulling the plug.
 ///
-/// Sockets are its own, and so is its memory: it shares no code with Aravis. Each test takes addresses of its own, because
-/// the port is fixed.
+/// Sockets are its own, and so is its memory: it shares no code with Aravis. Each test takes addresses of its
+/// own, because the port is fixed.
 class SimulatedGigeCamera
 {
 public:
@@ -44,14 +45,14 @@ public:
         std::uint32_t pixelFormat = 0x01080001; ///< Mono8
         double clockOffsetS = 1000, clockPpm = 0;
         std::uint64_t ticksPerSecond = 1'000'000'000;
-        Nanoseconds grid{0};             ///< pictures begin at this steady time, and every interval of its clock after it
-        double deliveryJitterS = 0;      ///< pictures are sent up to this much late
+        Nanoseconds grid{0}; ///< pictures begin at this steady time, and every interval of its clock after it
+        double deliveryJitterS = 0; ///< pictures are sent up to this much late
         std::uint16_t firstId = 1;
         bool timestampLatch = true, automatics = false, answersResends = true;
         std::chrono::milliseconds heartbeat{3000};
         unsigned seed = 1;
     };
-    /// Paints raw pixels; called in the camera's own thread.
+    /// Paints raw pixels; called in the camera's own thread. Pixel format and size are the same as long as the camera streams.
     using Painter = std::function<void(const Exposure &, std::span<std::uint8_t>)>;
 
     SimulatedGigeCamera(Settings settings, Painter painter);
@@ -60,11 +61,11 @@ public:
     SimulatedGigeCamera &operator=(const SimulatedGigeCamera &) = delete;
 
     // What goes wrong; any thread.
-    std::atomic<double> loss = 0;            ///< of packets, 0 to 1
-    std::atomic<bool> muteStream = false;    ///< takes pictures and sends none
-    std::atomic<bool> muteControl = false;   ///< answers nothing
-    std::atomic<int> skipIds = 0;            ///< so many pictures are taken and never sent
-    std::atomic<int> cutRows = 0;            ///< sends so many rows less than it promised
+    std::atomic<double> loss = 0;          ///< of packets, 0 to 1
+    std::atomic<bool> muteStream = false;  ///< takes pictures and sends none
+    std::atomic<bool> muteControl = false; ///< answers nothing
+    std::atomic<int> skipIds = 0;          ///< so many pictures are taken and never sent
+    std::atomic<int> cutRows = 0;          ///< sends so many rows less than it promised
 
     // What happened; any thread.
     std::atomic<std::uint64_t> pictures = 0, resent = 0, refused = 0, triggered = 0;
@@ -82,7 +83,8 @@ private:
     void answerControl();
     void answer(int socket);
     void handle(std::span<const std::uint8_t> message, const sockaddr_in &from);
-    void acknowledge(const sockaddr_in &to, std::uint16_t status, std::uint16_t command, std::uint16_t id, std::span<const std::uint8_t> content);
+    void acknowledge(const sockaddr_in &to, std::uint16_t status, std::uint16_t command, std::uint16_t id,
+                     std::span<const std::uint8_t> content);
     std::uint16_t write(std::uint32_t address, std::uint32_t value, const sockaddr_in &from);
     bool mayWrite(const sockaddr_in &from) const;
     void releaseControl();
@@ -98,7 +100,7 @@ private:
     void send(const std::vector<Packet> &packets, const sockaddr_in &to, double delayS);
 
     const Settings m_settings;
-    const Painter m_painter;
+    Painter m_painter;
     const int m_control, m_broadcast, m_data; ///< sockets
 
     mutable std::mutex m_mutex; ///< guards what follows
