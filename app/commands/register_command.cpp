@@ -56,7 +56,7 @@ Result<void> registerByMarkers(CommandCall &call)
     if (!hints)
         return tl::unexpected(hints.error());
     const RegisterSettings settings{call.value(camera), call.value(layout), call.value(pixels),
-                                    call.isSet(image) ? call.value(image) : call.value(video), {}, std::move(*hints)};
+                                    call.isSet(image) ? call.value(image) : call.value(video), {}, {}, std::move(*hints)};
     const auto project = call.openProject(0, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());

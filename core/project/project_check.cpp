@@ -6,6 +6,8 @@
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 
+#include <set>
+
 namespace odo {
 
 namespace {
@@ -85,6 +87,25 @@ void checkCalibrations(Project &project, const CameraRecord &camera, bool withHa
     }
 }
 
+void checkRegistrations(Project &project, const CameraRecord &camera, bool withHashes, Problems &problems)
+{
+    const auto all = project.cameras().allRegistrations(camera.id);
+    if (!all) {
+        problems.push_back({all.error().what + ": " + all.error().why, "camera '" + camera.name + "'", restoreAdvice});
+        return;
+    }
+    std::set<std::string> seen; // a registration made anew from the same markers has the same picture
+    for (const RegistrationRecord &record : *all) {
+        if (record.picture.path.empty() || !seen.insert(record.picture.path).second)
+            continue;
+        checkFile({absolutePath(project.file(), record.picture.path),
+                   "the picture of registration " + std::to_string(record.id) + " of camera '" + camera.name + "'",
+                   record.picture.sha256, record.picture.bytes,
+                   "put the file back in its place; the registration is kept without it"},
+                  withHashes, problems);
+    }
+}
+
 void checkObservations(Project &project, const RecordingRecord &recording, const std::string &where,
                        const RobotRecord &robot, Problems &problems)
 {
@@ -157,6 +178,8 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
     if (const auto cameras = project.cameras().all()) {
         for (const CameraRecord &camera : *cameras)
             checkCalibrations(project, camera, withHashes, problems);
+        for (const CameraRecord &camera : *cameras)
+            checkRegistrations(project, camera, withHashes, problems);
     }
     for (const TrialRecord &trial : *trials)
         checkTrial(project, trial, *robots, withHashes, problems);

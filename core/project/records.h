@@ -30,7 +30,7 @@ struct CameraRecord
     std::string deviceUri; ///< may be empty
 };
 
-/// A picture of a calibration, in the project's media folder.
+/// A picture of a calibration or of a registration, in the project's media folder.
 struct StoredPicture
 {
     std::string path; ///< as a recording's; empty: it was not kept
@@ -76,6 +76,7 @@ struct RegistrationRecord
     std::vector<MarkerPixel> pixels;
     FloorRegistration registration;
     std::string softwareVersion; ///< that made it; empty: not known
+    StoredPicture picture;       ///< in which the markers were seen
     std::optional<RegistrationCheck> lastCheck; ///< read only; added by addCheck
 };
 

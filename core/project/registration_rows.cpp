@@ -4,6 +4,7 @@
 #include "core/project/connection.h"
 #include "core/project/lens_rows.h"
 #include "core/project/names.h"
+#include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/project/series_blobs.h"
 #include "core/project/stored_words.h"
@@ -14,15 +15,19 @@ namespace {
 
 const QString registrationColumns = QStringLiteral(
     "SELECT id, camera_id, layout_id, intrinsics_id, assumed_lens_id, made_ms, qw, qx, qy, qz, "
-    "x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict, software_version FROM registration ");
+    "x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict, software_version, picture_path, picture_sha256, "
+    "picture_bytes FROM registration ");
 
 Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord &record, RecordId lensId)
 {
+    if (auto valid = checkText("path of a registration's picture", record.picture.path); !valid)
+        return tl::unexpected(valid.error());
     Statement insert(
         connection,
         QStringLiteral("INSERT INTO registration (camera_id, layout_id, intrinsics_id, assumed_lens_id, "
                        "made_ms, qw, qx, qy, qz, x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict, "
-                       "software_version) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
+                       "software_version, picture_path, picture_sha256, picture_bytes) "
+                       "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
     const FloorRegistration &registration = record.registration;
     const Eigen::Quaterniond &q = registration.worldFromCamera.rotation;
     const Eigen::Vector3d &t = registration.worldFromCamera.translation;
@@ -31,6 +36,9 @@ Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord 
     insert.bind(q.w()).bind(q.x()).bind(q.y()).bind(q.z()).bind(t.x()).bind(t.y()).bind(t.z());
     insert.bind(packSquare(registration.poseCovariance)).bind(registration.rmsPx).bind(registration.rmsM);
     insert.bind(registration.verdict).bind(record.softwareVersion);
+    const StoredPicture &picture = record.picture;
+    const std::filesystem::path path(picture.path);
+    insert.bind(path.is_absolute() ? storedPath(connection.file(), path) : picture.path).bind(picture.sha256).bind(picture.bytes);
     if (auto done = insert.run(); !done)
         return tl::unexpected(done.error());
     return insert.insertedId();
@@ -129,6 +137,7 @@ Result<RegistrationRecord> readRegistration(const ProjectConnection &connection,
     registration.rmsM = row.real(15);
     registration.verdict = row.text(16);
     record.softwareVersion = row.text(17);
+    record.picture = {row.text(18), row.text(19), row.integer(20)};
     const std::string what = "registration " + std::to_string(record.id) + " of the project";
     const auto covariance = unpackSquare(row.blob(13), what);
     if (!covariance)

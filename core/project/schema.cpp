@@ -221,6 +221,16 @@ std::vector<std::string> recordingsAsTheyAreMade()
     };
 }
 
+/// Registrations with the picture in which their markers were seen.
+std::vector<std::string> registrationPictures()
+{
+    return {
+        "ALTER TABLE registration ADD COLUMN picture_path TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE registration ADD COLUMN picture_sha256 TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE registration ADD COLUMN picture_bytes INTEGER NOT NULL DEFAULT 0",
+    };
+}
+
 } // namespace
 
 std::vector<Migration> projectMigrations()
@@ -232,7 +242,8 @@ std::vector<Migration> projectMigrations()
             sqlMigration("how each view was put in step", viewsInStep()),
             sqlMigration("calibrations with their boards, corners and pictures", calibrationPictures()),
             sqlMigration("revisions that are chosen, and checks of registrations", chosenRevisions()),
-            sqlMigration("trials while they are being recorded, and the raw times of their pictures", recordingsAsTheyAreMade())};
+            sqlMigration("trials while they are being recorded, and the raw times of their pictures", recordingsAsTheyAreMade()),
+            sqlMigration("pictures of registrations", registrationPictures())};
 }
 
 } // namespace odo

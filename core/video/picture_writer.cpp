@@ -7,7 +7,9 @@
 
 namespace odo {
 
-Result<void> writePicture(const Frame &frame, const std::filesystem::path &file)
+namespace {
+
+cv::Mat coloursOf(const Frame &frame)
 {
     const ScreenPicture picture = toScreen(frame, frame.format.width, frame.format.height);
     cv::Mat colours(picture.height, picture.width, CV_8UC3);
@@ -18,12 +20,30 @@ Result<void> writePicture(const Frame &frame, const std::filesystem::path &file)
                                            static_cast<std::uint8_t>(pixel >> 16)};
         }
     }
+    return colours;
+}
+
+Result<std::vector<unsigned char>> packed(const cv::Mat &picture)
+{
+    std::vector<unsigned char> bytes;
+    try {
+        if (!picture.empty() && cv::imencode(".png", picture, bytes))
+            return bytes;
+    } catch (const cv::Exception &) {
+    }
+    return fail(ErrorCode::Internal, "picture", "it could not be packed", "use another picture");
+}
+
+} // namespace
+
+Result<void> writePicture(const Frame &frame, const std::filesystem::path &file)
+{
     const auto failed = [&](const std::string &why) {
         return fail(ErrorCode::Io, "picture '" + file.string() + "'", why,
                     "check the folder, the free space, and that the name ends in .png or .jpg");
     };
     try {
-        if (!cv::imwrite(file.string(), colours))
+        if (!cv::imwrite(file.string(), coloursOf(frame)))
             return failed("it could not be written");
     } catch (const cv::Exception &) {
         return failed("its format is not known");
@@ -31,17 +51,12 @@ Result<void> writePicture(const Frame &frame, const std::filesystem::path &file)
     return {};
 }
 
+Result<std::vector<unsigned char>> colourPng(const Frame &frame) { return packed(coloursOf(frame)); }
+
 Result<std::vector<unsigned char>> greyPng(const Frame &frame)
 {
-    std::vector<unsigned char> bytes;
-    try {
-        const cv::Mat luma(frame.y.height, frame.y.width, CV_8UC1, const_cast<std::uint8_t *>(frame.y.data),
-                           static_cast<std::size_t>(frame.y.stride));
-        if (!luma.empty() && cv::imencode(".png", luma, bytes))
-            return bytes;
-    } catch (const cv::Exception &) {
-    }
-    return fail(ErrorCode::Internal, "picture", "it could not be packed", "use another picture");
+    return packed(cv::Mat(frame.y.height, frame.y.width, CV_8UC1, const_cast<std::uint8_t *>(frame.y.data),
+                          static_cast<std::size_t>(frame.y.stride)));
 }
 
 } // namespace odo

@@ -12,6 +12,9 @@ namespace odo {
 /// Writes a frame as a still picture in colour; the ending names the format (.png, .jpg).
 Result<void> writePicture(const Frame &frame, const std::filesystem::path &file);
 
+/// A frame in colour as a PNG.
+Result<std::vector<unsigned char>> colourPng(const Frame &frame);
+
 /// A frame's luma as a grey PNG, unchanged.
 Result<std::vector<unsigned char>> greyPng(const Frame &frame);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/calibration_media.h"
 
+#include "core/video/picture_writer.h"
 #include "core/workflow/media_copy.h"
 
 #include <QCryptographicHash>
@@ -53,6 +54,12 @@ Result<StoredPicture> CalibrationMedia::write(const std::string &name, const std
     QCryptographicHash hash(QCryptographicHash::Sha256);
     hash.addData(bytes);
     return StoredPicture{std::filesystem::absolute(file).string(), hash.result().toHex().toStdString(), size};
+}
+
+Result<StoredPicture> CalibrationMedia::writeFloor(const std::string &camera, const Frame &frame)
+{
+    const auto png = colourPng(frame);
+    return png ? write(camera + "_floor", *png) : tl::unexpected(png.error());
 }
 
 } // namespace odo

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "core/video/frame.h"
 
 #include <filesystem>
 #include <string>
@@ -17,7 +18,7 @@ struct BoardPicture
 };
 
 /// Writes pictures into "<name>.media/calibration". What was written is removed again by the destructor unless it is kept,
-/// so that a calibration that cannot be stored leaves nothing. At most 200 MB a calibration: what is beyond is not kept,
+/// so that a calibration or registration that cannot be stored leaves nothing. At most 200 MB a calibration: what is beyond is not kept,
 /// its corners are.
 class CalibrationMedia
 {
@@ -29,6 +30,8 @@ public:
 
     /// Whole and on the disk when it returns. An empty path where the limit is reached. Error Io.
     Result<StoredPicture> write(const std::string &name, const std::vector<unsigned char> &png);
+    /// A camera's picture of the floor, in colour. Long. Error Io.
+    Result<StoredPicture> writeFloor(const std::string &camera, const Frame &frame);
     void keep() { m_files.clear(); }
 
 private:

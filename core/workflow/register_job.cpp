@@ -31,6 +31,8 @@ Result<void> RegisterJob::prepare(Project &project)
         return tl::unexpected(layout.error());
     m_layout = layout->layout;
     m_record.layout = layout->id;
+    m_record.picture = m_settings.picture;
+    m_mediaFolder = project.mediaFolder();
 
     const auto cameras = project.cameras().all();
     if (!cameras)
@@ -83,6 +85,18 @@ Result<void> RegisterJob::run(const JobControl &control)
     m_record.pixels = m_settings.pixels;
     m_record.assumedIntrinsics = registration->intrinsics;
     m_record.registration = std::move(*registration);
+    return keepPicture();
+}
+
+Result<void> RegisterJob::keepPicture()
+{
+    if (!m_seenIn)
+        return {};
+    m_media = std::make_unique<CalibrationMedia>(m_mediaFolder);
+    auto written = m_media->writeFloor(m_settings.camera, *m_seenIn);
+    if (!written)
+        return tl::unexpected(written.error());
+    m_record.picture = std::move(*written);
     return {};
 }
 
@@ -108,13 +122,17 @@ Result<void> RegisterJob::findInPictures(const JobControl &control)
             m_intrinsics.widthPx = frame.format.width;
             m_intrinsics.heightPx = frame.format.height;
         }
-        if (!wanted)
+        if (!wanted) {
+            m_seenIn = frame;
             return false;
+        }
         auto pixels = findMarkers(frame, m_layout, search);
         if (!pixels)
             lastProblem = tl::unexpected(pixels.error());
-        else if (pixels->size() > m_settings.pixels.size())
+        else if (pixels->size() > m_settings.pixels.size()) {
             m_settings.pixels = std::move(*pixels);
+            m_seenIn = frame;
+        }
         return m_settings.pixels.size() < m_layout.markers.size() && ++looked < mostPictures && !control.isCancelled();
     });
     if (control.isCancelled())
@@ -156,7 +174,7 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
         return tl::unexpected(cameras.error());
     if (std::ranges::any_of(*cameras, [&](const CameraRecord &each) { return isLayoutThrough(layout->layout.name, each.name); }))
         return fail(ErrorCode::InvalidInput, what, "it was registered through another camera", "register it through that camera again");
-    RegisterSettings settings{camera, layout->layout.name, {}, {}, registered->registration.pixels, {}};
+    RegisterSettings settings{camera, layout->layout.name, {}, {}, registered->registration.pixels, registered->registration.picture};
     RegisterJob job(std::move(settings));
     const auto stored = project.inTransaction([&]() -> Result<void> {
         if (auto done = runToEnd(job, project, {}); !done)
@@ -172,13 +190,17 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
 
 Result<void> RegisterJob::commit(Project &project)
 {
-    return project.inTransaction([&]() -> Result<void> {
+    const auto committed = project.inTransaction([&]() -> Result<void> {
         const auto stored = storeRegistration(project, m_settings.camera, m_record);
         if (!stored)
             return tl::unexpected(stored.error());
         m_record = *stored;
         return {};
     });
+    if (committed && m_media)
+        m_media->keep();
+    m_media.reset(); // where it was not stored, its picture goes
+    return committed;
 }
 
 } // namespace odo

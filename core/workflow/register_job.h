@@ -2,9 +2,12 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "core/workflow/calibration_media.h"
 #include "core/workflow/job.h"
 
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,10 +21,12 @@ struct RegisterSettings
     std::filesystem::path pictureFile; ///< a picture or video in which the markers are looked for, or (with pixelsFile)
                                        ///< which tells the picture's size to a camera without intrinsics; or empty
     std::vector<MarkerPixel> pixels;  ///< picked in a window; instead of pixelsFile
-    std::vector<MarkerPixel> hints;   ///< markers told by hand, to find the others in the picture (MarkerSearch)
+    StoredPicture picture = {};       ///< in which the pixels were picked, where the project has it already
+    std::vector<MarkerPixel> hints = {};   ///< markers told by hand, to find the others in the picture (MarkerSearch)
 };
 
-/// Registers one camera to the floor by the markers of a layout and stores the registration as its newest one.
+/// Registers one camera to the floor by the markers of a layout and stores the registration as its newest one, with the
+/// picture in which the markers were seen.
 /// Without a picture to look in, the markers are looked for in the camera's newest recording.
 class RegisterJob : public Job
 {
@@ -37,11 +42,15 @@ public:
 private:
     Result<void> findInPictures(const JobControl &control);
     Result<CameraModel> cameraModel() const;
+    Result<void> keepPicture();
 
     RegisterSettings m_settings;
     MarkerLayout m_layout;
     bool m_intrinsicsKnown = false;
     Intrinsics m_intrinsics; ///< stored ones, or only the picture's size
+    std::optional<Frame> m_seenIn; ///< the picture that the markers were found in
+    std::filesystem::path m_mediaFolder;
+    std::unique_ptr<CalibrationMedia> m_media;
     RegistrationRecord m_record;
 };
 

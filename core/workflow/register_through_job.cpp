@@ -99,6 +99,7 @@ Result<void> RegisterThroughJob::run(const JobControl &)
     m_record.pixels = std::move(chained->pixels);
     m_record.registration = std::move(chained->registration);
     m_record.assumedIntrinsics = m_record.registration.intrinsics;
+    m_record.picture = m_settings.picture;
     m_record.registration.verdict +=
         " It was made through registration " + std::to_string(m_throughRegistration) + " of the project.";
     return {};

@@ -16,6 +16,7 @@ struct RegisterThroughSettings
     std::string camera;
     std::string through; ///< a camera that is registered
     std::vector<SharedPoint> points;
+    StoredPicture picture = {}; ///< of the camera, in which the points were picked, where the project has it
 };
 
 /// Registers a camera by points of the floor that a registered camera sees as well. Stores it as the camera's

@@ -2,6 +2,7 @@
 #include "core/workflow/revisions.h"
 
 #include "core/project/project.h"
+#include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 
 #include <algorithm>
@@ -20,10 +21,26 @@ void addName(std::vector<std::string> &names, const std::string &name)
         names.push_back(name);
 }
 
-Revision revisionOf(const IntrinsicsRecord &record)
+std::filesystem::path pictureOf(Project &project, const StoredPicture &picture)
 {
-    return {Revision::Kind::Calibration, record.id, record.made, record.softwareVersion, record.origin,
-            record.calibration.picturesUsed(), record.calibration.rmsPx, record.calibration.verdict, false, {}};
+    return picture.path.empty() ? std::filesystem::path() : absolutePath(project.file(), picture.path);
+}
+
+Revision revisionOf(Project &project, const IntrinsicsRecord &record)
+{
+    Revision revision;
+    revision.kind = Revision::Kind::Calibration;
+    revision.id = record.id;
+    revision.made = record.made;
+    revision.softwareVersion = record.softwareVersion;
+    revision.origin = record.origin;
+    revision.evidence = static_cast<int>(record.calibration.picturesUsed());
+    revision.rmsPx = record.calibration.rmsPx;
+    revision.verdict = record.calibration.verdict;
+    const auto kept = std::ranges::find_if(record.files, [](const StoredPicture &file) { return !file.path.empty(); });
+    if (kept != record.files.end())
+        revision.picture = pictureOf(project, *kept);
+    return revision;
 }
 
 Result<Revision> revisionOf(Project &project, const RegistrationRecord &record)
@@ -31,10 +48,19 @@ Result<Revision> revisionOf(Project &project, const RegistrationRecord &record)
     const auto layout = project.layouts().get(record.layout);
     if (!layout)
         return tl::unexpected(layout.error());
-    std::string origin = "layout '" + layout->layout.name + "', ";
-    origin += record.intrinsics == 0 ? "lens not calibrated" : "lens of calibration " + std::to_string(record.intrinsics);
-    return Revision{Revision::Kind::Registration, record.id, record.made, record.softwareVersion, origin,
-                    static_cast<int>(record.registration.markers.size()), record.registration.rmsPx, record.registration.verdict, false, {}};
+    Revision revision;
+    revision.kind = Revision::Kind::Registration;
+    revision.id = record.id;
+    revision.made = record.made;
+    revision.softwareVersion = record.softwareVersion;
+    revision.origin = "layout '" + layout->layout.name + "', ";
+    revision.origin += record.intrinsics == 0 ? "lens not calibrated" : "lens of calibration " + std::to_string(record.intrinsics);
+    revision.evidence = static_cast<int>(record.registration.markers.size());
+    revision.rmsPx = record.registration.rmsPx;
+    revision.verdict = record.registration.verdict;
+    revision.picture = pictureOf(project, record.picture);
+    revision.markers = record.pixels;
+    return revision;
 }
 
 } // namespace
@@ -75,7 +101,7 @@ Result<std::vector<Revision>> revisionsOf(Project &project, const std::string &c
     }
     std::vector<Revision> all;
     for (const IntrinsicsRecord &record : *intrinsics) {
-        all.push_back(revisionOf(record));
+        all.push_back(revisionOf(project, record));
         all.back().isCurrent = (*currentIntrinsics)->id == record.id;
         all.back().trials = byIntrinsics[record.id];
     }

@@ -3,6 +3,7 @@
 
 #include "core/project/records.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct Revision
     double rmsPx = 0;            ///< 0: not known
     std::string verdict;
     bool isCurrent = false;      ///< in force
+    std::filesystem::path picture;   ///< that it was made from, of a calibration the first; empty: none was kept
+    std::vector<MarkerPixel> markers; ///< in it
     std::vector<std::string> trials; ///< whose newest analysis was made with it
 };
 

@@ -38,6 +38,30 @@ Result<std::shared_ptr<CameraSource>> openWithBoard(const QString &uri)
     return std::shared_ptr<CameraSource>(std::move(*camera));
 }
 
+/// The picture of a registration on its way into the project: written by the wizard's thread, read by this one once the
+/// wizard is closed. Unless it is committed, its destructor leaves nothing behind.
+class FloorPicture
+{
+public:
+    explicit FloorPicture(const std::filesystem::path &mediaFolder) : m_media(mediaFolder) {}
+    KeepPicture keep()
+    {
+        return [this](const QString &camera, const Frame &frame) -> Result<void> {
+            auto written = m_media.writeFloor(camera.toStdString(), frame);
+            if (!written)
+                return tl::unexpected(written.error());
+            m_stored = std::move(*written);
+            return {};
+        };
+    }
+    const StoredPicture &stored() const { return m_stored; }
+    void commit() { m_media.keep(); }
+
+private:
+    CalibrationMedia m_media;
+    StoredPicture m_stored;
+};
+
 } // namespace
 
 TestbedTools::TestbedTools(Project &project, LiveCameras &live, QWidget &window)
@@ -136,21 +160,24 @@ void TestbedTools::registerCamera()
     // The one that is chosen comes first, for the wizard begins with it.
     std::ranges::stable_partition(*layouts, [this](const LayoutRecord &layout) { return m_layout && layout.id == m_layout->id; });
     m_live.look();
-    FloorWizard wizard(std::move(*cameras), m_camera, std::move(*layouts), m_live, &m_window);
+    FloorPicture picture(m_project.mediaFolder());
+    FloorWizard wizard(std::move(*cameras), m_camera, std::move(*layouts), m_live, picture.keep(), &m_window);
     if (wizard.exec() != QDialog::Accepted)
         return;
     std::string verdict;
     const auto stored = m_project.inTransaction([&]() -> Result<void> {
-        const auto record = storeRegistration(m_project, wizard.camera().toStdString(), wizard.result());
+        RegistrationRecord registration = wizard.result();
+        registration.picture = picture.stored();
+        const auto record = storeRegistration(m_project, wizard.camera().toStdString(), std::move(registration));
         if (!record)
             return tl::unexpected(record.error());
         verdict = record->registration.verdict;
         return {};
     });
     if (!stored)
-        Q_EMIT failed(stored.error());
-    else
-        Q_EMIT changed(tr("Camera %1 is registered. %2").arg(wizard.camera(), QString::fromStdString(verdict)));
+        return Q_EMIT failed(stored.error());
+    picture.commit();
+    Q_EMIT changed(tr("Camera %1 is registered. %2").arg(wizard.camera(), QString::fromStdString(verdict)));
 }
 
 void TestbedTools::registerThroughCamera()
@@ -169,14 +196,15 @@ void TestbedTools::registerThroughCamera()
         return;
     }
     m_live.look();
-    ThroughWizard wizard(*cameras, m_camera, *registered, m_live, &m_window);
+    FloorPicture picture(m_project.mediaFolder());
+    ThroughWizard wizard(*cameras, m_camera, *registered, m_live, picture.keep(), &m_window);
     if (wizard.exec() != QDialog::Accepted)
         return;
-    RegisterThroughJob job({wizard.camera().toStdString(), wizard.through().toStdString(), wizard.page().points()});
+    RegisterThroughJob job({wizard.camera().toStdString(), wizard.through().toStdString(), wizard.page().points(), picture.stored()});
     if (const auto done = runToEnd(job, m_project, {}); !done)
-        Q_EMIT failed(done.error());
-    else
-        Q_EMIT changed(tr("Camera %1 is registered through camera %2. %3")
+        return Q_EMIT failed(done.error());
+    picture.commit();
+    Q_EMIT changed(tr("Camera %1 is registered through camera %2. %3")
                            .arg(wizard.camera(), wizard.through(), QString::fromStdString(job.record().registration.verdict)));
 }
 

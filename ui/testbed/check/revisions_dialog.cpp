@@ -6,6 +6,7 @@
 #include "core/workflow/register_job.h"
 #include "ui/models/badge.h"
 #include "ui/testbed/check/reprocess_dialog.h"
+#include "ui/testbed/check/revision_picture.h"
 #include "ui/views/badge_delegate.h"
 #include "ui/views/table_list.h"
 
@@ -43,7 +44,7 @@ QString dateText(Instant instant)
 
 RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, const QString &current, QWidget *parent)
     : QDialog(parent), m_project(project), m_camera(new QComboBox), m_table(new QTableWidget(0, ColumnCount)), m_words(new QLabel),
-      m_choose(new QPushButton(tr("&Use this one"))), m_register(new QPushButton(tr("&Register with this lens"))),
+      m_picture(new RevisionPicture), m_choose(new QPushButton(tr("&Use this one"))), m_register(new QPushButton(tr("&Register with this lens"))),
       m_reprocess(new QPushButton(tr("&Measure trials again…")))
 {
     setWindowTitle(tr("Calibrations and registrations"));
@@ -79,9 +80,12 @@ RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, c
     layout->setContentsMargins(16, 12, 16, 12);
     layout->addLayout(form);
     layout->addWidget(m_table, 1);
-    layout->addWidget(m_words);
+    auto *detail = new QHBoxLayout;
+    detail->addWidget(m_words, 1);
+    detail->addWidget(m_picture);
+    layout->addLayout(detail);
     layout->addLayout(buttons);
-    resize(1080, 460);
+    resize(1080, 560);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_choose, &QPushButton::clicked, this, &RevisionsDialog::choose);
     connect(m_register, &QPushButton::clicked, this, &RevisionsDialog::registerAnew);
@@ -141,6 +145,7 @@ void RevisionsDialog::showCurrent()
     m_choose->setEnabled(isThere && !m_revisions[std::size_t(row)].isCurrent);
     m_register->setEnabled(isThere && m_revisions[std::size_t(row)].isCurrent && m_revisions[std::size_t(row)].kind == Revision::Kind::Calibration);
     m_reprocess->setEnabled(!m_project.trials().all().value_or(std::vector<TrialRecord>()).empty());
+    m_picture->setRevision(isThere ? m_revisions[std::size_t(row)] : Revision());
     if (!isThere)
         return tell({});
     const Revision &revision = m_revisions[std::size_t(row)];

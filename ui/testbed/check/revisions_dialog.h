@@ -15,6 +15,7 @@ class QTableWidget;
 namespace odo {
 
 class Project;
+class RevisionPicture;
 
 /// Every calibration and registration of a camera: when, by which version, from what, how good, and which trials were
 /// measured with it. An older one can be put in force again, and trials measured anew with what is in force.
@@ -44,6 +45,7 @@ private:
     QComboBox *m_camera;
     QTableWidget *m_table;
     QLabel *m_words;
+    RevisionPicture *m_picture;
     QPushButton *m_choose, *m_register, *m_reprocess;
 };
 

@@ -22,9 +22,9 @@ std::optional<Intrinsics> lensOf(const std::vector<FloorCamera> &cameras, const 
 } // namespace
 
 FloorWizard::FloorWizard(std::vector<FloorCamera> cameras, const QString &current, std::vector<LayoutRecord> layouts,
-                         const LiveCameras &live, QWidget *parent)
+                         const LiveCameras &live, KeepPicture keep, QWidget *parent)
     : StepDialog(tr("Register camera to the floor"), tr("&Save"), parent), m_cameras(std::move(cameras)), m_layouts(std::move(layouts)),
-      m_source(new FloorSourcePage(m_cameras, current, m_layouts, live)), m_markers(new MarkerPage)
+      m_source(new FloorSourcePage(m_cameras, current, m_layouts, live)), m_markers(new MarkerPage), m_keep(std::move(keep))
 {
     addStep(tr("The camera and its markers"), m_source);
     addStep(tr("The markers in the picture"), m_markers);
@@ -32,6 +32,14 @@ FloorWizard::FloorWizard(std::vector<FloorCamera> cameras, const QString &curren
     connect(m_source, &FloorSourcePage::completeChanged, this, &FloorWizard::updateButtons);
     connect(m_markers, &MarkerPage::completeChanged, this, &FloorWizard::updateButtons);
     connect(&m_task, &BackgroundTask::finished, this, &FloorWizard::showPicture);
+    connect(&m_saving, &BackgroundTask::finished, this, [this](const std::optional<Error> &error) {
+        if (!isVisible()) // left meanwhile
+            return;
+        if (!error)
+            return accept();
+        m_markers->showNotStored(*error);
+        updateButtons();
+    });
     turnTo(SourcePage);
 }
 
@@ -41,13 +49,13 @@ QString FloorWizard::camera() const { return m_source->camera(); }
 
 bool FloorWizard::isComplete(int step) const
 {
-    return step == SourcePage ? m_source->isComplete() && !m_task.isRunning() : m_markers->registration().has_value();
+    return step == SourcePage ? m_source->isComplete() && !m_task.isRunning() : m_markers->registration().has_value() && !m_saving.isRunning();
 }
 
 void FloorWizard::next()
 {
     if (step() == MarkersPage)
-        return accept();
+        return save();
     turnTo(MarkersPage);
     beginMarkers();
 }
@@ -56,6 +64,13 @@ void FloorWizard::back()
 {
     m_task.cancel();
     turnTo(SourcePage);
+}
+
+/// Closes when the picture is kept, and stays open when it cannot be.
+void FloorWizard::save()
+{
+    m_saving.start([keep = m_keep, name = camera(), frame = m_picture->frame](const JobControl &) { return keep(name, frame); });
+    updateButtons();
 }
 
 void FloorWizard::beginMarkers()

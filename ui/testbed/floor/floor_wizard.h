@@ -14,20 +14,20 @@ class LiveCameras;
 class MarkerPage;
 
 /// Leads from a picture of the markers to a camera's place over the floor: which camera, layout and picture; the
-/// markers, found or put by hand, with the result at once. Stores nothing: that is up to whoever opened it, once it is
+/// markers, found or put by hand, with the result at once. The project is up to whoever opened it, once it is
 /// accepted. Closing it at any page leaves nothing behind.
 class FloorWizard : public StepDialog
 {
     Q_OBJECT
 public:
     FloorWizard(std::vector<FloorCamera> cameras, const QString &current, std::vector<LayoutRecord> layouts,
-                const LiveCameras &live, QWidget *parent = nullptr);
+                const LiveCameras &live, KeepPicture keep, QWidget *parent = nullptr);
     ~FloorWizard() override;
 
     FloorSourcePage &source() { return *m_source; }
     MarkerPage &markers() { return *m_markers; }
     QString camera() const;
-    /// Once accepted: everything but the camera's number and the date.
+    /// Once accepted: everything but the camera's number, the date, and where the picture is.
     RegistrationRecord result() const;
 
     void done(int result) override;
@@ -38,6 +38,7 @@ protected:
     void back() override;
 
 private:
+    void save();
     void beginMarkers();
     void showPicture(const std::optional<Error> &error);
 
@@ -46,7 +47,8 @@ private:
     FloorSourcePage *m_source;
     MarkerPage *m_markers;
     std::shared_ptr<StillPicture> m_picture; ///< that is being got
-    BackgroundTask m_task;
+    const KeepPicture m_keep;
+    BackgroundTask m_task, m_saving;
 };
 
 } // namespace odo

@@ -115,6 +115,11 @@ void MarkerPage::showFailure(const Error &error)
     m_advice->setText(QString::fromStdString(error.advice));
 }
 
+void MarkerPage::showNotStored(const Error &error)
+{
+    m_advice->setText(tr("The registration was not stored. %1").arg(QString::fromStdString(error.message())));
+}
+
 void MarkerPage::begin(std::shared_ptr<const StillPicture> picture, const MarkerLayout &layout, const std::optional<Intrinsics> &lens)
 {
     m_picture = std::move(picture);

@@ -6,6 +6,7 @@
 
 #include <QImage>
 #include <QString>
+#include <functional>
 #include <optional>
 
 namespace odo {
@@ -18,6 +19,9 @@ struct StillPicture
     std::vector<MarkerPixel> markers;
     std::optional<Error> notFound; ///< why no markers are there
 };
+
+/// Keeps a camera's picture beside the project, before its registration is stored. On a thread of the wizard's.
+using KeepPicture = std::function<Result<void>(const QString &camera, const Frame &picture)>;
 
 /// Where a picture comes from: a file (picture or video), or the address of a camera.
 struct PictureOrigin

@@ -139,6 +139,11 @@ void SharedPointsPage::showFailure(const Error &error)
     m_advice->setText(QString::fromStdString(error.advice));
 }
 
+void SharedPointsPage::showNotStored(const Error &error)
+{
+    m_advice->setText(tr("The registration was not stored. %1").arg(QString::fromStdString(error.message())));
+}
+
 void SharedPointsPage::begin(std::shared_ptr<const PicturePair> pictures, const FloorCamera &camera, const CheckCamera &through)
 {
     m_pictures = std::move(pictures);

@@ -11,9 +11,9 @@ enum Page { SourcePage, PointsPage };
 } // namespace
 
 ThroughWizard::ThroughWizard(const std::vector<FloorCamera> &cameras, const QString &current, const std::vector<CheckCamera> &registered,
-                             const LiveCameras &live, QWidget *parent)
+                             const LiveCameras &live, KeepPicture keep, QWidget *parent)
     : StepDialog(tr("Register through another camera"), tr("&Save"), parent),
-      m_source(new ThroughSourcePage(cameras, current, registered, live)), m_page(new SharedPointsPage)
+      m_source(new ThroughSourcePage(cameras, current, registered, live)), m_page(new SharedPointsPage), m_keep(std::move(keep))
 {
     addStep(tr("Two cameras and their pictures"), m_source);
     addStep(tr("The same points in both pictures"), m_page);
@@ -27,6 +27,14 @@ ThroughWizard::ThroughWizard(const std::vector<FloorCamera> &cameras, const QStr
             m_page->begin(m_pictures, m_source->camera(), m_source->through());
         updateButtons();
     });
+    connect(&m_saving, &BackgroundTask::finished, this, [this](const std::optional<Error> &error) {
+        if (!isVisible()) // left meanwhile
+            return;
+        if (!error)
+            return accept();
+        m_page->showNotStored(*error);
+        updateButtons();
+    });
     turnTo(SourcePage);
 }
 
@@ -34,13 +42,13 @@ ThroughWizard::~ThroughWizard() = default;
 
 bool ThroughWizard::isComplete(int step) const
 {
-    return step == SourcePage ? m_source->isComplete() && !m_task.isRunning() : m_page->registration().has_value();
+    return step == SourcePage ? m_source->isComplete() && !m_task.isRunning() : m_page->registration().has_value() && !m_saving.isRunning();
 }
 
 void ThroughWizard::next()
 {
     if (step() == PointsPage)
-        return accept();
+        return save();
     turnTo(PointsPage);
     takePictures();
 }
@@ -49,6 +57,13 @@ void ThroughWizard::back()
 {
     m_task.cancel();
     turnTo(SourcePage);
+}
+
+/// Closes when the picture is kept, and stays open when it cannot be.
+void ThroughWizard::save()
+{
+    m_saving.start([keep = m_keep, name = camera(), frame = m_pictures->camera.frame](const JobControl &) { return keep(name, frame); });
+    updateButtons();
 }
 
 void ThroughWizard::takePictures()

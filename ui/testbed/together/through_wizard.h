@@ -18,7 +18,7 @@ class ThroughWizard : public StepDialog
 public:
     /// cameras and registered: one at least of each.
     ThroughWizard(const std::vector<FloorCamera> &cameras, const QString &current, const std::vector<CheckCamera> &registered,
-                  const LiveCameras &live, QWidget *parent = nullptr);
+                  const LiveCameras &live, KeepPicture keep, QWidget *parent = nullptr);
     ~ThroughWizard() override;
 
     ThroughSourcePage &source() { return *m_source; }
@@ -34,12 +34,14 @@ protected:
     void back() override;
 
 private:
+    void save();
     void takePictures();
 
     ThroughSourcePage *m_source;
     SharedPointsPage *m_page;
     std::shared_ptr<PicturePair> m_pictures; ///< that are being got
-    BackgroundTask m_task;
+    const KeepPicture m_keep;
+    BackgroundTask m_task, m_saving;
 };
 
 } // namespace odo

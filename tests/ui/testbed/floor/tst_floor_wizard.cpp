@@ -57,6 +57,7 @@ private Q_SLOTS:
     void byKeyboardFromACamera();
     void byMouseFromACamera();
     void takesMarkersByMouseAndKeys();
+    void staysOpenWhenTheDiskIsFull();
     void takesOutAndUndoes();
     void namesExchangedMarkers();
     void cancelsAtEveryPage_data();
@@ -74,6 +75,8 @@ private:
     Eigen::Vector2d truth(const char *label) const;
 
     QTemporaryDir m_folder;
+    int m_keptWidth = 0; ///< of the picture that was to be kept
+    std::optional<Error> m_problem; ///< of keeping it
     LiveCameras m_live{[] { return std::vector<CameraDescription>{{.uri = "sim:A", .kind = "simulated", .name = "Simulated"}}; }};
     SimulatedScene m_scene = demoTestbed(1);
     QString m_picture, m_bare; ///< with tags, and without
@@ -109,7 +112,11 @@ std::unique_ptr<FloorWizard> TestFloorWizard::makeWizard(const QString &picture)
     lens.calibration.intrinsics = m_scene.cameras[0].view.camera().intrinsics();
     auto wizard = std::make_unique<FloorWizard>(std::vector<FloorCamera>{{QStringLiteral("A"), lens, std::nullopt}}, QStringLiteral("A"),
                                                 std::vector<LayoutRecord>{m_layout},
-                                                m_live);
+                                                m_live,
+                                                [this](const QString &, const Frame &picture) -> Result<void> {
+                                                    m_keptWidth = picture.format.width;
+                                                    return m_problem ? Result<void>(tl::unexpected(*m_problem)) : Result<void>();
+                                                });
     if (!picture.isEmpty())
         wizard->source().setFile(picture);
     wizard->open();
@@ -131,7 +138,8 @@ void TestFloorWizard::findsTheMarkersByItself()
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     QVERIFY(says(*wizard, "m above the floor"));
     QTest::keyClick(wizard.get(), Qt::Key_Return);
-    QCOMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
+    QTRY_COMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
+    QCOMPARE(m_keptWidth, 1280);
     const RegistrationRecord record = wizard->result();
     QCOMPARE(record.layout, RecordId(7));
     QCOMPARE(record.intrinsics, RecordId(3));
@@ -153,6 +161,7 @@ void TestFloorWizard::byKeyboardFromACamera()
     QVERIFY(qobject_cast<QComboBox *>(focused()));
     QTest::keyClick(wizard.get(), Qt::Key_C, Qt::AltModifier); // what a connected camera sees now
     QVERIFY(qobject_cast<QRadioButton *>(focused()));
+    QTRY_VERIFY(qobject_cast<QRadioButton *>(focused())->isChecked()); // Qt presses a button for a moment
     QTest::keyClick(focused(), Qt::Key_Tab);
     QCOMPARE(focused()->accessibleName(), QStringLiteral("Camera that is connected"));
     BusyWatch busy;
@@ -161,7 +170,7 @@ void TestFloorWizard::byKeyboardFromACamera()
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     QVERIFY2(busy.longestMs() < 50, qPrintable(QStringLiteral("the event loop stood for %1 ms").arg(busy.longestMs())));
     QTest::keyClick(wizard.get(), Qt::Key_Return);
-    QCOMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
+    QTRY_COMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
     QCOMPARE(wizard->camera(), QStringLiteral("A"));
     const Eigen::Vector3d off = wizard->result().registration.worldFromCamera.translation - m_scene.cameras[0].view.cameraInWorld();
     QVERIFY2(off.norm() < 0.02, qPrintable(QString::number(off.norm())));
@@ -179,7 +188,21 @@ void TestFloorWizard::byMouseFromACamera()
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
-    QCOMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
+    QTRY_COMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
+}
+
+void TestFloorWizard::staysOpenWhenTheDiskIsFull()
+{
+    m_problem = Error{ErrorCode::Io, "calibration picture 'A_floor'", "no space left on device", "check the free space"};
+    const auto wizard = makeWizard(m_picture);
+    walkToMarkers(*wizard);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+    QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
+    QTRY_VERIFY(says(*wizard, "The registration was not stored. calibration picture 'A_floor': no space left on device; check the free space"));
+    m_problem.reset();
+    QTRY_VERIFY(button(*wizard, "Save")->isEnabled());
+    QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
+    QTRY_COMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
 }
 
 void TestFloorWizard::takesMarkersByMouseAndKeys()

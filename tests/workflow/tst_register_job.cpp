@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A registration and the picture that it is kept with.
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/simulation/demo_testbed.h"
+#include "core/simulation/renderer.h"
+#include "core/video/picture_writer.h"
+#include "core/workflow/register_job.h"
+#include "core/workflow/revisions.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+class TestRegisterJob : public QObject
+{
+    Q_OBJECT
+
+    SimulatedScene m_scene = demoTestbed(1);
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Project> m_project;
+
+    std::filesystem::path path(const char *name) const { return m_folder->filePath(QString::fromLatin1(name)).toStdString(); }
+
+    RegisterSettings byPicture() const
+    {
+        RegisterSettings settings;
+        settings.camera = "A/1";
+        settings.layout = m_scene.floor.markers.name;
+        settings.pictureFile = path("floor.png");
+        return settings;
+    }
+
+    std::vector<MarkerPixel> truePixels() const
+    {
+        std::vector<MarkerPixel> pixels;
+        for (const Marker &marker : m_scene.floor.markers.markers)
+            pixels.push_back({marker.label,
+                              *m_scene.cameras[0].view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
+        return pixels;
+    }
+
+    RegistrationRecord inForce()
+    {
+        return *m_project->cameras().currentRegistration(m_project->cameras().find("A/1")->id).value();
+    }
+
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_project = std::move(*Project::create(path("run.odo"), "run"));
+        QVERIFY(m_project->layouts().add(m_scene.floor.markers));
+        QVERIFY(writePicture(SceneRenderer(m_scene, 0).render(0), path("floor.png")));
+    }
+    void cleanup() { m_project.reset(); }
+
+    void keepsThePictureInWhichTheMarkersWereSeen()
+    {
+        RegisterJob job(byPicture());
+        const auto done = runToEnd(job, *m_project, {});
+        QVERIFY2(done.has_value(), done ? "" : done.error().message().c_str());
+        m_project.reset();
+        m_project = std::move(*Project::open(path("run.odo"), Project::Access::ReadWrite));
+        const StoredPicture picture = inForce().picture;
+        QCOMPARE(picture.path, std::string("run.media/calibration/A_1_floor.png"));
+        QVERIFY(m_project->check(true)->empty());
+        const auto revisions = revisionsOf(*m_project, "A/1");
+        QCOMPARE(revisions->front().picture, std::filesystem::absolute(path("run.media/calibration/A_1_floor.png")));
+        QCOMPARE(revisions->front().markers.size(), std::size_t(4));
+        // The markers are found in it again, where they were.
+        RegisterSettings again = byPicture();
+        again.pictureFile = revisions->front().picture;
+        RegisterJob second(again);
+        QVERIFY(runToEnd(second, *m_project, {}).has_value());
+        for (std::size_t i = 0; i < 4; ++i)
+            QVERIFY((second.record().pixels[i].pixel - job.record().pixels[i].pixel).norm() < 0.02);
+    }
+
+    void tellsOfAPictureThatIsLostOrChanged()
+    {
+        RegisterJob job(byPicture());
+        QVERIFY(runToEnd(job, *m_project, {}).has_value());
+        const std::filesystem::path kept = path("run.media/calibration/A_1_floor.png");
+        const auto bytes = std::filesystem::file_size(kept);
+        QFile file(QString::fromStdString(kept.string()));
+        QVERIFY(file.open(QIODevice::ReadWrite) && file.seek(qint64(bytes) / 2) && file.write("changed") == 7);
+        file.close();
+        QCOMPARE(m_project->check(true)->front().what, std::string("the picture of registration 1 of camera 'A/1' was changed since it was made"));
+        std::filesystem::remove(kept);
+        const ProjectProblem problem = m_project->check(false)->front();
+        QCOMPARE(problem.what, std::string("the picture of registration 1 of camera 'A/1' is missing"));
+        QCOMPARE(problem.advice, std::string("put the file back in its place; the registration is kept without it"));
+    }
+
+    void whatFailsLeavesNothing()
+    {
+        RegisterSettings unnamed = byPicture();
+        unnamed.camera = std::string(300, 'x'); // its row cannot be stored, after its picture was written
+        RegisterJob job(unnamed);
+        QVERIFY(!runToEnd(job, *m_project, {}).has_value());
+        QVERIFY(!std::filesystem::exists(m_project->mediaFolder()));
+        QVERIFY(m_project->cameras().all()->empty());
+    }
+
+    void pixelsAloneHaveNoPicture()
+    {
+        RegisterSettings settings = byPicture();
+        settings.pixels = truePixels();
+        RegisterJob withPicture(settings); // which only tells its size
+        QVERIFY(runToEnd(withPicture, *m_project, {}).has_value());
+        QVERIFY(!inForce().picture.path.empty());
+        IntrinsicsRecord lens;
+        lens.camera = m_project->cameras().find("A/1")->id;
+        lens.calibration.intrinsics = m_scene.cameras[0].view.camera().intrinsics();
+        QVERIFY(m_project->cameras().addIntrinsics(lens));
+        // Anew with the lens: the same markers in the same picture.
+        const auto again = registerWithLensInForce(*m_project, "A/1");
+        QVERIFY2(again.has_value(), again ? "" : again.error().message().c_str());
+        QCOMPARE(again->picture.path, std::string("run.media/calibration/A_1_floor.png"));
+        QVERIFY(m_project->check(true)->empty());
+        settings.pictureFile.clear();
+        RegisterJob without(settings);
+        QVERIFY(runToEnd(without, *m_project, {}).has_value());
+        QVERIFY(inForce().picture.path.empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRegisterJob)
+#include "tst_register_job.moc"
