@@ -112,6 +112,7 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
 int openWorkbench(int argc, char **argv)
 {
     QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("odograph")); // its settings lie in a folder of that name
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
     const QStringList arguments = QCoreApplication::arguments().mid(1);

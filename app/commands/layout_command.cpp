@@ -194,6 +194,13 @@ Result<void> transform(CommandCall &call)
                  {QStringLiteral("markers"), markersJson(outcome->layout.layout)},
                  {QStringLiteral("cameras"), QJsonArray::fromStringList(cameras)}},
                 markersText(outcome->layout.layout) + u'\n' + carried);
+    if (!outcome->tasks.empty()) {
+        QStringList tasks;
+        for (const std::string &task : outcome->tasks)
+            tasks << QString::fromStdString(task);
+        CommandCall::warn("the gates and paths of tasks stay where they are in the axes that were: where they lie on this floor, make " +
+                          tasks.join(QStringLiteral(", ")).toStdString() + " anew");
+    }
     return {};
 }
 

@@ -49,7 +49,7 @@ std::string judgement(const LengthCheck &check, double toldM)
 {
     const double difference = *check.differenceM;
     const std::string off =
-        " It is " + millimetres(std::abs(difference)) + (difference < 0 ? " short" : " long") + " of the " + millimetres(toldM) + " told: ";
+        " It is " + millimetres(std::abs(difference)) + (difference < 0 ? " shorter" : " longer") + " than the " + millimetres(toldM) + " told: ";
     const double allowed = agreesWithin * check.sigmaM;
     if (std::abs(difference) <= allowed)
         return off + "inside the expected error of " + millimetres(allowed) + ".";

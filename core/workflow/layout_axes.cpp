@@ -42,11 +42,26 @@ Result<void> carryCameras(Project &project, const LayoutRecord &layout, LayoutAx
     for (const RegisteredCamera &camera : *cameras) {
         RegistrationRecord record = camera.registration;
         record.registration = transformed(record.registration, outcome.newFromOld);
-        if (auto stored = storeRegistration(project, camera.camera.name, std::move(record)); !stored)
+        std::optional<RegistrationCheck> check = record.lastCheck;
+        if (check)
+            check->shiftM *= outcome.newFromOld.scale;
+        if (auto stored = storeFromOldMarkers(project, camera.camera.name, std::move(record), check); !stored)
             return tl::unexpected(stored.error());
         outcome.cameras.push_back(camera.camera.name);
     }
     return {};
+}
+
+Result<std::vector<std::string>> tasksWithPlaces(Project &project)
+{
+    const auto tasks = project.tasks().all();
+    if (!tasks)
+        return tl::unexpected(tasks.error());
+    std::vector<std::string> names;
+    for (const TaskRecord &record : *tasks)
+        if (!record.task.gates.empty() || !record.task.path.points.empty())
+            names.push_back(record.name);
+    return names;
 }
 
 } // namespace
@@ -59,7 +74,10 @@ Result<LayoutAxesOutcome> changeLayoutAxes(Project &project, const std::string &
     const auto newFromOld = axesTransformOf(stored->layout, change);
     if (!newFromOld)
         return tl::unexpected(newFromOld.error());
-    LayoutAxesOutcome outcome{std::move(*stored), *newFromOld, {}};
+    auto tasks = tasksWithPlaces(project);
+    if (!tasks)
+        return tl::unexpected(tasks.error());
+    LayoutAxesOutcome outcome{std::move(*stored), *newFromOld, {}, std::move(*tasks)};
     const auto world = layoutsOfWorld(project, outcome.layout);
     if (!world)
         return tl::unexpected(world.error());

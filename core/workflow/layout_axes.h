@@ -16,6 +16,7 @@ struct LayoutAxesOutcome
     LayoutRecord layout;              ///< in the new axes
     AxesTransform newFromOld;
     std::vector<std::string> cameras; ///< whose registrations were carried along
+    std::vector<std::string> tasks;   ///< with gates or a path, which stay where they are in the axes that were
 };
 
 /// Changes the world axes of a layout in one transaction: the layout's places, and a new revision of the registration

@@ -176,16 +176,21 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
         return fail(ErrorCode::InvalidInput, what, "it was registered through another camera", "register it through that camera again");
     RegisterSettings settings{camera, layout->layout.name, {}, {}, registered->registration.pixels, registered->registration.picture};
     RegisterJob job(std::move(settings));
+    if (auto prepared = job.prepare(project); !prepared)
+        return tl::unexpected(prepared.error());
+    if (auto done = job.run({}); !done)
+        return tl::unexpected(done.error());
+    std::optional<RegistrationRecord> record;
     const auto stored = project.inTransaction([&]() -> Result<void> {
-        if (auto done = runToEnd(job, project, {}); !done)
-            return done;
-        // Old markers say nothing of where the camera stands now: what the last check found still holds.
-        const auto &check = registered->registration.lastCheck;
-        return check ? project.cameras().addCheck(job.record().id, *check) : Result<void>();
+        auto made = storeFromOldMarkers(project, camera, job.record(), registered->registration.lastCheck);
+        if (!made)
+            return tl::unexpected(made.error());
+        record = std::move(*made);
+        return {};
     });
     if (!stored)
         return tl::unexpected(stored.error());
-    return project.cameras().registration(job.record().id);
+    return *record;
 }
 
 Result<void> RegisterJob::commit(Project &project)

@@ -45,7 +45,7 @@ Result<void> RegisterJointJob::commit(Project &project)
     return project.inTransaction([&]() -> Result<void> {
         for (std::size_t i = 0; i < m_records.size(); ++i) {
             m_records[i].registration = m_joint.registrations[i];
-            const auto stored = storeRegistration(project, m_names[i], m_records[i]);
+            const auto stored = storeFromOldMarkers(project, m_names[i], m_records[i], m_records[i].lastCheck);
             if (!stored)
                 return tl::unexpected(stored.error());
             m_records[i] = *stored;

@@ -18,6 +18,17 @@ Result<RegistrationRecord> storeRegistration(Project &project, const std::string
     return project.cameras().addRegistration(record);
 }
 
+Result<RegistrationRecord> storeFromOldMarkers(Project &project, const std::string &camera, RegistrationRecord record,
+                                               const std::optional<RegistrationCheck> &lastCheck)
+{
+    const auto stored = storeRegistration(project, camera, std::move(record));
+    if (!stored || !lastCheck)
+        return stored;
+    if (auto added = project.cameras().addCheck(stored->id, *lastCheck); !added)
+        return tl::unexpected(added.error());
+    return project.cameras().registration(stored->id);
+}
+
 Result<std::vector<RegisteredCamera>> camerasOnLayout(Project &project, RecordId layout)
 {
     const auto cameras = project.cameras().all();

@@ -3,7 +3,9 @@
 
 #include "core/project/records.h"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace odo {
 
@@ -12,6 +14,11 @@ class Project;
 /// Stores a registration as the newest one of a camera, which is made when the project has none of that name, and
 /// stamps it with the time of now and the version of the program. For a job's commit, inside its transaction; gives back what is stored.
 Result<RegistrationRecord> storeRegistration(Project &project, const std::string &camera, RegistrationRecord record);
+
+/// As storeRegistration, for one that was computed anew from older markers, which say nothing of where the camera stands now:
+/// what the last check of the one before found still holds.
+Result<RegistrationRecord> storeFromOldMarkers(Project &project, const std::string &camera, RegistrationRecord record,
+                                               const std::optional<RegistrationCheck> &lastCheck);
 
 /// A camera with its registration in force.
 struct RegisteredCamera

@@ -9,6 +9,7 @@
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 using namespace odo;
 using namespace odo::test;
@@ -141,8 +142,12 @@ private Q_SLOTS:
     }
     void theAxesMoveWithTheCameras()
     {
+        write("task.json", R"({"template": "free", "gates": [{"name": "start", "role": "start", "from_mm": [0, 0], "to_mm": [0, 500]}]})");
+        QCOMPARE(run("task add %/p.odo dash %/task.json").exitStatus, 0);
         const ProgramRun moved = run("layout transform %/p.odo floor --origin U --turn 90 --json");
         QVERIFY2(moved.exitStatus == 0, moved.err);
+        QVERIFY2(moved.err.contains("the gates and paths of tasks stay where they are in the axes that were") && moved.err.contains("make dash anew"),
+                 moved.err);
         QCOMPARE(moved.json().value(QStringLiteral("cameras")).toArray().size(), 2);
         const QJsonObject second = moved.json().value(QStringLiteral("markers")).toArray()[1].toObject();
         QVERIFY(std::abs(second.value(QStringLiteral("x_mm")).toDouble()) < 1e-6);
@@ -151,6 +156,27 @@ private Q_SLOTS:
         const ProgramRun joint = run("register %/p.odo --joint --layout floor --json");
         QVERIFY2(joint.exitStatus == 0, joint.err);
         QVERIFY(joint.json().value(QStringLiteral("rms_px")).toDouble() < 0.2);
+    }
+    void aHintTellsWhichMarkerIsWhich()
+    {
+        // Four rings of a rectangle look the same turned by a half turn.
+        write("four.csv", "label,x_mm,y_mm\nO,0,0\nU,3000,0\nV,0,2200\nD,3000,2200\n");
+        SimulatedScene scene = demoTestbed(4);
+        scene.floor.markerFigure = MarkerFigure::Ring;
+        draw(scene, 0, "four.png");
+        QCOMPARE(run("layout add %/p.odo four %/four.csv").exitStatus, 0);
+        const ProgramRun asked = run("register %/p.odo --camera A --layout four --image %/four.png");
+        QCOMPARE(asked.exitStatus, 1);
+        QVERIFY2(asked.err.contains("--hint") || asked.err.contains("by hand"), asked.err);
+        const Eigen::Vector2d o = *scene.cameras[0].view.pixelFromWorld({0, 0, 0});
+        const QByteArray hinted = "register %/p.odo --camera A --layout four --image %/four.png --json --hint O=" +
+                                  QByteArray::number(std::round(o.x())) + ',' + QByteArray::number(std::round(o.y()));
+        const ProgramRun told = run(hinted.constData());
+        QVERIFY2(told.exitStatus == 0, told.err);
+        const QJsonArray place = told.json().value(QStringLiteral("camera_position_m")).toArray();
+        const Eigen::Vector3d truth = scene.cameras[0].view.cameraInWorld();
+        for (int axis = 0; axis < 3; ++axis)
+            QVERIFY(std::abs(place[axis].toDouble() - truth[axis]) < 0.02);
     }
     void badCallsFailInOneLine_data()
     {

@@ -89,7 +89,7 @@ private Q_SLOTS:
         QVERIFY(two->agrees);
         QVERIFY(contains(two->words, "inside the expected error of"));
         QVERIFY(!wrong->agrees);
-        QVERIFY(contains(wrong->words, "short of the 1050.0 mm told: outside the expected error of"));
+        QVERIFY(contains(wrong->words, "shorter than the 1050.0 mm told: outside the expected error of"));
     }
     void badLengthsHaveTheirSentences()
     {

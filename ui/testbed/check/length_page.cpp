@@ -20,6 +20,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 namespace odo {
 namespace {
@@ -29,6 +30,15 @@ constexpr double byHandPx = 0.5; // of one coordinate of an end that was put by 
 enum Column { EndColumn, SeenColumn, PlaceColumn, ColumnCount };
 
 QString labelOf(int end) { return QString::number(end + 1); }
+
+/// In mm. Two of them stand beside one another: 3,666, 548 could be read as three; and 0 has no sign.
+QString tenths(double metres)
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    const double rounded = std::round(10 * toMillimetres(metres)) / 10;
+    return locale.toString(rounded == 0 ? 0.0 : rounded, 'f', 1);
+}
 
 } // namespace
 
@@ -199,8 +209,6 @@ void LengthPage::evaluate()
 void LengthPage::showEnds()
 {
     const double heightM = fromMillimetres(m_height->value());
-    QLocale locale; // two numbers beside one another: 3,666, 548 could be read as three
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
     std::vector<MarkerPixel> shown;
     for (int end = 0; end < 2; ++end) {
         const auto &put = m_ends[std::size_t(end)];
@@ -208,7 +216,7 @@ void LengthPage::showEnds()
         if (put) {
             shown.push_back({labelOf(end).toStdString(), put->pixel});
             if (const auto at = m_camera->view.floorFromPixel(put->pixel, heightM))
-                place = tr("%1, %2").arg(locale.toString(toMillimetres(at->x()), 'f', 1), locale.toString(toMillimetres(at->y()), 'f', 1));
+                place = tr("%1, %2").arg(tenths(at->x()), tenths(at->y()));
             else
                 place = tr("beyond the horizon");
         }

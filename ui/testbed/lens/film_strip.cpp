@@ -71,7 +71,7 @@ void FilmStrip::setState(const SearchState &state)
     const bool added = wanted.size() > there.size();
     setCurrentRow(row < 0 ? -1 : std::min(row, count() - 1));
     if (added)
-        scrollToBottom();
+        scrollToItem(item(count() - 1)); // the newest
     m_remove->setEnabled(currentRow() >= 0);
 }
 

@@ -194,6 +194,7 @@ void TestLensWizard::byMouseFromACamera()
     // Pictures are taken by themselves until they are enough.
     auto *strip = wizard->findChild<FilmStrip *>();
     QTRY_VERIFY_WITH_TIMEOUT(strip->count() >= 10, patienceMs);
+    QVERIFY2(strip->viewport()->rect().intersects(strip->visualItemRect(strip->item(strip->count() - 1))), "the newest picture is in sight");
     QVERIFY(wizard->findChild<LensPicturesPage *>()->findChild<BoardCanvas *>()->content().wanted.has_value());
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QCOMPARE(page(*wizard), 2);
