@@ -34,10 +34,11 @@ constexpr double carefulPx = 0.4;        // RMS of markers seen to 0.3 px and me
 constexpr double otherOrderFits = 0.005; // of the markers' extent in the picture
 constexpr double worstMisfit = 0.01;     // of the same: no plane
 constexpr double worstSigma = 0.02;      // of the layout's extent on the floor
-// Of four markers, the product of those two: they check one another so little that one put wrongly shows little, and the
-// less so the less the floor is determined. Of a million drawn layouts with a fault, three passed the limits above, with
-// products from 0.52e-4; of sound ones one in two thousand lies beyond 0.4e-4 (docs/accuracy.md).
-constexpr double worstOfFour = 0.4e-4;
+// Four markers leave two residuals, so little that one put quite wrongly may fit a wrong pose to a hundredth of the
+// layout. What tells it then is how careful people are: a pixel, and 2 mm and half a millimetre a metre by a tape. For
+// such errors the sum of the squares is χ² of two degrees of freedom: one in fifty lies beyond 8, where the program
+// snaps to the marker hardly any. Of two million drawn layouts with a fault, those that passed all else had 9.5 and more.
+constexpr double fourMarkPx = 1, fourTapeM = 0.002, fourTapeShare = 0.0005, fourWorstSum = 8;
 
 tl::unexpected<Error> refuse(std::string why, std::string advice)
 {
@@ -279,6 +280,19 @@ Result<void> measureMarkers(const std::vector<PointPair> &pairs, const FloorView
     return {};
 }
 
+/// The sum of the squares of the markers' errors, each by what a careful person may leave in the picture and on the
+/// floor together: where a marker's error is e in pixels and E in metres, a metre is e / E pixels long there.
+double carelessness(const std::vector<MarkerError> &markers, double layoutM)
+{
+    const double tapeM = fourTapeM + fourTapeShare * layoutM;
+    double sum = 0;
+    for (const MarkerError &marker : markers) {
+        if (marker.errorPx > 0 && marker.errorM > 0)
+            sum += 1 / (std::pow(fourMarkPx / marker.errorPx, 2) + std::pow(tapeM / marker.errorM, 2));
+    }
+    return sum;
+}
+
 std::string lensWords(const PlanePose &pose, bool intrinsicsKnown)
 {
     if (intrinsicsKnown)
@@ -368,11 +382,10 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
         return refuse("the markers lie so nearly on one line" + flattestOf(*pairs) +
                           " that the floor is known only to ±" + millimetres(registration.floorSigmaM),
                       "spread the markers over the floor");
-    const double misfit = registration.rmsPx / extentPx(*pairs), sigma = registration.floorSigmaM / layoutM;
-    if (pairs->size() == 4 && misfit * sigma > worstOfFour)
-        return refuse("the four markers misfit by " + formatNumber(registration.rmsPx, 1) +
-                          " px and check one another too little to tell which of them; the floor would be known only to ±" +
-                          millimetres(registration.floorSigmaM),
+    if (pairs->size() == 4 && carelessness(registration.markers, layoutM) > fourWorstSum)
+        return refuse("the four markers misfit by " + formatNumber(registration.rmsPx, 1) + " px (" +
+                          millimetres(registration.rmsM) +
+                          ") and check one another too little to tell which of them; it may be wrong by much more",
                       "mark and measure them again, or add a fifth");
     registration.verdict = verdictOf(registration, *pose, layoutM, intrinsicsKnown);
     registration.verdict += unitWords(registration, layoutM);

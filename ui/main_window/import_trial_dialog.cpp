@@ -3,6 +3,7 @@
 
 #include "ui/views/check_list.h"
 #include "ui/main_window/view_steps.h"
+#include "ui/views/badge_label.h"
 #include "ui/views/path_field.h"
 
 #include <QCheckBox>
@@ -65,9 +66,9 @@ QWidget *ImportTrialDialog::makeVideos()
     auto *widget = new QWidget;
     auto *layout = new QVBoxLayout(widget);
     layout->setContentsMargins(0, 0, 0, 0);
-    m_videoGrid->setColumnStretch(1, 1);
+    m_videoGrid->setColumnStretch(2, 1);
     m_videoGrid->addWidget(new QLabel(tr("Camera")), 0, 0);
-    m_videoGrid->addWidget(new QLabel(tr("Video file")), 0, 1);
+    m_videoGrid->addWidget(new QLabel(tr("Video file")), 0, 2);
     layout->addLayout(m_videoGrid);
     m_addView->setAutoDefault(false); // Enter is the dialog's
     layout->addWidget(m_addView, 0, Qt::AlignLeft);
@@ -77,7 +78,7 @@ QWidget *ImportTrialDialog::makeVideos()
         m_videos.back().camera->setFocus();
     });
     for (int i = 0; i < usualViews; ++i)
-        addVideo(m_cameras.value(i, QString(QChar(QLatin1Char(static_cast<char>('A' + i))))), {});
+        addVideo(i < int(m_cameras.size()) ? m_cameras[std::size_t(i)].name : QString(QChar(QLatin1Char(static_cast<char>('A' + i)))), {});
     return widget;
 }
 
@@ -114,26 +115,38 @@ void ImportTrialDialog::addVideo(const QString &camera, const QString &file)
     const int number = static_cast<int>(m_videos.size()) + 1;
     auto *name = new QComboBox;
     name->setEditable(true);
-    name->addItems(m_cameras);
+    for (const OfferedCamera &each : m_cameras)
+        name->addItem(each.name);
     name->setCurrentText(camera);
     name->setAccessibleName(tr("Camera of view %1").arg(number));
     auto *path = new PathField(tr("Video of view %1").arg(number),
                                tr("Videos (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;All files (*)"));
     path->setPath(file);
     m_videoGrid->addWidget(name, number, 0);
-    m_videoGrid->addWidget(path, number, 1);
-    m_videos.push_back({name, path});
+    auto *badge = new BadgeLabel({});
+    badge->setAccessibleName(tr("Registration of the camera of view %1").arg(number));
+    m_videoGrid->addWidget(badge, number, 1);
+    m_videoGrid->addWidget(path, number, 2);
+    m_videos.push_back({name, badge, path});
     m_steps->addView();
     connect(name, &QComboBox::editTextChanged, this, &ImportTrialDialog::updateButtons);
     connect(path, &PathField::changed, this, &ImportTrialDialog::updateButtons);
     updateButtons();
 }
 
+Badge ImportTrialDialog::badgeOf(const QString &camera) const
+{
+    const auto found = std::ranges::find(m_cameras, camera, &OfferedCamera::name);
+    return found == m_cameras.end() ? Badge() : found->badge;
+}
+
 void ImportTrialDialog::updateButtons()
 {
     QStringList cameras;
-    for (const VideoRow &row : m_videos)
+    for (const VideoRow &row : m_videos) {
         cameras << row.camera->currentText();
+        row.badge->setBadge(badgeOf(row.camera->currentText().trimmed()));
+    }
     m_steps->setCameras(cameras);
     // A video without a camera would be left out in silence.
     const bool nameless = std::any_of(m_videos.begin(), m_videos.end(), [](const VideoRow &row) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/workflow/import_trial_job.h"
+#include "ui/models/badge.h"
 
 #include <QDialog>
 
@@ -15,6 +16,7 @@ class QPushButton;
 
 namespace odo {
 
+class BadgeLabel;
 class CheckList;
 class PathField;
 class ViewSteps;
@@ -25,10 +27,16 @@ class ImportTrialDialog : public QDialog
 {
     Q_OBJECT
 public:
+    struct OfferedCamera
+    {
+        QString name;
+        Badge badge; ///< how well it is registered
+    };
     struct Offer
     {
         QString name; ///< a free one
-        QStringList teams, robots, cameras;
+        QStringList teams, robots;
+        std::vector<OfferedCamera> cameras;
     };
     explicit ImportTrialDialog(const Offer &offer, QWidget *parent = nullptr);
     ImportSettings settings() const;
@@ -39,6 +47,7 @@ private:
     struct VideoRow
     {
         QComboBox *camera;
+        BadgeLabel *badge;
         PathField *file;
     };
     QWidget *makeVideos();
@@ -46,7 +55,9 @@ private:
     void orderTabs();
     void updateButtons();
 
-    QStringList m_cameras;
+    Badge badgeOf(const QString &camera) const;
+
+    std::vector<OfferedCamera> m_cameras;
     QLineEdit *m_name;
     QComboBox *m_team;
     QLineEdit *m_task;

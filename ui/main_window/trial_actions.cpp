@@ -12,6 +12,7 @@
 #include "ui/main_window/track_dialog.h"
 #include "ui/main_window/trial_export.h"
 #include "ui/main_window/workspace.h"
+#include "ui/models/camera_list_model.h"
 #include "ui/models/figure_text.h"
 #include "ui/views/theme_icon.h"
 
@@ -132,8 +133,10 @@ void TrialActions::askImport(const QStringList &videos)
 {
     Project &project = *m_workspace.project();
     const QStringList trials = namesOf(project.trials().all());
-    ImportTrialDialog dialog({freeTrialName(trials), namesOf(project.teams().all()),
-                              namesOf(project.robots().all()), namesOf(project.cameras().all())},
+    std::vector<ImportTrialDialog::OfferedCamera> cameras;
+    for (const CameraRow &row : loadCameraRows(project).value_or(std::vector<CameraRow>()))
+        cameras.push_back({QString::fromStdString(row.camera.name), cameraBadge(row.registration)});
+    ImportTrialDialog dialog({freeTrialName(trials), namesOf(project.teams().all()), namesOf(project.robots().all()), std::move(cameras)},
                              &m_window);
     for (const QString &video : videos)
         dialog.addVideo({}, video);

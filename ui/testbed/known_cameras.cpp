@@ -30,7 +30,7 @@ Result<std::vector<FloorCamera>> floorCameras(Project &project)
         const auto recording = newestFile(project, row.camera.id);
         if (!recording)
             return tl::unexpected(recording.error());
-        cameras.push_back({QString::fromStdString(row.camera.name), row.intrinsics, *recording});
+        cameras.push_back({QString::fromStdString(row.camera.name), row.intrinsics, *recording, cameraBadge(row.registration)});
     }
     return cameras;
 }

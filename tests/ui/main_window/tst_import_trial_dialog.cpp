@@ -23,6 +23,7 @@ class TestImportTrialDialog : public QObject
 private Q_SLOTS:
     void init();
     void asksOneStepForEachFurtherView();
+    void aCameraShowsHowWellItIsRegistered();
     void aViewWithoutAVideoNeedsNoStep();
     void isReachedByTheTabKey();
     void paintsThePicture_data();
@@ -46,7 +47,9 @@ void TestImportTrialDialog::init()
 {
     m_dialog = std::make_unique<ImportTrialDialog>(
         ImportTrialDialog::Offer{QStringLiteral("Run 7"), {QStringLiteral("Falcon")}, {QStringLiteral("Red")},
-                                 {QStringLiteral("Door"), QStringLiteral("Window"), QStringLiteral("Wall")}});
+                                 {{QStringLiteral("Door"), {QStringLiteral("±3 mm"), BadgeState::Good}},
+                                  {QStringLiteral("Window"), {}},
+                                  {QStringLiteral("Wall"), {QStringLiteral("moved"), BadgeState::Bad}}}});
 }
 
 void TestImportTrialDialog::addThirdView() const
@@ -92,6 +95,16 @@ void TestImportTrialDialog::asksOneStepForEachFurtherView()
     QCOMPARE(labels, (QStringList{QStringLiteral("Window"), QStringLiteral("Wall")}));
     field<QComboBox>("Camera of view 3")->setCurrentText(QString());
     QCOMPARE(m_dialog->findChild<ViewSteps *>()->findChildren<QLabel *>().at(1)->text(), QStringLiteral("View 3"));
+}
+
+void TestImportTrialDialog::aCameraShowsHowWellItIsRegistered()
+{
+    const auto badge = [&] { return field<QLabel>("Registration of the camera of view 1")->text(); };
+    QCOMPARE(badge(), QStringLiteral("±3 mm"));
+    field<QComboBox>("Camera of view 1")->setCurrentText(QStringLiteral("Wall"));
+    QCOMPARE(badge(), QStringLiteral("moved"));
+    field<QComboBox>("Camera of view 1")->setCurrentText(QStringLiteral("a new one"));
+    QVERIFY(badge().isEmpty());
 }
 
 void TestImportTrialDialog::aViewWithoutAVideoNeedsNoStep()

@@ -49,6 +49,12 @@ void waitForNext(QDialog &dialog)
                              60'000);
 }
 
+/// A wizard writes its pictures before it closes.
+void waitUntilClosed(QDialog &dialog)
+{
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog.isVisible(), 60'000);
+}
+
 } // namespace
 
 /// What a class does with the window from an empty project to the exported track, by its menus and dialogs,
@@ -225,6 +231,7 @@ void TestWindowFlows::registersANewCameraFromVideo()
                 begin(dialog, camera, camera.toLower() + QStringLiteral(".mkv"));
                 waitForNext(dialog);
                 press(dialog);
+                waitUntilClosed(dialog);
             }});
         QVERIFY2(message().startsWith(QStringLiteral("Camera %1 is registered.").arg(camera)), qPrintable(message()));
     }
@@ -256,6 +263,7 @@ void TestWindowFlows::calibratesAndCancels()
                 waitForNext(dialog);
                 press(dialog);
             }
+            waitUntilClosed(dialog);
         }});
     QVERIFY2(message().startsWith(QLatin1String("Camera C is calibrated.")), qPrintable(message()));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "ui/models/badge.h"
 
 #include <QString>
 #include <filesystem>
@@ -15,6 +16,7 @@ struct FloorCamera
     QString name;
     std::optional<IntrinsicsRecord> intrinsics;          ///< in force
     std::optional<std::filesystem::path> newestRecording; ///< in which the markers may be seen
+    Badge badge = {}; ///< of the registration in force
 };
 
 } // namespace odo

@@ -2,6 +2,7 @@
 #include "ui/testbed/floor/floor_source_page.h"
 
 #include "ui/testbed/floor/picture_choice.h"
+#include "ui/views/badge_label.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -14,7 +15,7 @@ namespace odo {
 FloorSourcePage::FloorSourcePage(const std::vector<FloorCamera> &cameras, const QString &current, const std::vector<LayoutRecord> &layouts,
                                  const LiveCameras &live, QWidget *parent)
     : QWidget(parent), m_cameras(cameras), m_camera(new QComboBox), m_layout(new QComboBox),
-      m_picture(new PictureChoice(live, tr("Picture or video of the markers"))), m_lens(new QLabel)
+      m_picture(new PictureChoice(live, tr("Picture or video of the markers"))), m_lens(new QLabel), m_badge(new BadgeLabel({}))
 {
     m_camera->setEditable(true); // one whose lens was never measured may be new here
     for (const FloorCamera &camera : m_cameras)
@@ -29,6 +30,7 @@ FloorSourcePage::FloorSourcePage(const std::vector<FloorCamera> &cameras, const 
     intro->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("C&amera"), m_camera);
+    form->addRow(QString(), m_badge);
     form->addRow(QString(), m_lens);
     form->addRow(tr("Marker &layout"), m_layout);
     auto *where = new QLabel(tr("Where the markers are seen"));
@@ -55,6 +57,7 @@ const FloorCamera *FloorSourcePage::known() const
 void FloorSourcePage::showCamera()
 {
     const FloorCamera *camera = known();
+    m_badge->setBadge(camera ? camera->badge : Badge());
     m_picture->setRecording(camera ? camera->newestRecording : std::nullopt);
     m_lens->setText(camera && camera->intrinsics ? tr("Its lens is measured.")
                                                  : tr("Its lens was not measured: it is taken as free of distortion, and its focal "

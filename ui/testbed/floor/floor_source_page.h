@@ -12,6 +12,7 @@ class QLabel;
 
 namespace odo {
 
+class BadgeLabel;
 class LiveCameras;
 class PictureChoice;
 
@@ -41,6 +42,7 @@ private:
     QComboBox *m_camera, *m_layout;
     PictureChoice *m_picture;
     QLabel *m_lens;
+    BadgeLabel *m_badge;
 };
 
 } // namespace odo

@@ -57,6 +57,7 @@ class TestLensWizard : public QObject
 private Q_SLOTS:
     void initTestCase();
     void byKeyboardFromFiles();
+    void fortyPicturesNeverStallTheWindow();
     void byMouseFromACamera();
     void cancelsAtEveryPage_data();
     void cancelsAtEveryPage();
@@ -76,6 +77,7 @@ private:
     {
         return std::ranges::any_of(wizard.findChildren<QLabel *>(), [&](const QLabel *label) { return label->text().contains(QString::fromUtf8(words)); });
     }
+    QStringList draw(int count, const QString &name) const;
     void walkToPictures(LensWizard &wizard);
     void typeFiles(QDialog &dialog);
 
@@ -97,13 +99,20 @@ void TestLensWizard::initTestCase()
 {
     m_live.look();
     QTRY_VERIFY(!m_live.isLooking());
+    m_files = draw(poses, QStringLiteral("board"));
+}
+
+QStringList TestLensWizard::draw(int count, const QString &name) const
+{
+    QStringList files;
     SimulatedBoard board;
-    int number = 0;
-    for (const RigidTransform &pose : heldBoardPoses(lens(), board, poses, 3)) {
+    for (const RigidTransform &pose : heldBoardPoses(lens(), board, count, 3)) {
         board.cameraFromBoard = pose;
-        m_files << m_folder.filePath(QStringLiteral("board%1.png").arg(++number, 2, 10, QLatin1Char('0')));
-        QVERIFY(writePicture(renderBoard(lens(), board, 2, 7), m_files.last().toStdString()));
+        files << m_folder.filePath(QStringLiteral("%1%2.png").arg(name).arg(files.size() + 1, 2, 10, QLatin1Char('0')));
+        if (!writePicture(renderBoard(lens(), board, 2, 7), files.last().toStdString()))
+            qFatal("cannot write a picture");
     }
+    return files;
 }
 
 std::unique_ptr<LensWizard> TestLensWizard::makeWizard(bool cameraThere)
@@ -182,6 +191,21 @@ void TestLensWizard::byKeyboardFromFiles()
     QVERIFY(!measured.pictures.front().png.empty());
     // 0.3 %, what the issue of this wizard demands of simulated sets.
     QVERIFY(std::abs(measured.calibration.intrinsics.fxPx / 560 - 1) < 0.003);
+}
+
+void TestLensWizard::fortyPicturesNeverStallTheWindow()
+{
+    const auto wizard = makeWizard();
+    wizard->source().addFiles(draw(40, QStringLiteral("forty")));
+    BusyWatch busy;
+    QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Next >")->isEnabled(), patienceMs);
+    QVERIFY(wizard->findChild<FilmStrip *>()->count() >= 30); // some of so many poses are alike
+    QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+    QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
+    QTRY_COMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
+    QVERIFY2(busy.longestMs() < 50, qPrintable(QStringLiteral("the event loop stood for %1 ms").arg(busy.longestMs())));
 }
 
 void TestLensWizard::byMouseFromACamera()
