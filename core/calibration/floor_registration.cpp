@@ -34,11 +34,13 @@ constexpr double carefulPx = 0.4;        // RMS of markers seen to 0.3 px and me
 constexpr double otherOrderFits = 0.005; // of the markers' extent in the picture
 constexpr double worstMisfit = 0.01;     // of the same: no plane
 constexpr double worstSigma = 0.02;      // of the layout's extent on the floor
-// Four markers leave two residuals, so little that one put quite wrongly may fit a wrong pose to a hundredth of the
-// layout. What tells it then is how careful people are: a pixel, and 2 mm and half a millimetre a metre by a tape. For
-// such errors the sum of the squares is χ² of two degrees of freedom: one in fifty lies beyond 8, where the program
-// snaps to the marker hardly any. Of two million drawn layouts with a fault, those that passed all else had 9.5 and more.
-constexpr double fourMarkPx = 1, fourTapeM = 0.002, fourTapeShare = 0.0005, fourWorstSum = 8;
+// Four markers leave two residuals, five leave four: so little that one put quite wrongly may fit a wrong pose to a
+// hundredth of the layout. What tells it then is how careful people are: a pixel, and 2 mm and half a millimetre a metre by
+// a tape. For such errors the sum of the squares of four markers is χ² of two degrees of freedom: one in fifty lies beyond 8,
+// where the program snaps to the marker hardly any; of five it has four, and nobody careful comes to 40. Of two million drawn
+// layouts with a fault, those that passed all else had 9.5 and more, and 100.
+constexpr double carefulMarkPx = 1, carefulTapeM = 0.002, carefulTapeShare = 0.0005;
+constexpr double worstSumOfFour = 8, worstSumOfFive = 40;
 
 tl::unexpected<Error> refuse(std::string why, std::string advice)
 {
@@ -284,11 +286,11 @@ Result<void> measureMarkers(const std::vector<PointPair> &pairs, const FloorView
 /// floor together: where a marker's error is e in pixels and E in metres, a metre is e / E pixels long there.
 double carelessness(const std::vector<MarkerError> &markers, double layoutM)
 {
-    const double tapeM = fourTapeM + fourTapeShare * layoutM;
+    const double tapeM = carefulTapeM + carefulTapeShare * layoutM;
     double sum = 0;
     for (const MarkerError &marker : markers) {
         if (marker.errorPx > 0 && marker.errorM > 0)
-            sum += 1 / (std::pow(fourMarkPx / marker.errorPx, 2) + std::pow(tapeM / marker.errorM, 2));
+            sum += 1 / (std::pow(carefulMarkPx / marker.errorPx, 2) + std::pow(tapeM / marker.errorM, 2));
     }
     return sum;
 }
@@ -382,11 +384,12 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
         return refuse("the markers lie so nearly on one line" + flattestOf(*pairs) +
                           " that the floor is known only to ±" + millimetres(registration.floorSigmaM),
                       "spread the markers over the floor");
-    if (pairs->size() == 4 && carelessness(registration.markers, layoutM) > fourWorstSum)
-        return refuse("the four markers misfit by " + formatNumber(registration.rmsPx, 1) + " px (" +
-                          millimetres(registration.rmsM) +
+    const double most = pairs->size() == 4 ? worstSumOfFour : worstSumOfFive;
+    if (pairs->size() <= 5 && carelessness(registration.markers, layoutM) > most)
+        return refuse("the " + std::to_string(pairs->size()) + " markers misfit by " + formatNumber(registration.rmsPx, 1) +
+                          " px (" + millimetres(registration.rmsM) +
                           ") and check one another too little to tell which of them; it may be wrong by much more",
-                      "mark and measure them again, or add a fifth");
+                      "mark and measure them again, or add another");
     registration.verdict = verdictOf(registration, *pose, layoutM, intrinsicsKnown);
     registration.verdict += unitWords(registration, layoutM);
     return registration;

@@ -299,7 +299,7 @@ private Q_SLOTS:
         QVERIFY2(!refusedWith(layout, pixels, "check one another too little"), "three pixels may happen to anybody");
         pixels[3].pixel += Vector2d(4, 2);
         QVERIFY(refusedWith(layout, pixels, "check one another too little to tell which of them; it may be wrong by much more; mark and "
-                                            "measure them again, or add a fifth"));
+                                            "measure them again, or add another"));
         MarkerLayout five = layoutOf({{0, 0}, {2, 0}, {0, 1.5}, {2, 1.5}, {1.1, 0.4}});
         pixels = seenBy(bentCamera(), five);
         pixels[3].pixel += Vector2d(3, 1);
