@@ -66,7 +66,7 @@ public:
     virtual const CameraDescription &description() const = 0;
     /// Waits for the next picture. Errors: Unavailable when none came for half a second, with the cause as far as it is
     /// known: call again, the source takes its camera up anew as soon as it can, with its settings, and the time scale goes on;
-    /// Cancelled after stop(); Io where nothing more will come (a file has ended, a camera was exchanged for another).
+    /// Cancelled after stop(); Io where nothing more will come (a file has ended). Another camera in its place: Unavailable.
     virtual Result<CapturedFrame> next() = 0;
     virtual void stop() = 0;
 

@@ -124,15 +124,13 @@ Result<std::unique_ptr<AravisDevice>> AravisDevice::open(const AravisPlace &plac
 AravisDevice::AravisDevice(AravisPlace place, ArvPointer<ArvCamera> camera)
     : m_place(std::move(place)), m_camera(std::move(camera))
 {
-    // It is told in a thread of Aravis, in which nothing may be done with the camera.
-    const auto lost = +[](ArvDevice *, void *flag) { *static_cast<std::atomic<bool> *>(flag) = true; };
-    m_lostHandler =
-        g_signal_connect(arv_camera_get_device(m_camera.get()), "control-lost", G_CALLBACK(lost), &m_lost);
 }
 
-AravisDevice::~AravisDevice()
+// Aravis's signal control-lost is not listened to: while it is being emitted it holds the device, and where that is the
+// last hold its heartbeat thread destroys the device, waits for itself and aborts the program.
+bool AravisDevice::isLost() const
 {
-    g_signal_handler_disconnect(arv_camera_get_device(m_camera.get()), m_lostHandler);
+    return m_place.onNetwork && !arv_gv_device_is_controller(ARV_GV_DEVICE(arv_camera_get_device(m_camera.get())));
 }
 
 tl::unexpected<Error> AravisDevice::refused(const AravisAddress &wanted, const std::string &what,

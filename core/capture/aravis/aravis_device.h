@@ -6,7 +6,6 @@
 #include "core/capture/aravis/aravis_picture.h"
 #include "core/capture/camera_source.h"
 
-#include <atomic>
 
 namespace odo {
 
@@ -45,15 +44,14 @@ public:
     /// Opens it and sets it as wanted. Errors: Unavailable when it does not answer or another program has it;
     /// InvalidInput for what it cannot do.
     static Result<std::unique_ptr<AravisDevice>> open(const AravisPlace &place, const AravisAddress &wanted);
-    ~AravisDevice();
     AravisDevice(const AravisDevice &) = delete;
     AravisDevice &operator=(const AravisDevice &) = delete;
 
     ArvCamera *camera() const { return m_camera.get(); }
     const AravisPlace &place() const { return m_place; }
     const AravisMode &mode() const { return m_mode; }
-    /// Aravis has found that the camera is not ours any more, or not there.
-    bool isLost() const { return m_lost; }
+    /// Aravis has found that a camera on the network is not ours any more, or not there.
+    bool isLost() const;
 
     /// Reads the camera's clock, in nanoseconds, the quickest of some tries; nullopt where it cannot be
     /// asked.
@@ -78,8 +76,6 @@ private:
     AravisPlace m_place;
     ArvPointer<ArvCamera> m_camera;
     AravisMode m_mode;
-    std::atomic<bool> m_lost = false;
-    unsigned long m_lostHandler = 0;
     enum class Latch { None, Gige, Sfnc };
     Latch m_latch = Latch::None;
     std::int64_t m_ticksPerSecond = 0;

@@ -258,9 +258,9 @@ bool AravisWorker::stillStreams(AravisDevice &device, AravisStream &stream)
     if (silence < std::max(shortestSilence, usual))
         return true;
     if (!device.place().onNetwork) {
-        if (!device.isLost())
-            return silence < longestStall + usual;
-        tell("it is not there any more", "connect it again");
+        tell("it sends no pictures", "check its cable; it is taken up again by itself");
+        if (silence < longestStall + usual)
+            return true;
         stream.abandon();
         return false;
     }
