@@ -221,6 +221,7 @@ void RecordPage::hideEvent(QHideEvent *)
     m_retry.stop();
     m_timer.stop();
     m_cameras.stop();
+    showStart(); // nothing can be recorded by its key now
 }
 
 void RecordPage::startCameras()

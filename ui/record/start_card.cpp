@@ -49,7 +49,6 @@ StartCard::StartCard(QWidget *parent)
     setContent(content);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     m_action->setShortcut(QKeySequence(Qt::Key_F9));
-    m_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     connect(m_action, &QAction::triggered, this, &StartCard::pressed);
     connect(m_button, &QPushButton::clicked, this, &StartCard::pressed);
     setState({});
