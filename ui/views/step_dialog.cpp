@@ -38,6 +38,26 @@ StepDialog::StepDialog(const QString &windowTitle, const QString &lastButton, QW
     connect(m_next, &QPushButton::clicked, this, [this] { next(); });
     connect(m_back, &QPushButton::clicked, this, [this] { back(); });
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(&m_saving, &BackgroundTask::finished, this, [this](const std::optional<Error> &error) {
+        if (!isVisible()) // left meanwhile
+            return;
+        if (!error)
+            return accept();
+        showNotSaved(*error);
+        updateButtons();
+    });
+}
+
+void StepDialog::saveAndAccept(BackgroundTask::Work work)
+{
+    m_saving.start(std::move(work));
+    updateButtons();
+}
+
+void StepDialog::done(int result)
+{
+    m_saving.cancel();
+    QDialog::done(result);
 }
 
 void StepDialog::addStep(const QString &title, QWidget *page)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/models/background_task.h"
+
 #include <QDialog>
 #include <QStringList>
 
@@ -15,6 +17,9 @@ namespace odo {
 class StepDialog : public QDialog
 {
     Q_OBJECT
+public:
+    void done(int result) override;
+
 protected:
     /// lastButton: what Next is called on the last page.
     StepDialog(const QString &windowTitle, const QString &lastButton, QWidget *parent);
@@ -26,9 +31,14 @@ protected:
     /// Asks isComplete() again.
     void updateButtons();
 
+    /// Does the work on a thread of its own, then accepts; where it fails, showNotSaved() tells why and the dialog stays open.
+    void saveAndAccept(BackgroundTask::Work work);
+    bool isSaving() const { return m_saving.isRunning(); }
+
     virtual bool isComplete(int step) const = 0;
     virtual void next() = 0;
     virtual void back() { turnTo(step() - 1); }
+    virtual void showNotSaved(const Error &) {}
 
 private:
     const QString m_lastButton;
@@ -36,6 +46,7 @@ private:
     QLabel *m_title, *m_steps;
     QStackedWidget *m_pages;
     QPushButton *m_back, *m_next;
+    BackgroundTask m_saving;
 };
 
 } // namespace odo

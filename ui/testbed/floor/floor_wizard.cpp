@@ -32,14 +32,6 @@ FloorWizard::FloorWizard(std::vector<FloorCamera> cameras, const QString &curren
     connect(m_source, &FloorSourcePage::completeChanged, this, &FloorWizard::updateButtons);
     connect(m_markers, &MarkerPage::completeChanged, this, &FloorWizard::updateButtons);
     connect(&m_task, &BackgroundTask::finished, this, &FloorWizard::showPicture);
-    connect(&m_saving, &BackgroundTask::finished, this, [this](const std::optional<Error> &error) {
-        if (!isVisible()) // left meanwhile
-            return;
-        if (!error)
-            return accept();
-        m_markers->showNotStored(*error);
-        updateButtons();
-    });
     turnTo(SourcePage);
 }
 
@@ -49,13 +41,13 @@ QString FloorWizard::camera() const { return m_source->camera(); }
 
 bool FloorWizard::isComplete(int step) const
 {
-    return step == SourcePage ? m_source->isComplete() && !m_task.isRunning() : m_markers->registration().has_value() && !m_saving.isRunning();
+    return step == SourcePage ? m_source->isComplete() && !m_task.isRunning() : m_markers->registration().has_value() && !isSaving();
 }
 
 void FloorWizard::next()
 {
     if (step() == MarkersPage)
-        return save();
+        return saveAndAccept([keep = m_keep, name = camera(), frame = m_picture->frame](const JobControl &) { return keep(name, frame); });
     turnTo(MarkersPage);
     beginMarkers();
 }
@@ -66,12 +58,7 @@ void FloorWizard::back()
     turnTo(SourcePage);
 }
 
-/// Closes when the picture is kept, and stays open when it cannot be.
-void FloorWizard::save()
-{
-    m_saving.start([keep = m_keep, name = camera(), frame = m_picture->frame](const JobControl &) { return keep(name, frame); });
-    updateButtons();
-}
+void FloorWizard::showNotSaved(const Error &error) { m_markers->showNotSaved(error); }
 
 void FloorWizard::beginMarkers()
 {
@@ -114,7 +101,7 @@ RegistrationRecord FloorWizard::result() const
 void FloorWizard::done(int result)
 {
     m_task.cancel();
-    QDialog::done(result);
+    StepDialog::done(result);
 }
 
 } // namespace odo

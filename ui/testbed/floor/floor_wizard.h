@@ -36,9 +36,9 @@ protected:
     bool isComplete(int step) const override;
     void next() override;
     void back() override;
+    void showNotSaved(const Error &error) override;
 
 private:
-    void save();
     void beginMarkers();
     void showPicture(const std::optional<Error> &error);
 
@@ -48,7 +48,7 @@ private:
     MarkerPage *m_markers;
     std::shared_ptr<StillPicture> m_picture; ///< that is being got
     const KeepPicture m_keep;
-    BackgroundTask m_task, m_saving;
+    BackgroundTask m_task;
 };
 
 } // namespace odo

@@ -115,7 +115,7 @@ void MarkerPage::showFailure(const Error &error)
     m_advice->setText(QString::fromStdString(error.advice));
 }
 
-void MarkerPage::showNotStored(const Error &error)
+void MarkerPage::showNotSaved(const Error &error)
 {
     m_advice->setText(tr("The registration was not stored. %1").arg(QString::fromStdString(error.message())));
 }

@@ -28,7 +28,7 @@ public:
     void begin(std::shared_ptr<const StillPicture> picture, const MarkerLayout &layout, const std::optional<Intrinsics> &lens);
     void showFailure(const Error &error);
     /// What was found stands: it can be tried again.
-    void showNotStored(const Error &error);
+    void showNotSaved(const Error &error);
 
     /// What the markers say now; none where they do not determine it.
     const std::optional<FloorRegistration> &registration() const { return m_registration; }

@@ -186,7 +186,7 @@ void LensResultPage::showSaving()
     m_verdict->setText(tr("Storing the lens and its pictures…"));
 }
 
-void LensResultPage::showSavingFailed(const Error &error)
+void LensResultPage::showNotSaved(const Error &error)
 {
     m_verdict->setText(tr("The lens was not stored. %1").arg(QString::fromStdString(error.message())));
 }

@@ -32,7 +32,7 @@ public:
     void cancel() { m_solver.cancel(); }
     /// While the lens is being stored, and when that failed: it still stands here.
     void showSaving();
-    void showSavingFailed(const Error &error);
+    void showNotSaved(const Error &error);
     /// The lens that stands there; none while it is being solved, or where it could not.
     const std::optional<IntrinsicCalibration> &calibration() const { return m_calibration; }
     const std::vector<KeptPicture> &pictures() const { return m_pictures.kept; }

@@ -25,14 +25,6 @@ LensWizard::LensWizard(const QStringList &cameras, const QString &current, const
     connect(m_result, &LensResultPage::completeChanged, this, &LensWizard::updateButtons);
     connect(&m_search, &BoardSearch::changed, this, &LensWizard::updateButtons);
     connect(m_pictures, &LensPicturesPage::filesDropped, &m_search, &BoardSearch::addFiles);
-    connect(&m_saving, &BackgroundTask::finished, this, [this](const std::optional<Error> &error) {
-        if (!isVisible()) // left meanwhile
-            return;
-        if (!error)
-            return accept();
-        m_result->showSavingFailed(*error);
-        updateButtons();
-    });
     turnTo(Source);
 }
 
@@ -46,7 +38,7 @@ bool LensWizard::isComplete(int step) const
     case Pictures:
         return int(m_search.state().kept.size()) >= fewestPictures && m_search.state().waiting == 0;
     default:
-        return m_result->calibration().has_value() && !m_saving.isRunning();
+        return m_result->calibration().has_value() && !isSaving();
     }
 }
 
@@ -83,8 +75,7 @@ void LensWizard::next()
 void LensWizard::save()
 {
     m_result->showSaving();
-    m_saving.start([lens = result(), keep = m_callbacks.keepPictures](const JobControl &control) { return keep(lens, control); });
-    updateButtons();
+    saveAndAccept([lens = result(), keep = m_callbacks.keepPictures](const JobControl &control) { return keep(lens, control); });
 }
 
 void LensWizard::back()
@@ -98,12 +89,13 @@ void LensWizard::back()
     turnTo(Source);
 }
 
+void LensWizard::showNotSaved(const Error &error) { m_result->showNotSaved(error); }
+
 void LensWizard::done(int result)
 {
     m_search.stop();
     m_result->cancel();
-    m_saving.cancel();
-    QDialog::done(result);
+    StepDialog::done(result);
 }
 
 MeasuredLens LensWizard::result() const

@@ -3,7 +3,6 @@
 
 #include "core/capture/camera_source.h"
 #include "core/workflow/calibration_media.h"
-#include "ui/models/background_task.h"
 #include "ui/testbed/lens/board_search.h"
 #include "ui/testbed/lens/lens_solver.h"
 #include "ui/views/step_dialog.h"
@@ -56,6 +55,7 @@ protected:
     bool isComplete(int step) const override;
     void next() override;
     void back() override;
+    void showNotSaved(const Error &error) override;
 
 private:
     enum Page { Source, Pictures, Result_ };
@@ -68,7 +68,6 @@ private:
     LensSourcePage *m_source;
     LensPicturesPage *m_pictures;
     LensResultPage *m_result;
-    BackgroundTask m_saving;
 };
 
 } // namespace odo

@@ -139,7 +139,7 @@ void SharedPointsPage::showFailure(const Error &error)
     m_advice->setText(QString::fromStdString(error.advice));
 }
 
-void SharedPointsPage::showNotStored(const Error &error)
+void SharedPointsPage::showNotSaved(const Error &error)
 {
     m_advice->setText(tr("The registration was not stored. %1").arg(QString::fromStdString(error.message())));
 }

@@ -37,7 +37,7 @@ public:
     void wait(const QString &words);
     void showFailure(const Error &error);
     /// What was found stands: it can be tried again.
-    void showNotStored(const Error &error);
+    void showNotSaved(const Error &error);
     void begin(std::shared_ptr<const PicturePair> pictures, const FloorCamera &camera, const CheckCamera &through);
 
     MarkerCanvas &canvas() { return *m_canvas; }

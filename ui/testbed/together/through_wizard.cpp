@@ -27,14 +27,6 @@ ThroughWizard::ThroughWizard(const std::vector<FloorCamera> &cameras, const QStr
             m_page->begin(m_pictures, m_source->camera(), m_source->through());
         updateButtons();
     });
-    connect(&m_saving, &BackgroundTask::finished, this, [this](const std::optional<Error> &error) {
-        if (!isVisible()) // left meanwhile
-            return;
-        if (!error)
-            return accept();
-        m_page->showNotStored(*error);
-        updateButtons();
-    });
     turnTo(SourcePage);
 }
 
@@ -42,13 +34,13 @@ ThroughWizard::~ThroughWizard() = default;
 
 bool ThroughWizard::isComplete(int step) const
 {
-    return step == SourcePage ? m_source->isComplete() && !m_task.isRunning() : m_page->registration().has_value() && !m_saving.isRunning();
+    return step == SourcePage ? m_source->isComplete() && !m_task.isRunning() : m_page->registration().has_value() && !isSaving();
 }
 
 void ThroughWizard::next()
 {
     if (step() == PointsPage)
-        return save();
+        return saveAndAccept([keep = m_keep, name = camera(), frame = m_pictures->camera.frame](const JobControl &) { return keep(name, frame); });
     turnTo(PointsPage);
     takePictures();
 }
@@ -59,12 +51,7 @@ void ThroughWizard::back()
     turnTo(SourcePage);
 }
 
-/// Closes when the picture is kept, and stays open when it cannot be.
-void ThroughWizard::save()
-{
-    m_saving.start([keep = m_keep, name = camera(), frame = m_pictures->camera.frame](const JobControl &) { return keep(name, frame); });
-    updateButtons();
-}
+void ThroughWizard::showNotSaved(const Error &error) { m_page->showNotSaved(error); }
 
 void ThroughWizard::takePictures()
 {

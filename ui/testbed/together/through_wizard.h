@@ -32,16 +32,16 @@ protected:
     bool isComplete(int step) const override;
     void next() override;
     void back() override;
+    void showNotSaved(const Error &error) override;
 
 private:
-    void save();
     void takePictures();
 
     ThroughSourcePage *m_source;
     SharedPointsPage *m_page;
     std::shared_ptr<PicturePair> m_pictures; ///< that are being got
     const KeepPicture m_keep;
-    BackgroundTask m_task, m_saving;
+    BackgroundTask m_task;
 };
 
 } // namespace odo
