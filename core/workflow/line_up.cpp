@@ -9,6 +9,26 @@
 
 namespace odo {
 
+Result<TrialRecord> trialOf(Project &project, const NextRun &run)
+{
+    TrialRecord trial;
+    trial.name = run.trial;
+    trial.task = run.task;
+    if (!run.team.empty()) {
+        const auto team = project.teams().find(run.team);
+        if (!team)
+            return tl::unexpected(team.error());
+        trial.team = team->id;
+    }
+    for (const std::string &name : run.robots) {
+        const auto robot = project.robots().find(name);
+        if (!robot)
+            return tl::unexpected(robot.error());
+        trial.robots.push_back(robot->id);
+    }
+    return trial;
+}
+
 Result<LineUp> LineUp::read(Project &project)
 {
     auto teams = project.teams().all();

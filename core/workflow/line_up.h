@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/project/records.h"
 
 #include <optional>
@@ -14,11 +15,13 @@ class Project;
 /// What is to be recorded next: who drives, what, and what the trial will be called.
 struct NextRun
 {
-    std::string className, team; ///< either may be empty
-    std::string task;            ///< empty: none
-    std::vector<std::string> robots;
-    std::string trial; ///< free in the project
+    std::string className = {}, team = {}; ///< either may be empty
+    std::string task = {};                 ///< empty: none
+    std::vector<std::string> robots = {};
+    std::string trial = {}; ///< free in the project
 };
+/// A new trial of that name, team, task and robots. Project's thread. Errors: NotFound.
+Result<TrialRecord> trialOf(Project &project, const NextRun &run);
 
 /// The teams of a project in the order in which they come up, and what each drove last. A value, read at
 /// once; any thread.

@@ -109,14 +109,22 @@ Result<void> LiveTrial::append(Project &project)
     return store(project);
 }
 
+/// Within a transaction.
+Result<void> LiveTrial::appendPending(Project &project) const
+{
+    for (const View &view : m_views) {
+        if (auto appended = project.trials().appendRawTimes(view.record.id, view.pending); !appended)
+            return appended;
+    }
+    return {};
+}
+
 /// What is pending, in one transaction.
 Result<void> LiveTrial::store(Project &project)
 {
     const auto stored = project.inTransaction([&]() -> Result<void> {
-        for (const View &view : m_views) {
-            if (auto appended = project.trials().appendRawTimes(view.record.id, view.pending); !appended)
-                return appended;
-        }
+        if (auto appended = appendPending(project); !appended)
+            return appended;
         return project.trials().setDuration(m_trial.id,
                                             toSeconds(m_views.front().last - m_views.front().first));
     });
@@ -176,10 +184,8 @@ Result<void> LiveTrial::commit(Project &project)
                             : "check that they are connected and not used by another program");
     }
     const auto completed = project.inTransaction([&]() -> Result<void> {
-        for (const View &view : m_views) {
-            if (auto appended = project.trials().appendRawTimes(view.record.id, view.pending); !appended)
-                return appended;
-        }
+        if (auto appended = appendPending(project); !appended)
+            return appended;
         describeTrial(m_trial, m_recordings);
         return project.trials().complete(m_trial, m_recordings);
     });

@@ -64,6 +64,7 @@ private:
     }
     Result<void> addTo(Project &project, const std::vector<std::string> &cameras);
     Result<void> store(Project &project);
+    Result<void> appendPending(Project &project) const;
     void warnOf(const ViewRecording &view, const std::string &camera);
 
     CaptureSession &m_session;

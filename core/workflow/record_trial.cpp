@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/line_up.h"
 
 #include <algorithm>
 #include <chrono>
@@ -44,19 +45,6 @@ Result<void> checkSettings(Project &project, const RecordSettings &settings)
                         "give each view its own camera");
     }
     return {};
-}
-
-Result<TrialRecord> newTrial(Project &project, const RecordSettings &settings)
-{
-    TrialRecord trial;
-    trial.name = settings.trial;
-    for (const std::string &name : settings.robots) {
-        const auto robot = project.robots().find(name);
-        if (!robot)
-            return tl::unexpected(robot.error());
-        trial.robots.push_back(robot->id);
-    }
-    return trial;
 }
 
 Result<std::vector<std::unique_ptr<CameraSource>>> openCameras(const RecordSettings &settings)
@@ -125,7 +113,7 @@ Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSet
 {
     if (auto checked = checkSettings(project, settings); !checked)
         return tl::unexpected(checked.error());
-    auto trial = newTrial(project, settings);
+    auto trial = trialOf(project, {.robots = settings.robots, .trial = settings.trial});
     if (!trial)
         return tl::unexpected(trial.error());
     auto cameras = openCameras(settings);

@@ -2,7 +2,6 @@
 #include "ui/record/run_recorder.h"
 
 #include "core/project/project.h"
-#include "core/project/repositories.h"
 
 #include <QMetaObject>
 
@@ -28,31 +27,11 @@ RunRecorder::~RunRecorder()
     complete(m_ended);
 }
 
-Result<TrialRecord> RunRecorder::trialOf(const NextRun &run) const
-{
-    TrialRecord trial;
-    trial.name = run.trial;
-    trial.task = run.task;
-    if (!run.team.empty()) {
-        const auto team = m_project.teams().find(run.team);
-        if (!team)
-            return tl::unexpected(team.error());
-        trial.team = team->id;
-    }
-    for (const std::string &name : run.robots) {
-        const auto robot = m_project.robots().find(name);
-        if (!robot)
-            return tl::unexpected(robot.error());
-        trial.robots.push_back(robot->id);
-    }
-    return trial;
-}
-
 Result<void> RunRecorder::begin(const NextRun &run, const std::vector<std::string> &cameras,
                                 std::shared_ptr<CaptureSession> session, Nanoseconds preRoll)
 {
     Q_ASSERT(!m_trial && session);
-    auto record = trialOf(run);
+    auto record = trialOf(m_project, run);
     if (!record)
         return tl::unexpected(record.error());
     auto trial = LiveTrial::begin(m_project, std::move(*record), cameras, *session, preRoll);

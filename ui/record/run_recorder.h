@@ -41,7 +41,6 @@ Q_SIGNALS:
     void failed(const odo::Error &error);
 
 private:
-    Result<TrialRecord> trialOf(const NextRun &run) const;
     void append();
     void complete(const Result<void> &ended);
 
