@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/moved_job.h"
 
-#include "core/capture/camera_source.h"
+#include "core/capture/settled_picture.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/picture_source.h"
@@ -54,16 +54,13 @@ Result<void> MovedJob::prepare(Project &project)
     return {};
 }
 
-Result<Frame> MovedJob::picture() const
+Result<Frame> MovedJob::picture(const JobControl &control) const
 {
     if (!m_settings.liveUri.empty()) {
         auto camera = openCamera(m_settings.liveUri);
         if (!camera)
             return tl::unexpected(camera.error());
-        auto captured = (*camera)->next();
-        if (!captured)
-            return tl::unexpected(captured.error());
-        return std::move(captured->frame);
+        return settledPicture(**camera, control);
     }
     std::optional<Frame> first;
     const auto visited = visitPictures(m_settings.pictureFile, 1, [&](const Frame &frame, const std::string &) {
@@ -80,7 +77,7 @@ Result<Frame> MovedJob::picture() const
 Result<void> MovedJob::run(const JobControl &control)
 {
     control.report(0, "looking for the markers again");
-    const auto frame = picture();
+    const auto frame = picture(control);
     if (!frame)
         return tl::unexpected(frame.error());
     const std::string name = "camera '" + m_settings.camera + "'";

@@ -32,7 +32,7 @@ public:
     const MovedCheck &check() const { return m_check; } ///< after run
 
 private:
-    Result<Frame> picture() const;
+    Result<Frame> picture(const JobControl &control) const;
 
     MovedSettings m_settings;
     RecordId m_registration = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/aravis_address.h"
 
+#include "core/capture/camera_uri.h"
+
 #include <cmath>
 
 namespace odo {
@@ -84,29 +86,19 @@ bool isAravisAddress(const std::string &uri)
 
 Result<AravisAddress> parseAravisAddress(const std::string &uri)
 {
-    const std::string_view all = std::string_view(uri).substr(scheme.size());
-    const std::size_t question = all.find('?');
+    CameraUri split = splitCameraUri(uri, scheme);
     AravisAddress address;
     address.uri = uri;
-    address.place = std::string(all.substr(0, question));
+    address.place = std::move(split.place);
     if (address.place.empty())
         return fail(ErrorCode::InvalidInput, "camera " + uri,
                     "it says neither an address nor a serial number",
                     "give one as aravis:192.168.1.20 or aravis:SERIAL; odograph cameras lists them");
-    std::string_view rest =
-        question == std::string_view::npos ? std::string_view() : all.substr(question + 1);
-    while (!rest.empty()) {
-        const std::string_view part = rest.substr(0, rest.find('&'));
-        rest.remove_prefix(std::min(rest.size(), part.size() + 1));
-        const std::size_t equals = part.find('=');
-        if (equals == std::string_view::npos ||
-            !setWish(address, part.substr(0, equals), part.substr(equals + 1))) {
-            std::string why = "'";
-            why.append(part).append("' is not understood");
-            return fail(ErrorCode::InvalidInput, "camera " + uri, why,
+    for (const CameraWish &wish : split.wishes) {
+        if (!setWish(address, wish.name, wish.value))
+            return fail(ErrorCode::InvalidInput, "camera " + uri, "'" + wish.text + "' is not understood",
                         "take rate, exposure_ms, gain, format, size, trigger=software, packet_size or "
                         "packet_delay_us, as in ?rate=30&size=640x480");
-        }
     }
     return address;
 }

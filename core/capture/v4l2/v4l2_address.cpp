@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/v4l2_address.h"
 
+#include "core/capture/camera_uri.h"
+
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -49,19 +51,15 @@ bool readFormat(std::string_view value, V4l2Request &request)
     return true;
 }
 
-bool readPart(std::string_view part, V4l2Request &request)
+bool readWish(const CameraWish &wish, V4l2Request &request)
 {
-    const std::size_t equals = part.find('=');
-    if (equals == std::string_view::npos)
+    if (wish.name == "size")
+        return readSize(wish.value, request);
+    if (wish.name == "format")
+        return readFormat(wish.value, request);
+    if (wish.name != "rate")
         return false;
-    const std::string_view key = part.substr(0, equals), value = part.substr(equals + 1);
-    if (key == "size")
-        return readSize(value, request);
-    if (key == "format")
-        return readFormat(value, request);
-    if (key != "rate")
-        return false;
-    request.framesPerSecond = numberIn<double>(value);
+    request.framesPerSecond = numberIn<double>(wish.value);
     return request.framesPerSecond && std::isfinite(*request.framesPerSecond);
 }
 
@@ -74,19 +72,13 @@ bool isV4l2Address(const std::string &uri)
 
 Result<V4l2Address> parseV4l2Address(const std::string &uri)
 {
-    const std::string_view all = std::string_view(uri).substr(scheme.size());
-    const std::size_t question = all.find('?');
-    V4l2Address address{uri, std::string(all.substr(0, question)), {}};
+    CameraUri split = splitCameraUri(uri, scheme);
+    V4l2Address address{uri, std::move(split.place), {}};
     if (address.place.empty())
         return notUnderstood(uri, uri);
-    if (question == std::string_view::npos)
-        return address;
-    for (std::string_view rest = all.substr(question + 1); !rest.empty();) {
-        const std::size_t ampersand = rest.find('&');
-        const std::string_view part = rest.substr(0, ampersand);
-        if (!readPart(part, address.request))
-            return notUnderstood(uri, part);
-        rest = ampersand == std::string_view::npos ? std::string_view() : rest.substr(ampersand + 1);
+    for (const CameraWish &wish : split.wishes) {
+        if (!readWish(wish, address.request))
+            return notUnderstood(uri, wish.text);
     }
     return address;
 }

@@ -2,9 +2,9 @@
 #include "core/capture/v4l2/v4l2_description.h"
 
 #include "core/capture/v4l2/v4l2_source.h"
+#include "core/capture/v4l2/v4l2_sysfs.h"
 
 #include <algorithm>
-#include <fstream>
 
 namespace odo {
 
@@ -32,30 +32,21 @@ std::vector<std::string> formatsOf(const std::vector<V4l2Mode> &modes)
     return words;
 }
 
-std::string firstLine(const std::filesystem::path &file)
-{
-    std::ifstream stream(file);
-    std::string line;
-    std::getline(stream, line);
-    return line;
-}
-
 /// Cameras that may not be opened. Only the first node of a camera is named: whether another one gives
 /// pictures cannot be asked.
 std::vector<CameraDescription> forbiddenCameras()
 {
     std::vector<CameraDescription> cameras;
-    std::error_code ignored; // without cameras there is no such folder
-    for (const auto &entry : std::filesystem::directory_iterator("/sys/class/video4linux", ignored)) {
-        const std::string node = "/dev/" + entry.path().filename().string(), uri = scheme + node;
-        if (!entry.path().filename().string().starts_with("video") ||
-            firstLine(entry.path() / "index") != "0")
+    for (const int number : v4l2Sysfs::nodeNumbers()) {
+        const std::filesystem::path node = v4l2Sysfs::nodeOf(number);
+        const std::string uri = scheme + node.string();
+        if (v4l2Sysfs::indexOf(node) != "0")
             continue;
         const auto device = V4l2Device::open(node, uri);
         if (!device && device.error().code == ErrorCode::Io)
             cameras.push_back({.uri = uri,
                                .kind = kind,
-                               .name = firstLine(entry.path() / "name"),
+                               .name = v4l2Sysfs::nameOf(node),
                                .formats = {device.error().why + "; " + device.error().advice}});
     }
     return cameras;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/v4l2_device.h"
 
+#include "core/capture/v4l2/v4l2_sysfs.h"
+
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <fcntl.h>
-#include <fstream>
 #include <linux/videodev2.h>
 #include <sys/ioctl.h>
 #include <system_error>
@@ -15,37 +15,11 @@ namespace odo {
 
 namespace {
 
-constexpr const char *classFolder = "/sys/class/video4linux", *nodePrefix = "video";
-
 template <std::size_t size>
 std::string textOf(const __u8 (&bytes)[size])
 {
     const auto end = std::find(std::begin(bytes), std::end(bytes), 0);
     return {std::begin(bytes), end};
-}
-
-/// The USB device is the parent of the interface that the node belongs to.
-std::string serialOf(const std::filesystem::path &node)
-{
-    std::ifstream file(std::filesystem::path(classFolder) / node.filename() / "device" / ".." / "serial");
-    std::string serial;
-    std::getline(file, serial);
-    return serial;
-}
-
-std::vector<int> nodeNumbers()
-{
-    std::vector<int> numbers;
-    std::error_code ignored; // without cameras there is no such folder
-    for (const auto &entry : std::filesystem::directory_iterator(classFolder, ignored)) {
-        const std::string name = entry.path().filename().string();
-        int number = 0;
-        const char *digits = name.data() + std::string(nodePrefix).size(), *end = name.data() + name.size();
-        if (name.starts_with(nodePrefix) && std::from_chars(digits, end, number).ptr == end)
-            numbers.push_back(number);
-    }
-    std::ranges::sort(numbers);
-    return numbers;
 }
 
 } // namespace
@@ -95,7 +69,7 @@ Result<std::shared_ptr<V4l2Device>> V4l2Device::open(const std::filesystem::path
         return fail(ErrorCode::InvalidInput, "camera " + uri, node.string() + " gives no pictures",
                     "choose one of those that odograph cameras lists");
     device->m_identity = {textOf(capability.driver), textOf(capability.card), textOf(capability.bus_info),
-                          serialOf(node)};
+                          v4l2Sysfs::serialOf(node)};
     return device;
 }
 
@@ -125,9 +99,9 @@ bool V4l2Device::isBusy() const
 std::vector<std::shared_ptr<V4l2Device>> openV4l2Devices()
 {
     std::vector<std::shared_ptr<V4l2Device>> devices;
-    for (const int number : nodeNumbers()) {
-        const std::string node = "/dev/video" + std::to_string(number);
-        if (auto device = V4l2Device::open(node, node))
+    for (const int number : v4l2Sysfs::nodeNumbers()) {
+        const std::filesystem::path node = v4l2Sysfs::nodeOf(number);
+        if (auto device = V4l2Device::open(node, node.string()))
             devices.push_back(std::move(*device));
     }
     return devices;

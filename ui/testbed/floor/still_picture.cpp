@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/floor/still_picture.h"
 
-#include "core/capture/camera_source.h"
+#include "core/capture/settled_picture.h"
 #include "core/video/picture.h"
 #include "core/workflow/picture_source.h"
 #include "ui/views/path_field.h"
@@ -11,8 +11,6 @@ namespace odo {
 namespace {
 
 constexpr int videoStep = 15, mostPictures = 8;
-constexpr double settlingS = 0.5;  // a webcam's first pictures are dark: its exposure is being found
-constexpr int mostRefusals = 6;    // of half a second each: then the camera will not come
 
 Result<void> lookIn(const Frame &frame, const MarkerLayout &layout, const std::optional<Intrinsics> &lens, StillPicture &best)
 {
@@ -36,26 +34,6 @@ Result<void> lookIn(const Frame &frame, const MarkerLayout &layout, const std::o
     best.markers = markers.value_or(std::vector<MarkerPixel>());
     best.notFound = markers ? std::nullopt : std::optional<Error>(markers.error());
     return {};
-}
-
-/// The first picture after the camera has settled.
-Result<Frame> settledPicture(CameraSource &camera, const JobControl &control)
-{
-    int refusals = 0;
-    std::optional<Nanoseconds> first;
-    for (;;) {
-        auto captured = camera.next();
-        if (control.isCancelled())
-            return cancelled("the picture");
-        if (!captured && (captured.error().code != ErrorCode::Unavailable || ++refusals == mostRefusals))
-            return tl::unexpected(captured.error());
-        if (!captured)
-            continue;
-        if (!first)
-            first = captured->frame.time;
-        if (toSeconds(captured->frame.time - *first) >= settlingS)
-            return std::move(captured->frame);
-    }
 }
 
 Result<StillPicture> fromCamera(const std::string &uri, const MarkerLayout &layout, const std::optional<Intrinsics> &lens,

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/settled_picture.h"
+
+#include "tests/capture/played_camera.h"
+
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+namespace {
+
+const Error notThere{ErrorCode::Unavailable, "camera play:", "it is there but sends no pictures",
+                     "look at its cable"};
+
+} // namespace
+
+class TestSettledPicture : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void isTheFirstAfterHalfASecond()
+    {
+        const auto script = std::make_shared<Script>();
+        script->error(notThere); // it comes only now
+        script->pictures(30);
+        PlayedCamera camera(script, {});
+        const auto picture = settledPicture(camera, {});
+        QVERIFY(picture);
+        QCOMPARE(picture->time, 16 * PlayedCamera::interval); // 15 are 0.495 s
+    }
+
+    void aCameraThatWillNotComeIsGivenUp()
+    {
+        const auto script = std::make_shared<Script>();
+        for (int i = 0; i < 6; ++i)
+            script->error(notThere);
+        PlayedCamera camera(script, {});
+        const auto picture = settledPicture(camera, {});
+        QVERIFY(!picture);
+        QCOMPARE(picture.error().message(), notThere.message());
+    }
+
+    void isCancelled()
+    {
+        const auto script = std::make_shared<Script>();
+        script->pictures(1);
+        PlayedCamera camera(script, {});
+        JobControl control;
+        control.cancel.cancel();
+        const auto picture = settledPicture(camera, control);
+        QVERIFY(!picture);
+        QCOMPARE(picture.error().code, ErrorCode::Cancelled);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSettledPicture)
+#include "tst_settled_picture.moc"
