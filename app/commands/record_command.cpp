@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "core/base/percentile.h"
 #include "core/workflow/record_trial.h"
 
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/capture_health.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -20,16 +19,6 @@ std::string text(const char *format, Values... values)
 }
 
 } // namespace
-
-double percentile(std::vector<double> values, double percent)
-{
-    if (values.empty())
-        return 0;
-    const auto at =
-        static_cast<std::ptrdiff_t>(std::lround(percent / 100 * static_cast<double>(values.size() - 1)));
-    std::nth_element(values.begin(), values.begin() + at, values.end());
-    return values[static_cast<std::size_t>(at)];
-}
 
 std::string healthWords(const ViewHealth &view)
 {

@@ -71,9 +71,6 @@ struct CaptureHealth
     DiskHealth disk;
 };
 
-/// The value below which so many of a hundred lie; 0 of none.
-double percentile(std::vector<double> values, double percent);
-
 /// "30.0 frames/s, none lost", or what is the matter.
 std::string healthWords(const ViewHealth &view);
 /// "in step to 1.2 ms; at 2 m/s that is 2.4 mm"; 95 % of the pairs are within it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/capture_session.h"
 
+#include "core/base/steady_now.h"
 #include "core/capture/frame_pairing.h"
 #include "core/capture/view_capture.h"
 
@@ -77,7 +78,7 @@ std::shared_ptr<SetFeed> CaptureSession::subscribeSets(std::size_t capacity)
 
 CaptureHealth CaptureSession::health() const
 {
-    const Nanoseconds now = std::chrono::steady_clock::now().time_since_epoch();
+    const Nanoseconds now = steadyNow();
     CaptureHealth health;
     for (const auto &view : m_views)
         health.views.push_back(view->health(now));

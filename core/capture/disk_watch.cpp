@@ -14,14 +14,14 @@ std::optional<DiskRoom> diskRoomOf(const std::filesystem::path &folder)
     return DiskRoom{space.available, space.capacity};
 }
 
-std::uint64_t DiskWatch::reserved(const DiskRoom &room) const
+std::uint64_t DiskWatch::reserved(const DiskRoom &disk) const
 {
-    return std::min(mostReserved, room.size / 20);
+    return std::min(mostReserved, disk.size / 20);
 }
 
-std::uint64_t DiskWatch::left(const DiskRoom &room) const
+std::uint64_t DiskWatch::left(const DiskRoom &disk) const
 {
-    return room.free - std::min(room.free, reserved(room));
+    return disk.free - std::min(disk.free, reserved(disk));
 }
 
 } // namespace odo

@@ -27,8 +27,8 @@ struct DiskWatch
     std::function<std::optional<DiskRoom>(const std::filesystem::path &folder)> room = diskRoomOf;
 
     /// Bytes that a recording may still take.
-    std::uint64_t left(const DiskRoom &room) const;
-    std::uint64_t reserved(const DiskRoom &room) const;
+    std::uint64_t left(const DiskRoom &disk) const;
+    std::uint64_t reserved(const DiskRoom &disk) const;
 };
 
 } // namespace odo

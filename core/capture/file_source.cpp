@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/file_source.h"
 
+#include "core/base/steady_now.h"
 #include "core/video/video_reader.h"
 
 namespace odo {
@@ -26,7 +27,7 @@ public:
             return fail(ErrorCode::Io, m_description.uri, "the video has ended", "open it again to see it from the start");
         if (!m_pace.waitUntil((*frame)->time))
             return cancelled(m_description.uri);
-        CapturedFrame captured{std::move(**frame), 0, std::chrono::steady_clock::now().time_since_epoch()};
+        CapturedFrame captured{std::move(**frame), 0, steadyNow()};
         captured.sequence = static_cast<std::uint64_t>(captured.frame.index);
         return captured;
     }

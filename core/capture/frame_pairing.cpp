@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/frame_pairing.h"
 
+#include "core/base/percentile.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/simulated_source.h"
 
+#include "core/base/steady_now.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +33,7 @@ public:
         const double lateS = toSeconds(m_pace.lateness(fromSeconds(timeS)));
         m_sequence += static_cast<std::uint64_t>(std::max(0.0, lateS) * m_description.framesPerSecond);
         timeS = timeOf(m_sequence);
-        CapturedFrame captured{paint(timeS), m_sequence++, std::chrono::steady_clock::now().time_since_epoch()};
+        CapturedFrame captured{paint(timeS), m_sequence++, steadyNow()};
         captured.frame.index = static_cast<std::int64_t>(captured.sequence);
         captured.frame.time = fromSeconds(timeS);
         return captured;

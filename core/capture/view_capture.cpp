@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/view_capture.h"
 
+#include "core/base/percentile.h"
+#include "core/base/steady_now.h"
 #include "core/video/jpeg_encoder.h"
 
 #include <algorithm>
@@ -17,11 +19,6 @@ constexpr std::size_t mostUncoded = 32; // a second at 30 frames/s; at 1280×720
 constexpr std::size_t mostKeptBytes = 64 << 20;
 constexpr Nanoseconds rateOver = 2s, longestSilence = 1s, longestStart = 3s;
 constexpr double framesMissed = 5;
-
-Nanoseconds steadyNow()
-{
-    return std::chrono::steady_clock::now().time_since_epoch();
-}
 
 } // namespace
 

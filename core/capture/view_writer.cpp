@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/view_writer.h"
 
+#include "core/base/steady_now.h"
 #include "core/capture/recorded_clock.h"
 #include "core/video/recording_writer.h"
 #include "core/video/video_reader.h"
@@ -21,11 +22,6 @@ constexpr Nanoseconds slowFrom = 1s;
 constexpr auto checkEach = 1s;
 constexpr double rateKnownFromS = 1;
 constexpr double megabyte = 1e6;
-
-Nanoseconds steadyNow()
-{
-    return std::chrono::steady_clock::now().time_since_epoch();
-}
 
 } // namespace
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/live_tracking.h"
 
+#include "core/base/percentile.h"
+#include "core/base/steady_now.h"
 #include "core/tracking/colour_tracker.h"
 #include "core/workflow/view_tracking.h"
 
@@ -14,21 +16,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Nanoseconds keptBeforeARun = 10s, latencyWindow = 10s;
-
-Nanoseconds now()
-{
-    return std::chrono::steady_clock::now().time_since_epoch();
-}
-
-double share(std::vector<double> values, double part)
-{
-    if (values.empty())
-        return 0;
-    const auto at =
-        values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1) + 0.5);
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
 
 /// Registered at another picture size, it would be placed wrongly in silence.
 bool fits(const LiveView &view, const FrameFormat &format)
@@ -127,7 +114,7 @@ void LiveTracker::place(LiveSight sight)
         auto position = m_tracks[r].add(sight.view, sight.observations[r]);
         if (!position)
             continue;
-        const Nanoseconds known = now();
+        const Nanoseconds known = steadyNow();
         const double latencyS = toSeconds(known - position->sample.time);
         const LiveMoment moment{r, std::move(*position), latencyS};
         if (moment.position.sample.position)
@@ -161,8 +148,8 @@ LiveFigures LiveTracker::figures() const
     std::vector<double> latencies;
     for (const auto &[when, latencyS] : m_latencies)
         latencies.push_back(latencyS);
-    figures.latencyMedianS = share(latencies, 0.5);
-    figures.latencyP99S = share(std::move(latencies), 0.99);
+    figures.latencyMedianS = percentile(latencies, 50);
+    figures.latencyP99S = percentile(std::move(latencies), 99);
     return figures;
 }
 

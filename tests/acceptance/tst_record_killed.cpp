@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings that are killed at random moments: the project opens, what was recorded plays, and no more than
 // the last second is missing. ODOGRAPH_KILLS says how many; 20 without it.
+#include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
@@ -118,7 +119,7 @@ Kill TestRecordKilled::recordAndKill(const QString &project, const QString &tria
     QThread::msleep(
         static_cast<unsigned long>(moment.milliseconds)); // the moment of the kill is what is tested
     const Kill now{std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now()),
-                   std::chrono::steady_clock::now().time_since_epoch()};
+                   steadyNow()};
     program.kill();
     program.waitForFinished();
     if (program.exitStatus() != QProcess::CrashExit)

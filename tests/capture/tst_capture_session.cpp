@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/steady_now.h"
 #include "core/capture/capture_session.h"
 #include "core/video/video_reader.h"
 #include "tests/capture/played_camera.h"
@@ -29,7 +30,7 @@ struct TwoCameras
     explicit TwoCameras(Nanoseconds preRoll = 0s, Nanoseconds ago = 20s, PlayedCamera::Kind first = {},
                         DiskWatch disk = {})
     {
-        first.beginning = std::chrono::steady_clock::now().time_since_epoch() - ago;
+        first.beginning = steadyNow() - ago;
         std::vector<std::unique_ptr<CameraSource>> cameras;
         cameras.push_back(std::make_unique<PlayedCamera>(a, first));
         cameras.push_back(std::make_unique<PlayedCamera>(

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
@@ -24,7 +25,7 @@ struct Sitting
     Sitting()
         : project(std::move(*Project::create(folder.filePath(QStringLiteral("p.odo")).toStdString(), "Live")))
     {
-        const Nanoseconds beginning = std::chrono::steady_clock::now().time_since_epoch();
+        const Nanoseconds beginning = steadyNow();
         std::vector<std::unique_ptr<CameraSource>> cameras;
         cameras.push_back(std::make_unique<PlayedCamera>(a, PlayedCamera::Kind{.beginning = beginning}));
         cameras.push_back(std::make_unique<PlayedCamera>(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/timeline.h"
 
+#include "core/base/steady_now.h"
+
 #include <QAction>
 #include <algorithm>
 #include <cmath>
@@ -8,11 +10,6 @@
 namespace odo {
 
 namespace {
-
-Nanoseconds steadyNow()
-{
-    return std::chrono::duration_cast<Nanoseconds>(std::chrono::steady_clock::now().time_since_epoch());
-}
 
 Nanoseconds scaled(Nanoseconds time, double factor)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/record_page.h"
 
+#include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/record/camera_choice_dialog.h"
@@ -30,11 +31,6 @@ namespace {
 constexpr int tickMs = 50, healthEachTicks = 10, retryMs = 3000;
 constexpr int columnWidth = 320;
 constexpr std::ptrdiff_t leastSightings = 10;
-
-Nanoseconds steadyNow()
-{
-    return std::chrono::steady_clock::now().time_since_epoch();
-}
 
 bool wasSeen(const LiveRun &run)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/aravis_device.h"
 
+#include "core/base/steady_now.h"
 #include "core/capture/aravis/aravis_library.h"
 #include "core/capture/aravis/gvcp.h"
 
@@ -21,11 +22,6 @@ constexpr double rateWhereUntold = 30;
 // A reading that was held up on the way is tried again.
 constexpr int mostReadings = 3;
 constexpr Nanoseconds shortRoundTrip = 200us;
-
-Nanoseconds steadyNow()
-{
-    return std::chrono::steady_clock::now().time_since_epoch();
-}
 
 bool has(ArvCamera *camera, const char *feature)
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/aravis_stream.h"
 
+#include "core/base/steady_now.h"
+
 #include <netinet/in.h>
 #include <sys/socket.h>
 
@@ -58,8 +60,7 @@ Nanoseconds arrivalOf(ArvBuffer *buffer)
 {
     // Aravis stamps by the clock of the day, which may be set; that it is not long ago is all that is taken
     // from it.
-    const Nanoseconds now = std::chrono::steady_clock::now().time_since_epoch(),
-                      today = std::chrono::system_clock::now().time_since_epoch();
+    const Nanoseconds now = steadyNow(), today = std::chrono::system_clock::now().time_since_epoch();
     const Nanoseconds ago =
         today - Nanoseconds(static_cast<std::int64_t>(arv_buffer_get_system_timestamp(buffer)));
     return ago >= 0ns && ago < oldestArrival ? now - ago : now;

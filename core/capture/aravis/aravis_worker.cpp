@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/aravis_worker.h"
 
+#include "core/base/steady_now.h"
 #include "core/capture/aravis/aravis_controls.h"
 #include "core/capture/aravis/gvcp.h"
 
@@ -19,11 +20,6 @@ constexpr Nanoseconds shortestSilence = 200ms, longestStall = 3s;
 constexpr double silentIntervals = 3;
 constexpr auto askPatience = 150ms;
 constexpr int mostUnanswered = 2;
-
-Nanoseconds steadyNow()
-{
-    return std::chrono::steady_clock::now().time_since_epoch();
-}
 
 CameraDescription describe(const AravisAddress &address, const AravisDevice &device)
 {

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/units.h"
-
-#include <chrono>
+#include "core/base/steady_now.h"
 
 namespace odo::test {
-
-inline Nanoseconds steadyNow()
-{
-    return std::chrono::steady_clock::now().time_since_epoch();
-}
 
 /// A camera's own clock: begins anywhere, runs fast by some ppm, counts in ticks. The truth that clock maps
 /// are measured against.
