@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/live_map.h"
 
+#include "core/base/steady_now.h"
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
 
-#include <QEvent>
 #include <QPainter>
 #include <cmath>
 
@@ -17,18 +17,15 @@ constexpr std::size_t longestWay = 30 * 60 * 10; // ten minutes: a longer way is
 
 } // namespace
 
-LiveMap::LiveMap(QWidget *parent) : QWidget(parent)
+LiveMap::LiveMap(QWidget *parent) : MapCanvas(parent)
 {
-    setAttribute(Qt::WA_OpaquePaintEvent);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Map of the floor with the robots as they drive"));
 }
 
 void LiveMap::setFloor(TrialScenePtr floor)
 {
     m_floor = std::move(floor);
-    m_stillLayer = {};
-    update();
+    forgetStill();
 }
 
 void LiveMap::setRobots(std::vector<RobotRecord> robots)
@@ -36,16 +33,14 @@ void LiveMap::setRobots(std::vector<RobotRecord> robots)
     m_robots.clear();
     for (RobotRecord &robot : robots)
         m_robots.push_back({std::move(robot), {}, {}, {}});
-    m_stillLayer = {};
-    update();
+    forgetStill();
 }
 
 void LiveMap::forgetWays()
 {
     for (Driven &driven : m_robots)
         driven.way.clear();
-    m_stillLayer = {};
-    update();
+    forgetStill();
 }
 
 std::optional<Eigen::Vector2d> LiveMap::place(std::size_t robot) const
@@ -57,7 +52,7 @@ std::optional<Eigen::Vector2d> LiveMap::place(std::size_t robot) const
 
 std::vector<SeenRobot> LiveMap::robots() const
 {
-    const Nanoseconds now = std::chrono::steady_clock::now().time_since_epoch();
+    const Nanoseconds now = steadyNow();
     std::vector<SeenRobot> seen;
     for (const Driven &driven : m_robots) {
         const bool fresh =
@@ -83,14 +78,10 @@ void LiveMap::addPosition(std::size_t robot, const LivePosition &position)
         driven.headingRad = std::atan2(point.velocity.y(), point.velocity.x());
     if (driven.way.size() >= longestWay) {
         driven.way.erase(driven.way.begin(), driven.way.begin() + longestWay / 2);
-        m_stillLayer = {};
+        forgetStill();
     }
     driven.way.push_back(point.valid ? std::optional(point.position) : std::nullopt);
-    if (!m_stillLayer.isNull()) {
-        QPainter painter(&m_stillLayer);
-        painter.setRenderHint(QPainter::Antialiasing);
-        drawStep(painter, robot, driven.way.size() - 1);
-    }
+    addToStill([&](QPainter &painter) { drawStep(painter, robot, driven.way.size() - 1); });
     update();
 }
 
@@ -111,14 +102,8 @@ void LiveMap::drawStep(QPainter &painter, std::size_t robot, std::size_t to) con
     painter.drawLine(map.fromWorld(*way[to - 1]), map.fromWorld(*way[to]));
 }
 
-void LiveMap::renderStillLayer()
+void LiveMap::paintStill(QPainter &painter) const
 {
-    m_stillLayer = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
-    m_stillLayer.setDevicePixelRatio(devicePixelRatioF());
-    m_stillLayer.fill(ThemeColours::of(palette()).mapGround);
-    QPainter painter(&m_stillLayer);
-    painter.setFont(font());
-    painter.setRenderHint(QPainter::Antialiasing);
     const MapPlan map = plan();
     drawMapGrid(painter, map, palette(), false);
     if (m_floor->layout)
@@ -145,9 +130,7 @@ void LiveMap::paintEvent(QPaintEvent *)
                          tr("No camera is registered to the floor, so that no place on it can be told"));
         return;
     }
-    if (m_stillLayer.isNull())
-        renderStillLayer();
-    painter.drawPixmap(0, 0, m_stillLayer);
+    drawStill(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     for (std::size_t i = 0; i < m_robots.size(); ++i) {
         if (!place(i))
@@ -160,18 +143,6 @@ void LiveMap::paintEvent(QPaintEvent *)
             sign.label = QString::fromStdString(driven.robot.name);
         drawMapRobot(painter, plan(), sign, palette());
     }
-}
-
-void LiveMap::resizeEvent(QResizeEvent *)
-{
-    m_stillLayer = {};
-}
-
-void LiveMap::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        m_stillLayer = {};
-    QWidget::changeEvent(event);
 }
 
 } // namespace odo

@@ -4,16 +4,14 @@
 #include "core/trajectory/live_track.h"
 #include "ui/models/trial_scene.h"
 #include "ui/record/health_words.h"
+#include "ui/views/map_canvas.h"
 #include "ui/views/map_painting.h"
-
-#include <QPixmap>
-#include <QWidget>
 
 namespace odo {
 
 /// The floor from above while the robots drive: markers, the task's gates and path, where each robot is and
 /// has been.
-class LiveMap : public QWidget
+class LiveMap : public MapCanvas
 {
     Q_OBJECT
 public:
@@ -36,8 +34,6 @@ public:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
-    void changeEvent(QEvent *event) override;
 
 private:
     struct Driven
@@ -48,13 +44,12 @@ private:
         std::optional<double> headingRad;
     };
     MapPlan plan() const;
-    void renderStillLayer();
+    void paintStill(QPainter &painter) const override;
     void drawStep(QPainter &painter, std::size_t robot, std::size_t to) const;
     QColor colourOf(std::size_t robot) const;
 
     TrialScenePtr m_floor;
     std::vector<Driven> m_robots;
-    QPixmap m_stillLayer; ///< all but the robots, their ways with it; null: to be rendered
 };
 
 } // namespace odo

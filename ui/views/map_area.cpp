@@ -5,7 +5,6 @@
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
 
-#include <QEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
@@ -59,15 +58,12 @@ std::optional<double> headingAt(const Profile &profile, std::ptrdiff_t index)
 } // namespace
 
 MapArea::MapArea(Timeline &timeline, QWidget *parent)
-    : QWidget(parent), m_timeline(timeline), m_bounds(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1))
+    : MapCanvas(parent), m_timeline(timeline), m_bounds(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1))
 {
-    setAttribute(Qt::WA_OpaquePaintEvent);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(&m_timeline, &Timeline::currentChanged, this, qOverload<>(&QWidget::update));
     connect(&m_maker, &FloorPictureMaker::ready, this, [this](const FloorPicture &picture) {
         m_floor = picture;
-        m_stillLayer = {};
-        update();
+        forgetStill();
         Q_EMIT settled();
     });
 }
@@ -76,7 +72,7 @@ void MapArea::setScene(TrialScenePtr scene)
 {
     m_scene = std::move(scene);
     m_floor = {};
-    m_stillLayer = {};
+    forgetStill();
     if (m_scene) {
         m_bounds = m_scene->floorBounds();
         m_topSpeedMps = topSpeed(*m_scene);
@@ -174,15 +170,9 @@ void MapArea::paintLegend(QPainter &painter) const
         tr("0 to %1 m/s").arg(QLocale().toString(m_topSpeedMps, 'f', m_topSpeedMps < 1 ? 2 : 1)));
 }
 
-void MapArea::renderStillLayer()
+void MapArea::paintStill(QPainter &painter) const
 {
-    m_stillLayer = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
-    m_stillLayer.setDevicePixelRatio(devicePixelRatioF());
     const ThemeColours colours = ThemeColours::of(palette());
-    m_stillLayer.fill(colours.mapGround);
-    QPainter painter(&m_stillLayer);
-    painter.setFont(font());
-    painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     if (!m_floor.image.isNull()) {
         constexpr double muted = 0.55; // the trail comes first
@@ -241,24 +231,10 @@ void MapArea::paintEvent(QPaintEvent *)
         painter.fillRect(rect(), colours.mapGround);
         return;
     }
-    if (m_stillLayer.isNull())
-        renderStillLayer();
-    painter.drawPixmap(0, 0, m_stillLayer);
+    drawStill(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
         paintRobot(painter, robot);
-}
-
-void MapArea::resizeEvent(QResizeEvent *)
-{
-    m_stillLayer = {};
-}
-
-void MapArea::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        m_stillLayer = {};
-    QWidget::changeEvent(event);
 }
 
 void MapArea::mousePressEvent(QMouseEvent *event)

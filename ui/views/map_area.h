@@ -3,17 +3,15 @@
 
 #include "ui/models/trial_scene.h"
 #include "ui/views/floor_picture.h"
+#include "ui/views/map_canvas.h"
 #include "ui/views/map_painting.h"
-
-#include <QPixmap>
-#include <QWidget>
 
 namespace odo {
 
 class Timeline;
 
 /// The floor from above; inside FloorMap. A click on a trail goes to the time when the robot was there.
-class MapArea : public QWidget
+class MapArea : public MapCanvas
 {
     Q_OBJECT
 public:
@@ -31,13 +29,11 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
-    void changeEvent(QEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
 
 private:
     MapPlan plan() const;
-    void renderStillLayer();
+    void paintStill(QPainter &painter) const override;
     void paintTrail(QPainter &painter, const Profile &profile) const;
     void paintSpikes(QPainter &painter, const Profile &profile) const;
     void paintLegend(QPainter &painter) const;
@@ -49,7 +45,6 @@ private:
     Eigen::AlignedBox2d m_bounds; ///< of the floor that must be seen
     double m_topSpeedMps = 0;     ///< end of the colour scale
     FloorPicture m_floor;
-    QPixmap m_stillLayer; ///< all but the robots; null: to be rendered
 };
 
 } // namespace odo
