@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/gate_passages.h"
 
+#include "core/trajectory/cubic_step.h"
 #include "core/trajectory/measured_places.h"
 
 #include <algorithm>
@@ -13,34 +14,6 @@ namespace {
 
 constexpr double sigmasToPass = 3;
 constexpr double leastDistanceM = 0.0005;
-
-/// The cubic through two values with their rates, over a step of time (Hermite).
-struct Cubic
-{
-    double from = 0, to = 0, rateFrom = 0, rateTo = 0, step = 0;
-
-    double value(double part) const
-    {
-        const double rest = 1 - part;
-        return rest * rest * ((1 + 2 * part) * from + part * step * rateFrom) +
-               part * part * ((1 + 2 * rest) * to - rest * step * rateTo);
-    }
-    double rate(double part) const
-    {
-        return 6 * part * (1 - part) * (to - from) / step + (1 - part) * (1 - 3 * part) * rateFrom +
-               part * (3 * part - 2) * rateTo;
-    }
-    /// Where it is zero; from and to have different signs.
-    double root() const
-    {
-        double low = 0, high = 1;
-        for (int i = 0; i < 50; ++i) {
-            const double middle = (low + high) / 2;
-            ((value(middle) > 0) == (to > 0) ? high : low) = middle;
-        }
-        return (low + high) / 2;
-    }
-};
 
 /// One meeting of the track with the gate's line.
 struct Meeting
@@ -84,7 +57,7 @@ private:
     double across(std::size_t i) const { return m_across.dot(m_places[i].point->position - m_gate.from); }
 
     /// The distance from the line between a place and the next, with `more` added.
-    Cubic distanceAfter(std::size_t i, double more = 0) const
+    CubicStep distanceAfter(std::size_t i, double more = 0) const
     {
         const MeasuredPlace &a = m_places[i], &b = m_places[i + 1];
         return {across(i) + more, across(i + 1) + more, m_across.dot(a.point->velocity),
@@ -104,8 +77,8 @@ private:
     {
         const MeasuredPlace &a = m_places[i], &b = m_places[i + 1];
         const double step = b.timeS - a.timeS;
-        const Cubic distance = distanceAfter(i);
-        const Cubic along{m_along.dot(a.point->position - m_gate.from), m_along.dot(b.point->position - m_gate.from),
+        const CubicStep distance = distanceAfter(i);
+        const CubicStep along{m_along.dot(a.point->position - m_gate.from), m_along.dot(b.point->position - m_gate.from),
                           m_along.dot(a.point->velocity), m_along.dot(b.point->velocity), step};
         const double part = distance.root();
         return {i, a.timeS + part * step, along.value(part), distance.rate(part),

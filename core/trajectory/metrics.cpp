@@ -172,4 +172,10 @@ std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::ve
     return metrics;
 }
 
+double sigmaOfScale(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points)
+{
+    const std::vector<RunInstant> instants = validInstants(samples, points);
+    return instants.empty() ? 0 : sigmaScale(instants);
+}
+
 } // namespace odo

@@ -20,4 +20,8 @@ namespace odo {
 /// robot that never moves has a duration of 0, and 0 for all that hangs on it.
 std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
 
+/// The calibration's error of scale, relative: in σ of each of those figures that is a length or a speed or an
+/// acceleration it is contained with its value times this. 0 without a valid point.
+double sigmaOfScale(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
+
 } // namespace odo

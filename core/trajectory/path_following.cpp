@@ -166,7 +166,7 @@ std::vector<PathPlace> followPath(const ReferencePath &path, const std::vector<M
 
 double completedShare(const ReferencePath &path, const std::vector<PathPlace> &followed)
 {
-    constexpr std::size_t marks = 1000;
+    constexpr auto marks = static_cast<std::size_t>(1 / completedResolution);
     const Pieces pieces(path);
     std::vector<bool> passed(marks);
     for (std::size_t i = 1; i < followed.size(); ++i) {

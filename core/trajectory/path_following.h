@@ -26,7 +26,8 @@ double lengthOf(const ReferencePath &path);
 /// offset of 100 mm (dynamic programming: Viterbi 1967). One place for each position; path must have points.
 std::vector<PathPlace> followPath(const ReferencePath &path, const std::vector<MeasuredPlace> &places);
 
-/// The part of the path that was driven along, 0 to 1.
+/// The part of the path that was driven along, 0 to 1, counted in thousandths.
+constexpr double completedResolution = 0.001;
 double completedShare(const ReferencePath &path, const std::vector<PathPlace> &followed);
 
 } // namespace odo

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Distance from a reference path against closed forms, and its stated σ against the scatter over noisy runs.
 #include "core/trajectory/path_following.h"
-#include "core/trajectory/profile_points.h"
-#include "core/trajectory/spike_flags.h"
 #include "core/trajectory/task_metrics.h"
 
-#include "synthetic_trial.h"
+#include "synthetic_run.h"
 
 #include <QTest>
 #include <map>
@@ -14,44 +12,6 @@ using namespace odo;
 using namespace odo::test;
 
 namespace {
-
-struct Run
-{
-    std::vector<Sample> samples;
-    std::vector<ProfilePoint> points;
-};
-
-Run exactly(const Course &course, double durationS, double sigmaM = 0, Eigen::Matrix2d common = Eigen::Matrix2d::Zero())
-{
-    Run run;
-    for (int i = 0; i <= durationS * 30; ++i) {
-        Sample sample;
-        sample.frame = i;
-        sample.time = fromSeconds(i / 30.0);
-        const Truth truth = course(i / 30.0);
-        sample.position = truth.position;
-        sample.covariance = Eigen::Matrix2d::Identity() * sigmaM * sigmaM;
-        sample.commonCovariance = common;
-        MotionEstimate estimate;
-        estimate.mean << truth.position, truth.velocity, truth.acceleration;
-        estimate.covariance.setIdentity();
-        estimate.covariance *= sigmaM * sigmaM;
-        run.samples.push_back(sample);
-        run.points.push_back(makePoint(estimate, common));
-    }
-    return run;
-}
-
-Run smoothed(const Course &course, double durationS, double sigmaM, std::mt19937 &random)
-{
-    Run run = exactly(course, durationS, sigmaM);
-    std::normal_distribution<double> noise(0, sigmaM);
-    for (Sample &sample : run.samples)
-        *sample.position += Eigen::Vector2d(noise(random), noise(random));
-    const SpikeVerdict verdict = flagSpikes(run.samples, {});
-    run.points = makePoints(run.samples, verdict.struck, {}, verdict.noise);
-    return run;
-}
 
 std::map<std::string, Metric> figuresOf(const ReferencePath &path, const Run &run)
 {

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/run_comparison.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// A gate as a place of the common path: the line across it there. On a closed path it comes again in each
+/// lap.
+struct PathGate
+{
+    std::string name;
+    double stationM = 0; ///< along the path, from 0 to its length
+};
+
+/// Where the gates of a task cut a path, each at its first cut, in the order of the path; those that do not
+/// cut it are left out.
+std::vector<PathGate> gatesOnPath(const ReferencePath &path, const std::vector<Gate> &gates);
+
+/// Two gates that part the stretch in common, or one lap of a closed path, into three: where a task has none.
+std::vector<PathGate> thirdsOf(const RunComparison &comparison);
+
+/// The point of a path at a way along it, and the direction there. Beyond an end: that of the end.
+struct PathPoint
+{
+    Eigen::Vector2d position = Eigen::Vector2d::Zero(), direction = Eigen::Vector2d::UnitX();
+};
+PathPoint pointAt(const ReferencePath &path, double wayM);
+
+/// A stretch of the way between two neighbouring gates, or from where all have begun, or to where the last of
+/// them got.
+struct SectorTimes
+{
+    std::string from, to; ///< gates; empty: the beginning or the end of what the runs have in common
+    double fromM = 0, toM = 0;
+    std::vector<std::optional<Difference>>
+        times; ///< of each run, with σ; nullopt where it was not seen at an end
+    std::vector<std::optional<Difference>>
+        differences; ///< each run's less the first one's; of the first nullopt
+};
+
+/// The time that each run takes from gate to gate, by first arrival: the sectors' differences add up to the
+/// time difference at the end. σ as of compareRuns: displacements at two places count as independent. Sectors
+/// of less than 10 mm are left out. Pure; any thread.
+std::vector<SectorTimes> sectorTimes(const RunComparison &comparison, const std::vector<PathGate> &gates);
+
+} // namespace odo
