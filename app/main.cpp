@@ -41,6 +41,7 @@ constexpr NamedCommand commands[] = {
     {"flag", "call a sample a spike or valid by hand, and analyse anew", runFlag, false},
     {"list", "list the trials", runList, false},
     {"show", "show a trial's figures, spikes and provenance", runShow, false},
+    {"compare", "compare two runs: time difference, sectors, figures", runCompare, false},
     {"export", "write a trial's samples to a file", runExport, false},
     {"snapshot", "paint the window into a picture file", runSnapshot, true},
     {"target", "write a board or floor markers to print", runTarget, true},

@@ -181,6 +181,77 @@ private Q_SLOTS:
         QVERIFY(checked >= 10);
     }
 
+    void twoRunsOfOneTaskAreCompared()
+    {
+        const QStringList call{QStringLiteral("compare"), m_project, QStringLiteral("figure-eight"),
+                               QStringLiteral("figure-eight with reflections")};
+        const ProgramRun run = runProgram(call + QStringList{QStringLiteral("--json")});
+        QVERIFY2(run.exitStatus == 0, run.err);
+        const QJsonObject answer = run.json();
+        QCOMPARE(answer.keys(), QStringList({QStringLiteral("aligned_by"), QStringLiteral("delta_t_s"),
+                                             QStringLiteral("distance_m"), QStringLiteral("metrics")}));
+        QCOMPARE(answer.value(QStringLiteral("aligned_by")).toString(), QStringLiteral("start_gate"));
+        const QJsonArray distances = answer.value(QStringLiteral("distance_m")).toArray(),
+                         differences = answer.value(QStringLiteral("delta_t_s")).toArray();
+        QCOMPARE(distances.size(), differences.size());
+        // Round the task's eight the laps take 5.2 s and 6.0 s, half a lap half as long.
+        const auto x = [](double angle) { return QPointF(1.05 * std::sin(angle), 0.6 * std::sin(2 * angle)); };
+        double lapM = 0;
+        for (int i = 0; i < 10000; ++i) {
+            const QPointF step = x((i + 1) * M_PI / 5000) - x(i * M_PI / 5000);
+            lapM += std::hypot(step.x(), step.y());
+        }
+        QVERIFY(distances.last().toDouble() > lapM);
+        for (qsizetype i = 0; i < distances.size(); ++i) {
+            for (const double laps : {0.5, 1.0}) {
+                // A station is off by 5 mm at most, where 10 mm are 1 ms of difference; the gates are known to 0.5 ms.
+                if (std::abs(distances[i].toDouble() - laps * lapM) <= 0.005)
+                    QVERIFY2(std::abs(differences[i].toDouble() - laps * 0.8) < 0.004,
+                             qPrintable(QString::number(differences[i].toDouble())));
+            }
+        }
+        QSet<QString> significant;
+        const QJsonArray metrics = answer.value(QStringLiteral("metrics")).toArray();
+        for (const QJsonValue &each : metrics) {
+            const QJsonObject metric = each.toObject();
+            QCOMPARE(metric.keys(), QStringList({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("difference"),
+                                                 QStringLiteral("name"), QStringLiteral("sigma"),
+                                                 QStringLiteral("significant"), QStringLiteral("unit")}));
+            const auto at = [&](const char *key) { return metric.value(QLatin1String(key)).toDouble(1e9); };
+            QVERIFY(std::abs(at("difference") - (at("b") - at("a"))) < 1e-9);
+            QCOMPARE(metric.value(QStringLiteral("significant")).toBool(), std::abs(at("difference")) > 1.96 * at("sigma"));
+            if (metric.value(QStringLiteral("significant")).toBool())
+                significant.insert(metric.value(QStringLiteral("name")).toString());
+        }
+        QVERIFY(significant.contains(QStringLiteral("best_lap")) && significant.contains(QStringLiteral("max_speed")));
+        QVERIFY(!significant.contains(QStringLiteral("laps")) && !significant.contains(QStringLiteral("duration")));
+
+        const ProgramRun turned = runProgram({call[0], call[1], call[3], call[2], QStringLiteral("--align"),
+                                              QStringLiteral("motion_onset"), QStringLiteral("--json")});
+        QCOMPARE(turned.json().value(QStringLiteral("aligned_by")).toString(), QStringLiteral("motion_onset"));
+        QVERIFY(turned.json().value(QStringLiteral("delta_t_s")).toArray().last().toDouble() < -0.8);
+        QVERIFY(runProgram(call).out.contains("within the error"));
+    }
+
+    void whatCannotBeComparedIsSaidInOneLine()
+    {
+        const auto error = [&](const QStringList &arguments, int status) {
+            const ProgramRun run = runProgram(QStringList{QStringLiteral("compare"), m_project} + arguments);
+            const bool isOneLine = run.out.isEmpty() && run.err.count('\n') == 1;
+            return run.exitStatus == status && isOneLine ? QString::fromUtf8(run.err)
+                                                         : QStringLiteral("exit status %1").arg(run.exitStatus);
+        };
+        const QString eight = QStringLiteral("figure-eight"), other = QStringLiteral("figure-eight with reflections");
+        QVERIFY(error({eight, eight}, 1).contains(QLatin1String("a run cannot be compared with itself; choose another one")));
+        QVERIFY(error({eight, QStringLiteral("nothing")}, 1).contains(QLatin1String("nothing")));
+        QVERIFY(error({eight, other, QStringLiteral("--robot"), QStringLiteral("Pink")}, 1)
+                    .contains(QLatin1String("robot 'Pink' was not tracked in it, but 'Green 3'; track it, or choose another")));
+        QVERIFY(error({eight, other, QStringLiteral("--align"), QStringLiteral("north")}, 2).contains(QLatin1String("--align is auto")));
+        QVERIFY(error({eight, other, QStringLiteral("-o"), QStringLiteral("report.pdf")}, 1)
+                    .contains(QLatin1String("this version makes no report of a comparison; leave -o away")));
+        QVERIFY(error({eight}, 2).contains(QLatin1String("compare")));
+    }
+
     void theClipsOffsetIsFoundFromTheMotion()
     {
         // Told when the demo was made: the truth. 3 ms is a tenth of a frame, 3 mm at 1 m/s.
