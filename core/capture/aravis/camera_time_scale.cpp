@@ -9,43 +9,52 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A clock that goes on is found where it is expected, but for how late pictures come and how fast it runs.
-constexpr Nanoseconds latest = 1s, latestAfterInterruption = 50ms;
+// How far a clock that goes on may be from where it is expected, but for how fast it runs.
+constexpr Nanoseconds earliest = 1s, earliestAfterInterruption = 50ms;
+constexpr Nanoseconds usuallyLatest = 1s, latestBesideReading = 10s;
 constexpr double fastestClock = 500e-6;
 constexpr std::uint64_t lastOf16Bits = 0xffff;
 constexpr std::uint64_t largestGap = 30000; // of numbers of 16 bits; more is a count that began anew
 
 } // namespace
 
-/// Since the last picture, by this machine's clock.
-Nanoseconds CameraTimeScale::passedBefore(const Picture &picture) const
-{
-    return picture.host && m_last->host ? *picture.host - *m_last->host : picture.arrival - m_last->arrival;
-}
-
 bool CameraTimeScale::follows(const Picture &picture) const
 {
-    const Nanoseconds passed = passedBefore(picture);
-    const Nanoseconds tolerance =
-        (m_interrupted ? latestAfterInterruption : latest) + fromSeconds(fastestClock * toSeconds(passed));
-    return picture.stamp > m_last->stamp &&
-           std::chrono::abs(picture.stamp - m_last->stamp - passed) <= tolerance;
+    const Nanoseconds step = picture.stamp - m_last->stamp, passed = picture.taken - m_last->taken;
+    if (step <= 0ns)
+        return false;
+    const Nanoseconds drift = fromSeconds(fastestClock * toSeconds(step)), early = step - passed;
+    const bool mayBeLate = !m_interrupted && !picture.isRead;
+    const Nanoseconds tolerance = m_interrupted ? earliestAfterInterruption : earliest;
+    return early <= tolerance + drift && (mayBeLate || -early <= tolerance + drift);
+}
+
+/// nullopt where the reading may be of before the clock was set anew, or the picture. Where nothing seems to
+/// have happened that is told from the picture's lateness; otherwise the clock is read after it has arrived.
+std::optional<Nanoseconds> CameraTimeScale::takenBy(const ClockReading &reading, Nanoseconds stamp,
+                                                    Nanoseconds arrival) const
+{
+    const Nanoseconds taken =
+        reading.before + (reading.after - reading.before) / 2 + (stamp - reading.device);
+    const bool isFresh = reading.before >= arrival && (m_interrupted || !goesOn(stamp, arrival));
+    const Nanoseconds late = arrival - taken;
+    return late > -earliest && late < (isFresh ? latestBesideReading : usuallyLatest) ? std::optional(taken)
+                                                                                      : std::nullopt;
 }
 
 Nanoseconds CameraTimeScale::place(Nanoseconds stamp, Nanoseconds arrival,
                                    const std::optional<ClockReading> &reading)
 {
-    Picture picture{stamp, arrival, std::nullopt};
-    if (reading) {
-        const Nanoseconds host =
-            reading->before + (reading->after - reading->before) / 2 + (stamp - reading->device);
-        if (std::chrono::abs(host - arrival) < latest) // else it is one of before the clock was set
-            picture.host = host;
-    }
-    if (!m_last)
+    const auto taken = reading ? takenBy(*reading, stamp, arrival) : std::nullopt;
+    Picture picture{stamp, taken.value_or(arrival), taken.has_value()};
+    if (!m_last) {
         m_zero = stamp;
-    else if (!follows(picture))
-        m_zero = stamp - (onScale(m_last->stamp) + std::max(passedBefore(picture), Nanoseconds(1)));
+    } else if (!follows(picture)) {
+        m_zero = stamp - (onScale(m_last->stamp) + std::max(picture.taken - m_last->taken, Nanoseconds(1)));
+    } else if (!picture.isRead) {
+        const Nanoseconds step = stamp - m_last->stamp;
+        picture.taken = std::min(arrival, m_last->taken + step + fromSeconds(fastestClock * toSeconds(step)));
+    }
     m_last = picture;
     m_interrupted = false;
     return onScale(stamp);

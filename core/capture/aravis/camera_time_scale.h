@@ -14,10 +14,10 @@ public:
     void interrupt() { m_interrupted = true; }
 
     /// False where a picture's stamp does not follow that of the one before: the clock was set anew, and
-    /// should be read now.
+    /// should be read now. A picture may be late by any time; one that were early tells of another clock.
     bool goesOn(Nanoseconds stamp, Nanoseconds arrival) const
     {
-        return !m_last || follows({stamp, arrival, std::nullopt});
+        return !m_last || follows({stamp, arrival, false});
     }
 
     /// The time of a picture; they come in order. reading: of the camera's clock, within some seconds of the
@@ -30,10 +30,12 @@ public:
 private:
     struct Picture
     {
-        Nanoseconds stamp, arrival;
-        std::optional<Nanoseconds> host; ///< by a reading of the clock; the arrival is late
+        Nanoseconds stamp;
+        Nanoseconds taken; ///< by this machine's clock: no later than this
+        bool isRead;       ///< exactly then, by a reading of the camera's clock
     };
-    Nanoseconds passedBefore(const Picture &picture) const;
+    std::optional<Nanoseconds> takenBy(const ClockReading &reading, Nanoseconds stamp,
+                                       Nanoseconds arrival) const;
     bool follows(const Picture &picture) const;
 
     std::optional<Picture> m_last;

@@ -109,6 +109,40 @@ private Q_SLOTS:
         QCOMPARE(scale.place(500s, 50s + 99ms, {}), Nanoseconds(99ms)); // and forward
     }
 
+    /// Of a program, or a machine, that was held up: the clock has gone on all the time.
+    void latePicturesDoNotMoveTheScale()
+    {
+        const auto readAt = [](Nanoseconds host) {
+            return ClockReading{950s + host, host - 50us, host + 50us}; // it shows 950 s more than ours
+        };
+        for (const bool isRead : {false, true}) {
+            CameraTimeScale scale;
+            Nanoseconds late = 8ms;
+            for (int i = 0; i < 200; ++i) {
+                if (i == 50)
+                    late = 1800ms; // and 54 pictures come at once
+                const Nanoseconds taken = 50s + i * 33ms;
+                const Nanoseconds arrival = taken + late;
+                const auto reading = isRead ? std::optional(readAt(arrival - 300ms)) : std::nullopt;
+                QVERIFY(scale.goesOn(950s + taken, arrival));
+                QCOMPARE(scale.place(950s + taken, arrival, reading), Nanoseconds(i * 33ms));
+                if (i >= 50)
+                    late = std::max<Nanoseconds>(8ms, late - 32ms);
+            }
+        }
+    }
+
+    /// That it was late is known, because the clock is read at once.
+    void aLatePictureOfAClockThatBeginsAnewIsPlaced()
+    {
+        CameraTimeScale scale;
+        scale.place(1000s, 50s, ClockReading{1000s, 50s, 50s});
+        const ClockReading anew{1933ms, 51s + 933ms, 51s + 933ms}; // since 50 s
+        QVERIFY(!scale.goesOn(33ms, 51s + 900ms));
+        QCOMPARE(scale.place(33ms, 51s + 900ms, anew), Nanoseconds(33ms));
+        QCOMPARE(scale.place(66ms, 51s + 901ms, anew), Nanoseconds(66ms));
+    }
+
     void numbersWrapAndGapsStay()
     {
         PictureNumbering numbering;
