@@ -22,6 +22,7 @@ struct CapturedFrame
     /// Where the camera codes its pictures itself: the JPEG file as it came, complete with its tables. It is what is recorded.
     std::shared_ptr<const std::vector<std::uint8_t>> jpeg = {};
     std::optional<ClockReading> clock = {}; ///< on the same time scale as frame.time, where the camera can be asked
+    std::uint64_t lostHere = 0; ///< of the gap before it: came, and were thrown away because nobody took them in time
 };
 
 /// What a source is, as it is shown to a person.

@@ -31,7 +31,7 @@ struct ViewHealth
     double framesPerSecond = 0; ///< over the last two seconds
     std::uint64_t delivered = 0;
     std::uint64_t lostOnWire = 0; ///< gaps in the camera's own count
-    std::uint64_t lostByUs = 0;   ///< that coding or the disk was too slow for
+    std::uint64_t lostByUs = 0;   ///< that this program or the disk was too slow for
     CameraCounts source;          ///< damaged, resent, reconnections
     double latencyS = 0; ///< 95 % of the last two seconds' pictures were here so soon after they were taken
     /// Whether exposure, gain, white balance and focus hold still; nullopt: not asked for yet.

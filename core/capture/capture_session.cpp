@@ -88,7 +88,7 @@ CaptureHealth CaptureSession::health() const
     double shares = 0; // of what is left, that the views write a second
     for (std::size_t view = 0; view < m_writers.size(); ++view) {
         const ViewWriter::State state = m_writers[view]->state(now);
-        health.views[view].lostByUs += state.lost;
+        health.views[view].lostByUs += state.withoutRoom;
         health.disk.recordedS =
             view == 0 ? state.recordedS : std::min(health.disk.recordedS, state.recordedS);
         health.disk.bytes += state.bytes;

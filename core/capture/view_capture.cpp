@@ -174,6 +174,7 @@ void ViewCapture::take(CapturedFrame captured)
     {
         const std::lock_guard lock(m_mutex);
         timed.taken = note(timed.captured, now);
+        m_lostBefore += timed.captured.lostHere;
         if (m_work.tryPush(Picture{timed.captured, timed.taken, m_interruption, m_lostBefore})) {
             m_interruption.reset();
             m_lostBefore = 0;
@@ -197,8 +198,9 @@ Nanoseconds ViewCapture::note(const CapturedFrame &captured, Nanoseconds now)
     m_health.state = ViewHealth::State::Delivering;
     m_health.trouble.reset();
     ++m_health.delivered;
-    if (m_lastSequence && captured.sequence > *m_lastSequence + 1)
-        m_health.lostOnWire += captured.sequence - *m_lastSequence - 1;
+    if (m_lastSequence && captured.sequence > *m_lastSequence + 1 + captured.lostHere)
+        m_health.lostOnWire += captured.sequence - *m_lastSequence - 1 - captured.lostHere;
+    m_health.lostByUs += captured.lostHere;
     m_lastSequence = captured.sequence;
     m_lastArrival = now;
     m_recent.push_back({now, toSeconds(now - taken)});

@@ -54,7 +54,7 @@ private:
         CapturedFrame captured;
         Nanoseconds taken;
         std::optional<Error> interruption;
-        std::uint64_t lostBefore; ///< that found no room on the way to the coder
+        std::uint64_t lostBefore; ///< that came, and found no room on the way to the coder
     };
     struct Stop
     {
@@ -93,7 +93,7 @@ private:
     std::deque<Recent> m_recent; ///< of the last two seconds
     Nanoseconds m_begun{0}, m_lastArrival{0};
     std::optional<Error> m_interruption; ///< since the last picture
-    std::uint64_t m_lostBefore = 0;      ///< since the last one that found room
+    std::uint64_t m_lostBefore = 0;      ///< by us, since the last one that found room
     bool m_holdWanted = false;
     std::vector<std::shared_ptr<BoundedQueue<TimedFrame>>> m_feeds;
 };

@@ -67,6 +67,7 @@ void ViewWriter::offer(CodedFrame frame)
     m_lastSequence = sequence;
     if (m_waitingBytes + frame.jpeg->size() > mostWaitingBytes) {
         ++m_recording.lostByUs;
+        ++m_withoutRoom;
         return;
     }
     m_waitingBytes += frame.jpeg->size();
@@ -203,7 +204,7 @@ ViewWriter::State ViewWriter::state(Nanoseconds now) const
     state.waiting = static_cast<double>(m_waitingBytes) / static_cast<double>(mostWaitingBytes);
     state.recordedS = m_firstArrival ? toSeconds(*m_lastArrival - *m_firstArrival) : 0;
     state.bytes = m_bytes;
-    state.lost = m_recording.lostByUs;
+    state.withoutRoom = m_withoutRoom;
     state.problem = m_recording.problem;
     if (m_bytesLeft && state.recordedS >= rateKnownFromS)
         state.secondsLeft =

@@ -24,7 +24,7 @@ struct CodedFrame
     std::optional<ClockReading> clock;
     std::optional<Error> interruption = {}; ///< what kept the camera from delivering just before
     std::uint64_t lostBefore =
-        0; ///< pictures that the camera delivered in between, and that could not be coded in time
+        0; ///< pictures that came in between, and that could not be taken or coded in time
 };
 
 /// Writes one view of a recording on a thread of its own. What waits for the disk is bounded by its bytes;
@@ -52,8 +52,8 @@ public:
     {
         double waiting = 0; ///< how full the queue is
         double recordedS = 0;
-        std::uint64_t bytes = 0; ///< written
-        std::uint64_t lost = 0;
+        std::uint64_t bytes = 0;       ///< written
+        std::uint64_t withoutRoom = 0; ///< pictures that were offered, and for which the queue was too full
         std::optional<double> secondsLeft; ///< of what this view alone writes
         std::optional<Trouble> slow;       ///< the disk does not keep up
         std::optional<Error> problem;
@@ -84,7 +84,7 @@ private:
     std::deque<Waiting> m_waiting;
     std::size_t m_waitingBytes = 0;
     bool m_closed = false, m_writingFailed = false;
-    std::uint64_t m_bytes = 0;
+    std::uint64_t m_bytes = 0, m_withoutRoom = 0;
     std::optional<std::uint64_t> m_bytesLeft;
     std::optional<Nanoseconds> m_writing; ///< since when the picture that is being written has waited
     std::optional<std::uint64_t> m_lastSequence;

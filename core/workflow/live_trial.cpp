@@ -238,7 +238,7 @@ void LiveTrial::warnOf(const ViewRecording &view, const std::string &camera)
         m_warnings.push_back(who + "pictures waited up to " + secondsText(view.longestWaitS) +
                              " for the disk, and none was lost; record to a faster disk");
     if (view.lostByUs > 0)
-        m_warnings.push_back(who + picturesText(view.lostByUs) + " lost because the disk was too slow; " +
+        m_warnings.push_back(who + picturesText(view.lostByUs) + " lost because this computer or its disk was too slow; " +
                              "record to a faster disk, or fewer cameras at once");
     if (view.lostOnWire > 0)
         m_warnings.push_back(who + picturesText(view.lostOnWire) +

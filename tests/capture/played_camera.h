@@ -17,6 +17,7 @@ public:
     struct Loss
     {
         int pictures;
+        bool here = false; ///< by this program, which did not take them in time
     };
     struct Hang
     {
@@ -33,6 +34,8 @@ public:
     }
     /// Pictures that the camera takes and that never arrive.
     void lose(int count) { add(Loss{count}); }
+    /// Pictures that arrive, and that the source throws away.
+    void loseHere(int count) { add(Loss{count, true}); }
     void error(const Error &error) { add(error); }
     /// next() does not return, not even when it is stopped, until the script is given up.
     void hang() { add(Hang{}); }
@@ -105,9 +108,10 @@ public:
                 return cancelled("played camera");
             if (const Error *error = std::get_if<Error>(&*step))
                 return tl::unexpected(*error);
-            if (const auto *loss = std::get_if<Script::Loss>(&*step))
+            if (const auto *loss = std::get_if<Script::Loss>(&*step)) {
                 m_sequence += loss->pictures;
-            else
+                m_lostHere += loss->here ? std::uint64_t(loss->pictures) : 0;
+            } else
                 return picture();
         }
     }
@@ -122,6 +126,7 @@ private:
         captured.frame = FrameBuffer::toFrame(std::make_shared<FrameBuffer>(m_kind.format), m_sequence,
                                               time - m_kind.clockStart);
         captured.sequence = std::uint64_t(m_sequence++);
+        captured.lostHere = std::exchange(m_lostHere, 0);
         captured.hostTime = m_kind.beginning + time;
         if (m_kind.codes) {
             const std::string bytes = "\xff\xd8picture " + std::to_string(captured.sequence) + " as it came";
@@ -134,6 +139,7 @@ private:
     const Kind m_kind;
     const CameraDescription m_description{"play:", "played", "Played", 160, 96, 30};
     int m_sequence = 0;
+    std::uint64_t m_lostHere = 0;
 };
 
 } // namespace odo::test

@@ -62,6 +62,7 @@ private Q_SLOTS:
     void recordsAgainAndAgain();
     void beginsBeforeItWasAskedTo();
     void lostPicturesAreCounted();
+    void whatASourceThrowsAwayIsLostByUs();
     void aCameraThatIsGoneIsWaitedFor();
     void aCameraThatEndsKeepsWhatThereIs();
     void aDiskThatFailsIsTold();
@@ -169,6 +170,23 @@ void TestCaptureSession::lostPicturesAreCounted()
     QCOMPARE(outcome.views[1].lostOnWire, 0u);
     QCOMPARE(outcome.pairs.pairs, 28u);
     QCOMPARE(outcome.pairs.unpaired, 2u);
+}
+
+void TestCaptureSession::whatASourceThrowsAwayIsLostByUs()
+{
+    TwoCameras cameras;
+    cameras.session->startRecording(files());
+    cameras.a->pictures(10);
+    cameras.a->loseHere(3);
+    cameras.a->lose(2);
+    cameras.a->pictures(15);
+    QTRY_COMPARE(cameras.health(0).delivered, 25u);
+    QCOMPARE(cameras.health(0).lostOnWire, 2u);
+    QCOMPARE(cameras.health(0).lostByUs, 3u);
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    QCOMPARE(outcome.views[0].lostOnWire, 2u);
+    QCOMPARE(outcome.views[0].lostByUs, 3u);
+    QCOMPARE(outcome.views[0].frames, 28u); // came, whatever became of them
 }
 
 void TestCaptureSession::aCameraThatIsGoneIsWaitedFor()

@@ -70,8 +70,11 @@ void AravisSession::deliver(CapturedFrame frame)
     const std::lock_guard lock(m_mutex);
     m_trouble.reset();
     m_frames.push_back(std::move(frame));
-    if (m_frames.size() > mostFrames)
-        m_frames.pop_front(); // leaves a gap in the sequence
+    if (m_frames.size() > mostFrames) { // leaves a gap in the sequence
+        const std::uint64_t lost = m_frames.front().lostHere + 1;
+        m_frames.pop_front();
+        m_frames.front().lostHere += lost;
+    }
     m_forUser.notify_all();
 }
 

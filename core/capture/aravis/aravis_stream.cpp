@@ -164,4 +164,11 @@ std::uint64_t AravisStream::resent() const
     return resent;
 }
 
+std::uint64_t AravisStream::unbuffered() const
+{
+    guint64 completed = 0, failed = 0, underruns = 0;
+    arv_stream_get_statistics(m_stream.get(), &completed, &failed, &underruns);
+    return underruns;
+}
+
 } // namespace odo

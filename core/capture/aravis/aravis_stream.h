@@ -29,6 +29,8 @@ public:
 
     std::uint64_t damaged() const { return m_damaged; }
     std::uint64_t resent() const;
+    /// Grows with each picture that came while none of our buffers was free, perhaps by more than one.
+    std::uint64_t unbuffered() const;
     /// Why pictures may come incomplete, where this machine is the cause; empty otherwise.
     const std::string &warning() const { return m_warning; }
     /// The camera is gone: it is not told to stop, which would take seconds.

@@ -164,7 +164,7 @@ void AravisWorker::takePictures(AravisDevice &device)
     m_before = m_counts;
     m_lastPicture = steadyNow();
     m_unanswered = 0;
-    m_damagedBefore = 0;
+    m_damagedBefore = m_unbuffered = 0;
     while (!m_session->isStopped()) {
         m_session->runTasks(&device);
         const Nanoseconds patience = std::min(popPatience, fireIfDue(device));
@@ -233,8 +233,10 @@ void AravisWorker::deliver(AravisDevice &device, AravisStream &stream, AravisPic
             toSeconds(captured.frame.time - *m_lastTime) * device.mode().framesPerSecond - 1;
         m_numbering.interrupt(static_cast<std::uint64_t>(std::max(0.0, std::round(missed))));
     }
-    m_lastTime = captured.frame.time;
     captured.sequence = m_numbering.number(picture.id);
+    captured.lostHere = m_lastTime ? lostHere(stream, captured.sequence) : 0;
+    m_lastTime = captured.frame.time;
+    m_lastSequence = captured.sequence;
     captured.frame.index = static_cast<std::int64_t>(captured.sequence);
     if (std::exchange(m_readingIsNew, false))
         captured.clock =
@@ -243,6 +245,17 @@ void AravisWorker::deliver(AravisDevice &device, AravisStream &stream, AravisPic
     m_unanswered = 0;
     m_damagedBefore = stream.damaged();
     m_session->deliver(std::move(captured));
+}
+
+/// Of the gap before a picture: for what was this thread too slow, because a camera let it wait for an
+/// answer? The buffers that were full by then come first, without a gap.
+std::uint64_t AravisWorker::lostHere(const AravisStream &stream, std::uint64_t sequence)
+{
+    const std::uint64_t gap = sequence - m_lastSequence - 1;
+    if (gap == 0)
+        return 0;
+    const std::uint64_t before = std::exchange(m_unbuffered, stream.unbuffered());
+    return std::min(gap, m_unbuffered - before);
 }
 
 /// Whether to go on waiting for pictures, when none came for a moment. Says what is wrong.

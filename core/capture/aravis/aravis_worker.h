@@ -41,6 +41,7 @@ private:
     void deliver(AravisDevice &device, AravisStream &stream, AravisPicture picture);
     void readClockIfDue(AravisDevice &device);
     Nanoseconds fireIfDue(AravisDevice &device);
+    std::uint64_t lostHere(const AravisStream &stream, std::uint64_t sequence);
     void updateCounts(const AravisStream &stream);
     void tell(const std::string &why, const std::string &advice);
 
@@ -61,6 +62,8 @@ private:
     Nanoseconds m_lastPicture{0}; ///< or the start of the stream
     Nanoseconds m_nextFire{0};
     std::optional<Nanoseconds> m_lastTime; ///< of a picture, on the scale
+    std::uint64_t m_lastSequence = 0;      ///< of that picture
+    std::uint64_t m_unbuffered = 0;        ///< when there was a gap, or the stream began
     bool m_resumed = false;                ///< taken up anew, without a picture yet
     int m_unanswered = 0;
     std::uint64_t m_damagedBefore = 0; ///< when the last picture came

@@ -31,6 +31,7 @@ public:
         Nanoseconds time, hostTime;
         PictureCode code;
         std::optional<ClockReading> clock;
+        std::uint64_t lostHere;
     };
     struct Failure
     {
@@ -85,7 +86,7 @@ private:
             const std::lock_guard lock(m_mutex);
             if (captured) {
                 m_frames.push_back({captured->sequence, captured->frame.time, captured->hostTime,
-                                    readCode(captured->frame), captured->clock});
+                                    readCode(captured->frame), captured->clock, captured->lostHere});
                 continue;
             }
             if (captured.error().code == ErrorCode::Cancelled)

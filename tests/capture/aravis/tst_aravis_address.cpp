@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/aravis_address.h"
+#include "core/capture/aravis/aravis_session.h"
 #include "core/capture/aravis/camera_time_scale.h"
 
 #include <QTest>
@@ -157,6 +158,27 @@ private Q_SLOTS:
         PictureNumbering wide;
         QCOMPARE(wide.number(0x1'0000'0000), 0u);
         QCOMPARE(wide.number(0x1'0000'0003), 3u);
+    }
+
+    /// It is not the cable that is to blame.
+    void whatNobodyTakesIsCountedAsOurs()
+    {
+        AravisSession session("aravis:A");
+        for (std::uint64_t i = 0; i < 40; ++i) {
+            CapturedFrame captured;
+            captured.sequence = 2 * i; // each second one was lost on its way
+            session.deliver(std::move(captured));
+        }
+        std::uint64_t taken = 0, lostHere = 0, last = 0;
+        for (; taken < 32; ++taken) {
+            const auto captured = session.next(0ns);
+            QVERIFY(captured);
+            lostHere += captured->lostHere;
+            last = captured->sequence;
+        }
+        QCOMPARE(taken + lostHere, 40u);
+        QCOMPARE(last, 78u);
+        QCOMPARE(session.next(0ns).error().code, ErrorCode::Unavailable);
     }
 };
 

@@ -52,6 +52,7 @@ private Q_SLOTS:
     void anUnpluggedCameraIsToldAndComesBackAsItWas();
     void aFrozenCameraIsToldAndGoesOn();
     void aCameraThatOnlyDoesNotAnswerIsLeftToStream();
+    void whatComesWhileItIsNotTakenIsLostByUs();
     void anExchangedCameraIsRefused();
     void aSlowCameraIsNotGivenUp();
     void aCameraBelongsToOneProgram();
@@ -138,6 +139,31 @@ void TestAravisFaults::aCameraThatOnlyDoesNotAnswerIsLeftToStream()
     QTRY_VERIFY(taker.countSince(silent) > 45);
     QCOMPARE(taker.failures().size(), std::size_t(0));
     camera.muteControl = false;
+    QCOMPARE(source->counts().reconnections, 0u);
+}
+
+/// Asked for something, it lets us wait for seconds and streams meanwhile: more than there are buffers for.
+void TestAravisFaults::whatComesWhileItIsNotTakenIsLostByUs()
+{
+    SimulatedGigeCamera camera({.address = "127.31.2.13"}, codedPainter());
+    const auto source = opened("aravis:127.31.2.13");
+    QVERIFY(source);
+    FrameTaker taker(*source);
+    QTRY_VERIFY(taker.count() > 10);
+    camera.muteControl = true;
+    QCOMPARE(source->set("Gain", 3).error().code, ErrorCode::Unavailable);
+    camera.muteControl = false;
+    const Nanoseconds thawed = steadyNow();
+    QTRY_VERIFY_WITH_TIMEOUT(taker.countSince(thawed) > 10, 10000);
+    std::uint64_t gaps = 0, lostHere = 0;
+    const auto frames = taker.frames();
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        gaps += frames[i].sequence - frames[i - 1].sequence - 1;
+        lostHere += frames[i].lostHere;
+    }
+    // Two seconds of which 0.6 are buffered.
+    QVERIFY2(lostHere > 20 && lostHere <= gaps,
+             qPrintable(QStringLiteral("%1 of %2").arg(lostHere).arg(gaps)));
     QCOMPARE(source->counts().reconnections, 0u);
 }
 
