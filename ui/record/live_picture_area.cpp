@@ -11,7 +11,10 @@
 namespace odo {
 namespace {
 
-constexpr std::size_t placesShown = 300; // ten seconds
+constexpr std::size_t placesShown = 300; // ten seconds at 30 pictures a second
+/// So many new places are painted with each picture before they join the layer of the others: stroking the whole way each
+/// time costs more than all else that is painted here.
+constexpr std::size_t placesPaintedAnew = 12;
 constexpr int usualWidth = 1280, usualHeight = 720;
 
 } // namespace
@@ -26,7 +29,7 @@ void LivePictureArea::setFloor(TrialScenePtr floor, std::size_t view)
 {
     m_floor = std::move(floor);
     m_view = view;
-    m_floorLayer = {};
+    forgetLayers();
     update();
 }
 
@@ -39,13 +42,14 @@ void LivePictureArea::setRobots(std::vector<RobotRecord> robots)
 void LivePictureArea::forgetWays()
 {
     m_ways.assign(m_robots.size(), {});
+    m_wayLayer = {};
     update();
 }
 
 void LivePictureArea::setPicture(const LivePicture &picture)
 {
     if (picture.takenPx != m_picture.takenPx)
-        m_floorLayer = {};
+        forgetLayers();
     m_picture = picture;
     update();
 }
@@ -54,10 +58,10 @@ void LivePictureArea::addPlace(std::size_t robot, const Eigen::Vector2d &place)
 {
     if (robot >= m_ways.size())
         return;
-    auto &way = m_ways[robot];
-    way.push_back(place);
-    if (way.size() > placesShown)
-        way.erase(way.begin(), way.end() - static_cast<std::ptrdiff_t>(placesShown));
+    Way &way = m_ways[robot];
+    way.places.push_back(place);
+    if (way.places.size() - way.inLayer > placesPaintedAnew)
+        m_wayLayer = {};
 }
 
 void LivePictureArea::setWords(const QString &words)
@@ -80,6 +84,19 @@ QRectF LivePictureArea::pictureRect() const
     return fittedRect(taken, QSizeF(size()), devicePixelRatioF());
 }
 
+void LivePictureArea::forgetLayers()
+{
+    m_floorLayer = {};
+    m_wayLayer = {};
+}
+
+PictureMap LivePictureArea::pictureMap() const
+{
+    return [taken = m_picture.takenPx, shown = pictureRect()](const QPointF &pixel) {
+        return fromPicturePixel(pixel, taken, shown);
+    };
+}
+
 void LivePictureArea::renderFloorLayer()
 {
     m_floorLayer = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
@@ -91,11 +108,45 @@ void LivePictureArea::renderFloorLayer()
     painter.setFont(font());
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipRect(pictureRect());
-    const PictureMap map = [this](const QPointF &pixel) {
-        return fromPicturePixel(pixel, m_picture.takenPx, pictureRect());
-    };
+    const PictureMap map = pictureMap();
     paintFloorGrid(painter, *m_floor, *floorView(), map);
     paintAxes(painter, *m_floor, *floorView(), map);
+}
+
+/// The floor with all ways as they are now, without the oldest places.
+void LivePictureArea::renderWayLayer()
+{
+    if (m_floorLayer.isNull())
+        renderFloorLayer();
+    m_wayLayer = m_floorLayer;
+    QPainter painter(&m_wayLayer);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(pictureRect());
+    for (std::size_t robot = 0; robot < m_ways.size(); ++robot) {
+        Way &way = m_ways[robot];
+        if (way.places.size() > placesShown)
+            way.places.erase(way.places.begin(), way.places.end() - static_cast<std::ptrdiff_t>(placesShown));
+        way.inLayer = way.places.size();
+        paintWayOf(painter, robot, way.places);
+    }
+}
+
+void LivePictureArea::paintWayOf(QPainter &painter, std::size_t robot, const Places &places) const
+{
+    if (floorView())
+        paintWay(painter, places, m_robots[robot].heightM.value_or(0), *floorView(), pictureMap());
+}
+
+void LivePictureArea::paintRobots(QPainter &painter) const
+{
+    for (std::size_t robot = 0; robot < m_robots.size(); ++robot) {
+        const Way &way = m_ways[robot];
+        const auto first = static_cast<std::ptrdiff_t>(way.inLayer > 0 ? way.inLayer - 1 : 0);
+        paintWayOf(painter, robot, Places(way.places.begin() + first, way.places.end()));
+        if (robot < m_picture.observations.size() && m_picture.observations[robot].found)
+            paintEllipse(painter, m_picture.observations[robot].ellipse,
+                         QString::fromStdString(m_robots[robot].name), pictureMap());
+    }
 }
 
 void LivePictureArea::paintEvent(QPaintEvent *)
@@ -106,21 +157,12 @@ void LivePictureArea::paintEvent(QPaintEvent *)
     if (hasPicture()) {
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.drawImage(pictureRect(), m_picture.image);
-        if (m_floorLayer.isNull())
-            renderFloorLayer();
-        painter.drawPixmap(0, 0, m_floorLayer);
+        if (m_wayLayer.isNull())
+            renderWayLayer();
+        painter.drawPixmap(0, 0, m_wayLayer);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setClipRect(pictureRect());
-        const PictureMap map = [this](const QPointF &pixel) {
-            return fromPicturePixel(pixel, m_picture.takenPx, pictureRect());
-        };
-        for (std::size_t robot = 0; robot < m_robots.size(); ++robot) {
-            if (floorView())
-                paintWay(painter, m_ways[robot], m_robots[robot].heightM.value_or(0), *floorView(), map);
-            if (robot < m_picture.observations.size() && m_picture.observations[robot].found)
-                paintEllipse(painter, m_picture.observations[robot].ellipse,
-                             QString::fromStdString(m_robots[robot].name), map);
-        }
+        paintRobots(painter);
         painter.setClipping(false);
     }
     if (m_words.isEmpty())
@@ -135,14 +177,14 @@ void LivePictureArea::paintEvent(QPaintEvent *)
 
 void LivePictureArea::resizeEvent(QResizeEvent *)
 {
-    m_floorLayer = {};
+    forgetLayers();
     Q_EMIT shownSizeChanged((QSizeF(size()) * devicePixelRatioF()).toSize());
 }
 
 void LivePictureArea::changeEvent(QEvent *event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        m_floorLayer = {};
+        forgetLayers();
     QWidget::changeEvent(event);
 }
 

@@ -3,6 +3,7 @@
 
 #include "ui/models/trial_scene.h"
 #include "ui/record/running_cameras.h"
+#include "ui/views/picture_overlay.h"
 
 #include <QPixmap>
 #include <QWidget>
@@ -39,17 +40,30 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    using Places = std::vector<std::optional<Eigen::Vector2d>>;
+    /// Where a robot was in the last seconds.
+    struct Way
+    {
+        Places places;
+        std::size_t inLayer = 0; ///< the first so many are painted in m_wayLayer
+    };
     QRectF pictureRect() const;
+    PictureMap pictureMap() const;
     const FloorView *floorView() const;
+    void forgetLayers();
     void renderFloorLayer();
+    void renderWayLayer();
+    void paintWayOf(QPainter &painter, std::size_t robot, const Places &places) const;
+    void paintRobots(QPainter &painter) const;
 
     TrialScenePtr m_floor;
     std::size_t m_view = 0;
     std::vector<RobotRecord> m_robots;
-    std::vector<std::vector<std::optional<Eigen::Vector2d>>> m_ways; ///< of each robot, the last seconds
+    std::vector<Way> m_ways; ///< of each robot
     LivePicture m_picture;
     QString m_words;
     QPixmap m_floorLayer; ///< grid and axes; null: to be rendered
+    QPixmap m_wayLayer;   ///< m_floorLayer with the ways; null: to be rendered
 };
 
 } // namespace odo
