@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/benchmark/live/jpeg_camera.h"
+
+#include "core/capture/pace.h"
+#include "core/capture/v4l2/v4l2_pictures.h"
+#include "core/simulation/renderer.h"
+#include "core/video/jpeg_encoder.h"
+#include "core/video/jpeg_file.h"
+
+#include <linux/videodev2.h>
+
+namespace odo::test {
+
+namespace {
+
+constexpr int webcamQuality = 85;
+
+class JpegCamera : public CameraSource
+{
+public:
+    JpegCamera(CameraDescription description, const v4l2_pix_format &format, JpegPictures pictures)
+        : m_description(std::move(description)), m_reader(format), m_pictures(std::move(pictures)),
+          m_pace(Pace::Kind::RealTime)
+    {
+    }
+    const CameraDescription &description() const override { return m_description; }
+    void stop() override { m_pace.stop(); }
+
+    Result<CapturedFrame> next() override
+    {
+        const Nanoseconds time = fromSeconds(static_cast<double>(m_next) / m_description.framesPerSecond);
+        if (!m_pace.waitUntil(time))
+            return fail(ErrorCode::Cancelled, m_description.uri, "it was stopped", "open it again");
+        auto picture = m_reader.read((*m_pictures)[m_next % m_pictures->size()]);
+        if (!picture)
+            return fail(ErrorCode::Io, m_description.uri, "a picture is damaged", "look at how it was coded");
+        CapturedFrame captured{std::move(picture->frame), m_next++,
+                               std::chrono::steady_clock::now().time_since_epoch(), std::move(picture->jpeg)};
+        captured.frame.index = static_cast<std::int64_t>(captured.sequence);
+        captured.frame.time = time;
+        return captured;
+    }
+
+private:
+    const CameraDescription m_description;
+    V4l2Pictures m_reader;
+    const JpegPictures m_pictures;
+    Pace m_pace;
+    std::uint64_t m_next = 0;
+};
+
+} // namespace
+
+Result<JpegPictures> codePictures(const SimulatedScene &scene, int camera, std::int64_t firstFrame)
+{
+    SceneRenderer renderer(scene, camera);
+    JpegEncoder encoder(webcamQuality);
+    auto pictures = std::make_shared<std::vector<std::vector<std::uint8_t>>>();
+    for (std::int64_t i = firstFrame; i < renderer.frameCount(); ++i) {
+        auto jpeg = encoder.encode(renderer.render(i));
+        if (!jpeg)
+            return tl::unexpected(jpeg.error());
+        pictures->push_back(std::move(*jpeg));
+    }
+    return pictures;
+}
+
+std::unique_ptr<CameraSource> openJpegCamera(const std::string &uri, JpegPictures pictures,
+                                             double framesPerSecond)
+{
+    const auto frame = jpegFormat(pictures->front());
+    v4l2_pix_format format{};
+    format.pixelformat = V4L2_PIX_FMT_MJPEG;
+    format.width = static_cast<unsigned>(frame->width);
+    format.height = static_cast<unsigned>(frame->height);
+    CameraDescription description{uri, "simulated", "webcam", frame->width, frame->height, framesPerSecond};
+    return std::make_unique<JpegCamera>(std::move(description), format, std::move(pictures));
+}
+
+} // namespace odo::test
