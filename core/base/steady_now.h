@@ -5,10 +5,17 @@
 
 namespace odo {
 
-/// This machine's steady clock, by which all cameras' pictures are told. Any thread.
+/// How long the machine has slept since it was started: by so much steadyNow() is ahead of
+/// std::chrono::steady_clock, which stands still meanwhile and by which Linux's drivers stamp pictures. In a
+/// file of its own, so that a test can have the machine sleep by defining it itself. Any thread.
+Nanoseconds machineSlept();
+
+/// This machine's steady clock, by which all cameras' pictures are told. It is never set, and goes on while
+/// the machine sleeps, as the cameras' own clocks do. Not the clock that condition variables wait by: wait
+/// for a length of time. Any thread.
 inline Nanoseconds steadyNow()
 {
-    return std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::steady_clock::now().time_since_epoch() + machineSlept();
 }
 
 } // namespace odo

@@ -20,6 +20,24 @@ std::string text(const char *format, Values... values)
 
 } // namespace
 
+Error machineSleptError(Nanoseconds howLong)
+{
+    const double seconds = toSeconds(howLong);
+    const std::string length = seconds < 120    ? text("%.0f s", seconds)
+                               : seconds < 7200 ? text("%.0f min", seconds / 60)
+                                                : text("%.0f h", seconds / 3600);
+    return {ErrorCode::Unavailable, "this computer",
+            "it slept for " + length + ", and nothing was recorded meanwhile",
+            "what came before is kept; keep it awake while it records"};
+}
+
+Error slowCameraError(const std::string &uri, double framesPerSecond, double asked)
+{
+    return {ErrorCode::Unavailable, "camera " + uri,
+            text("it takes only %.0f pictures a second of the %.0f it was asked for", framesPerSecond, asked),
+            "give it more light or a shorter exposure, or ask for a lower rate"};
+}
+
 std::string healthWords(const ViewHealth &view)
 {
     if (view.trouble)
@@ -27,6 +45,8 @@ std::string healthWords(const ViewHealth &view)
     if (view.state == ViewHealth::State::Starting)
         return "waiting for the first picture";
     std::string words = text("%.1f frames/s", view.framesPerSecond);
+    if (view.slow)
+        words += " (too slow)";
     const std::uint64_t lost = view.lostOnWire + view.lostByUs;
     words += lost == 0 ? std::string(", none lost") : ", " + std::to_string(lost) + " lost";
     if (view.lostOnWire > 0 && view.lostByUs > 0)

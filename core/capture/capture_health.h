@@ -39,6 +39,7 @@ struct ViewHealth
     std::vector<std::string> notHeld; ///< names of what goes on changing by itself
     std::optional<ClockFit> clock;    ///< with its source and σ; nullopt before the first picture
     std::optional<Trouble> trouble;
+    std::optional<Trouble> slow; ///< it delivers, but takes fewer pictures a second than it was asked for
 };
 
 /// How well the views are in step. Errors are of the last ten seconds: how much later the other view's
@@ -69,7 +70,14 @@ struct CaptureHealth
     std::vector<ViewHealth> views; ///< in the order of the cameras
     PairHealth pairs;
     DiskHealth disk;
+    /// That this machine slept while it recorded, until the recording has ended; else for some seconds.
+    std::optional<Trouble> sleep;
 };
+
+/// That this machine slept so long, and what that means.
+Error machineSleptError(Nanoseconds howLong);
+/// That a camera takes so many pictures a second of those it was asked for.
+Error slowCameraError(const std::string &uri, double framesPerSecond, double asked);
 
 /// "30.0 frames/s, none lost", or what is the matter.
 std::string healthWords(const ViewHealth &view);

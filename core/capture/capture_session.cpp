@@ -16,6 +16,7 @@ using namespace std::chrono_literals;
 
 constexpr Nanoseconds longestWait = 150ms;
 constexpr auto longestEnd = 1s;
+constexpr Nanoseconds shortestSleep = 100ms, sleepToldFor = 10s;
 constexpr double usualFramesPerSecond = 30;
 
 /// Half an interval of the slowest camera: two that run free are never further apart.
@@ -84,6 +85,7 @@ CaptureHealth CaptureSession::health() const
         health.views.push_back(view->health(now));
     health.pairs = m_pairing->health(now);
     const std::lock_guard lock(m_mutex);
+    health.sleep = sleep(now);
     health.disk.recording = !m_writers.empty();
     double shares = 0; // of what is left, that the views write a second
     for (std::size_t view = 0; view < m_writers.size(); ++view) {
@@ -106,9 +108,24 @@ CaptureHealth CaptureSession::health() const
     return health;
 }
 
+/// It is found out by who looks first; the mutex is held.
+std::optional<Trouble> CaptureSession::sleep(Nanoseconds now) const
+{
+    const Nanoseconds slept = machineSlept() - m_slept;
+    if (slept >= shortestSleep) {
+        m_slept += slept;
+        m_sleep = Trouble{machineSleptError(slept), now};
+    }
+    if (m_writers.empty() && m_sleep && now - m_sleep->since > sleepToldFor)
+        m_sleep.reset();
+    return m_sleep;
+}
+
 void CaptureSession::startRecording(const std::vector<std::filesystem::path> &files, Nanoseconds preRoll)
 {
     const std::lock_guard lock(m_mutex);
+    m_slept = machineSlept();
+    m_sleep.reset();
     for (std::size_t view = 0; view < m_views.size(); ++view) {
         m_writers.push_back(
             std::make_shared<ViewWriter>(files[view], description(view).framesPerSecond, m_disk));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/bounded_queue.h"
+#include "core/base/steady_now.h"
 #include "core/capture/capture_health.h"
 #include "core/capture/disk_watch.h"
 #include "core/capture/recording_outcome.h"
@@ -58,7 +59,8 @@ public:
 
     std::size_t viewCount() const { return m_views.size(); }
     const CameraDescription &description(std::size_t view) const;
-    /// What can be set at a camera, as it stands now. May take seconds where it does not answer. Errors: Unavailable.
+    /// What can be set at a camera, as it stands now. May take seconds where it does not answer. Errors:
+    /// Unavailable.
     Result<std::vector<CameraControl>> controls(std::size_t view) const;
 
     /// Every picture of a view, as it arrives, its time as it is known by then. capacity: how many may wait.
@@ -84,6 +86,8 @@ public:
     RecordingOutcome stopRecording();
 
 private:
+    std::optional<Trouble> sleep(Nanoseconds now) const;
+
     Nanoseconds m_tolerance{0};
     const DiskWatch m_disk;
     std::shared_ptr<FramePairing> m_pairing;
@@ -91,6 +95,8 @@ private:
         m_views;                ///< shared with their threads, which a hanging camera may outlive us with
     mutable std::mutex m_mutex; ///< guards what follows
     std::vector<std::shared_ptr<ViewWriter>> m_writers; ///< none while nothing is recorded
+    mutable Nanoseconds m_slept = machineSlept();       ///< when it was last looked
+    mutable std::optional<Trouble> m_sleep;             ///< the last one
 };
 
 } // namespace odo

@@ -19,6 +19,8 @@ constexpr std::size_t mostUncoded = 32; // a second at 30 frames/s; at 1280×720
 constexpr std::size_t mostKeptBytes = 64 << 20;
 constexpr Nanoseconds rateOver = 2s, longestSilence = 1s, longestStart = 3s;
 constexpr double framesMissed = 5;
+constexpr Nanoseconds paceKnownFrom = 1500ms, shortestSleep = 100ms;
+constexpr double slowShare = 0.75; // of the rate; with a pause of half a second in two it has not got slow
 
 } // namespace
 
@@ -86,7 +88,7 @@ struct ViewCapture::Coder
 ViewCapture::ViewCapture(std::unique_ptr<CameraSource> camera, std::size_t view, Nanoseconds preRoll,
                          std::shared_ptr<FramePairing> pairing)
     : m_camera(std::move(camera)), m_view(view), m_preRoll(preRoll), m_pairing(std::move(pairing)),
-      m_work(mostUncoded)
+      m_work(mostUncoded), m_slept(machineSlept())
 {
 }
 
@@ -151,6 +153,8 @@ void ViewCapture::interrupted(const Error &error)
         m_health.trouble = Trouble{error, steadyNow()};
     m_health.trouble->error = error; // the cause may be known better by now
     m_interruption = error;
+    m_health.slow.reset();
+    m_pace.clear();
 }
 
 void ViewCapture::holdAutomaticsIfWanted()
@@ -173,6 +177,7 @@ void ViewCapture::take(CapturedFrame captured)
     TimedFrame timed{std::move(captured), {}};
     {
         const std::lock_guard lock(m_mutex);
+        noteSleep(timed.captured);
         timed.taken = note(timed.captured, now);
         m_lostBefore += timed.captured.lostHere;
         if (m_work.tryPush(Picture{timed.captured, timed.taken, m_interruption, m_lostBefore})) {
@@ -187,6 +192,46 @@ void ViewCapture::take(CapturedFrame captured)
     m_pairing->add(m_view, std::move(timed), now);
 }
 
+/// Pictures that had come before it slept may be taken only now; then the gap is yet to come. How long it
+/// slept a machine knows to a second at best, so that what was known of the camera's clock is known no more.
+/// The mutex is held.
+void ViewCapture::noteSleep(const CapturedFrame &captured)
+{
+    const Nanoseconds slept = machineSlept() - m_slept;
+    m_slept += slept;
+    m_sleep += slept;
+    const RawTime raw{captured.sequence, captured.frame.time, captured.hostTime};
+    const RawTime last = std::exchange(m_last, raw).value_or(raw);
+    if (m_sleep < shortestSleep ||
+        std::max(raw.device - last.device, raw.arrival - last.arrival) < m_sleep / 2)
+        return;
+    m_clock = {};
+    m_pace.clear();
+    m_interruption = machineSleptError(std::exchange(m_sleep, Nanoseconds(0)));
+}
+
+/// By the camera's own clock and count, so that what is late, or lost on its way, makes no difference; the
+/// mutex is held.
+std::optional<Trouble> ViewCapture::slowness(const CapturedFrame &captured, Nanoseconds now)
+{
+    const CameraDescription &camera = description();
+    const bool isNoCamera = camera.kind == "file" || camera.kind == "simulated";
+    if (isNoCamera || !(camera.framesPerSecond > 0))
+        return std::nullopt;
+    m_pace.push_back({captured.sequence, captured.frame.time});
+    const Nanoseconds window = std::max(rateOver, fromSeconds(framesMissed / camera.framesPerSecond));
+    while (m_pace[1 % m_pace.size()].time <= captured.frame.time - window)
+        m_pace.pop_front();
+    const Nanoseconds span = captured.frame.time - m_pace.front().time;
+    if (span < paceKnownFrom)
+        return m_health.slow;
+    const double rate = static_cast<double>(captured.sequence - m_pace.front().sequence) / toSeconds(span);
+    if (rate >= slowShare * camera.framesPerSecond)
+        return std::nullopt;
+    return Trouble{slowCameraError(camera.uri, rate, camera.framesPerSecond),
+                   m_health.slow ? m_health.slow->since : now};
+}
+
 /// When it was taken; the mutex is held.
 Nanoseconds ViewCapture::note(const CapturedFrame &captured, Nanoseconds now)
 {
@@ -197,6 +242,7 @@ Nanoseconds ViewCapture::note(const CapturedFrame &captured, Nanoseconds now)
     const Nanoseconds taken = m_health.clock->hostTime(captured.frame.time);
     m_health.state = ViewHealth::State::Delivering;
     m_health.trouble.reset();
+    m_health.slow = slowness(captured, now);
     ++m_health.delivered;
     if (m_lastSequence && captured.sequence > *m_lastSequence + 1 + captured.lostHere)
         m_health.lostOnWire += captured.sequence - *m_lastSequence - 1 - captured.lostHere;
@@ -230,7 +276,7 @@ std::optional<Trouble> ViewCapture::silence(Nanoseconds now) const
     const double rate = std::max(1.0, description().framesPerSecond);
     const Nanoseconds allowed =
         std::max(began ? longestSilence : longestStart, fromSeconds(framesMissed / rate));
-    const Nanoseconds last = began ? m_lastArrival : m_begun;
+    const Nanoseconds last = (began ? m_lastArrival : m_begun) + (machineSlept() - m_slept);
     if (now - last <= allowed)
         return std::nullopt;
     char seconds[32];
@@ -257,6 +303,8 @@ ViewHealth ViewCapture::health(Nanoseconds now) const
     }
     if (health.trouble && health.state != ViewHealth::State::Ended)
         health.state = ViewHealth::State::Waiting;
+    if (health.trouble)
+        health.slow.reset();
     const double overS = toSeconds(std::min(rateOver, std::max(now - m_begun, Nanoseconds(1ms))));
     health.framesPerSecond = static_cast<double>(latenciesS.size()) / overS;
     health.latencyS = percentile(std::move(latenciesS), 95);

@@ -63,6 +63,11 @@ private:
     };
     using Work = std::variant<Picture, Start, Stop>;
     struct Coder;
+    struct Pace
+    {
+        std::uint64_t sequence;
+        Nanoseconds time; ///< by the camera's clock
+    };
     struct Recent
     {
         Nanoseconds arrival;
@@ -73,7 +78,9 @@ private:
     void take(CapturedFrame captured);
     void interrupted(const Error &error);
     void holdAutomaticsIfWanted();
+    void noteSleep(const CapturedFrame &captured);
     Nanoseconds note(const CapturedFrame &captured, Nanoseconds now);
+    std::optional<Trouble> slowness(const CapturedFrame &captured, Nanoseconds now);
     void giveOut(const TimedFrame &timed);
     void codePictures();
     std::optional<Trouble> silence(Nanoseconds now) const;
@@ -90,7 +97,11 @@ private:
     ClockMap m_clock;
     ViewHealth m_health; ///< all but what is counted anew each time
     std::optional<std::uint64_t> m_lastSequence;
-    std::deque<Recent> m_recent; ///< of the last two seconds
+    std::deque<Recent> m_recent;   ///< of the last two seconds
+    std::deque<Pace> m_pace;       ///< of its last two seconds, unless it was interrupted since
+    Nanoseconds m_slept;           ///< this machine, when the last picture was taken from the camera
+    Nanoseconds m_sleep{0};        ///< since the last picture, as far as is known
+    std::optional<RawTime> m_last; ///< picture
     Nanoseconds m_begun{0}, m_lastArrival{0};
     std::optional<Error> m_interruption; ///< since the last picture
     std::uint64_t m_lostBefore = 0;      ///< by us, since the last one that found room

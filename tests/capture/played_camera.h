@@ -25,7 +25,15 @@ public:
     struct Picture
     {
     };
-    using Step = std::variant<Picture, Loss, Error, Hang>;
+    struct Pace
+    {
+        std::chrono::nanoseconds interval;
+    };
+    struct Pass
+    {
+        std::chrono::nanoseconds time;
+    };
+    using Step = std::variant<Picture, Loss, Pace, Pass, Error, Hang>;
 
     void pictures(int count)
     {
@@ -36,6 +44,10 @@ public:
     void lose(int count) { add(Loss{count}); }
     /// Pictures that arrive, and that the source throws away.
     void loseHere(int count) { add(Loss{count, true}); }
+    /// From now on its pictures are so far apart.
+    void pace(std::chrono::nanoseconds interval) { add(Pace{interval}); }
+    /// Time in which it takes no picture.
+    void pass(std::chrono::nanoseconds time) { add(Pass{time}); }
     void error(const Error &error) { add(error); }
     /// next() does not return, not even when it is stopped, until the script is given up.
     void hang() { add(Hang{}); }
@@ -110,8 +122,13 @@ public:
                 return tl::unexpected(*error);
             if (const auto *loss = std::get_if<Script::Loss>(&*step)) {
                 m_sequence += loss->pictures;
+                m_time += loss->pictures * m_interval;
                 m_lostHere += loss->here ? std::uint64_t(loss->pictures) : 0;
-            } else
+            } else if (const auto *pace = std::get_if<Script::Pace>(&*step))
+                m_interval = pace->interval;
+            else if (const auto *pass = std::get_if<Script::Pass>(&*step))
+                m_time += pass->time;
+            else
                 return picture();
         }
     }
@@ -121,7 +138,7 @@ public:
 private:
     CapturedFrame picture()
     {
-        const Nanoseconds time = m_sequence * interval + m_kind.phase;
+        const Nanoseconds time = std::exchange(m_time, m_time + m_interval) + m_kind.phase;
         CapturedFrame captured;
         captured.frame = FrameBuffer::toFrame(std::make_shared<FrameBuffer>(m_kind.format), m_sequence,
                                               time - m_kind.clockStart);
@@ -139,6 +156,7 @@ private:
     const Kind m_kind;
     const CameraDescription m_description{"play:", "played", "Played", 160, 96, 30};
     int m_sequence = 0;
+    Nanoseconds m_time{0}, m_interval = interval;
     std::uint64_t m_lostHere = 0;
 };
 

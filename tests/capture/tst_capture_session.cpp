@@ -75,6 +75,7 @@ private Q_SLOTS:
     void healthKnowsTheClockAndHowWellTheyAreInStep();
     void whatChangesByItselfIsHeldWhileRecording();
     void aCameraThatHangsHoldsNothingUp();
+    void aCameraThatTakesFewerPicturesIsTold();
 
 private:
     std::vector<std::filesystem::path> files(const char *a = "a.mkv", const char *b = "b.mkv") const
@@ -434,6 +435,45 @@ void TestCaptureSession::aCameraThatHangsHoldsNothingUp()
     QCOMPARE(outcome.views[1].taken.size(), std::size_t(5));
     cameras.session.reset(); // returns
     cameras.b->giveUp();
+}
+
+/// As webcams do in dim light. What is lost on its way has another cause, and another word.
+void TestCaptureSession::aCameraThatTakesFewerPicturesIsTold()
+{
+    TwoCameras cameras;
+    for (int i = 1; i <= 2; ++i) {
+        cameras.a->pictures(lot);
+        for (int j = 0; j < lot / 2; ++j) {
+            cameras.b->lose(1);
+            cameras.b->pictures(1);
+        }
+        QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(i * lot));
+    }
+    QVERIFY(!cameras.health(0).slow && !cameras.health(1).slow);
+    cameras.a->pace(83ms);
+    cameras.a->pictures(12); // in a second
+    QTRY_COMPARE(cameras.health(0).delivered, 72u);
+    QVERIFY(cameras.health(0).slow);
+    cameras.a->pictures(20);
+    QTRY_COMPARE(cameras.health(0).delivered, 92u);
+    QCOMPARE(cameras.health(0).slow->error.message(),
+             std::string(
+                 "camera play:: it takes only 12 pictures a second of the 30 it was asked for; give it more "
+                 "light or a shorter exposure, or ask for a lower rate"));
+    QCOMPARE(cameras.health(0).state, State::Delivering);
+    QVERIFY2(healthWords(cameras.health(0)).ends_with(" frames/s (too slow), none lost"),
+             healthWords(cameras.health(0)).c_str());
+    cameras.a->error(gone); // whatever is worse is told instead
+    QTRY_VERIFY(cameras.health(0).trouble);
+    QVERIFY(!cameras.health(0).slow);
+    cameras.a->pictures(24); // two seconds
+    QTRY_VERIFY(cameras.health(0).slow);
+    cameras.a->pace(PlayedCamera::interval);
+    cameras.a->pictures(lot);
+    QTRY_COMPARE(cameras.health(0).delivered, 146u);
+    cameras.a->pictures(lot);
+    QTRY_COMPARE(cameras.health(0).delivered, 176u);
+    QVERIFY(!cameras.health(0).slow);
 }
 
 QTEST_GUILESS_MAIN(TestCaptureSession)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs in the emulated machine: webcams that are unplugged, frozen, swapped, taken by another program, and
 // that return, while a session records two of them.
+#include "core/base/steady_now.h"
 #include "core/capture/capture_session.h"
 #include "core/capture/v4l2/v4l2_stream.h"
 #include "core/video/video_reader.h"
@@ -17,8 +18,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Half a second of silence, the session's word, and the leisure of an emulated machine.
-constexpr auto soon = 2s;
+constexpr Nanoseconds told = 1s;
 
 bool isWaiting(const CaptureSession &session, std::size_t view)
 {
@@ -167,9 +167,12 @@ private:
     }
     void isToldSoon(std::size_t view, const char *words)
     {
-        const auto from = std::chrono::steady_clock::now();
-        QTRY_VERIFY(isWaiting(*m_session, view));
-        QVERIFY(std::chrono::steady_clock::now() - from < soon);
+        const Nanoseconds from = steadyNow();
+        QTRY_VERIFY(m_session->health().views.at(view).trouble);
+        const Nanoseconds after = m_session->health().views[view].trouble->since - from;
+        qInfo("told after %.2f s", toSeconds(after));
+        QVERIFY2(after < told, QByteArray::number(toSeconds(after)));
+        QVERIFY(isWaiting(*m_session, view));
         QTRY_VERIFY2(troubleOf(*m_session, view).contains(words), troubleOf(*m_session, view));
     }
     /// It delivers, and was not touched.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs in the emulated machine: drops, errors, clocks and counts that go wrong, and a camera that is taken
 // away.
+#include "core/base/steady_now.h"
 #include "core/capture/capture_session.h"
 #include "core/capture/v4l2/v4l2_device.h"
 #include "vivid_cameras.h"
@@ -216,6 +217,32 @@ private Q_SLOTS:
         QVERIFY2(std::abs(perPicture / 0.1 - 1) < 0.1, QByteArray::number(perPicture));
     }
 
+    /// As when its automatic exposure needs more light; the other camera is told nothing of.
+    void fewerPicturesAreTold()
+    {
+        std::vector<std::unique_ptr<CameraSource>> cameras;
+        cameras.push_back(camera());
+        cameras.push_back(camera(other));
+        CaptureSession session(std::move(cameras));
+        const auto views = [&] { return session.health().views; };
+        QTRY_VERIFY(views()[0].delivered > 100 && views()[1].delivered > 100);
+        setRate(10);
+        const Nanoseconds slowed = steadyNow();
+        QTRY_VERIFY(views()[0].slow);
+        const Nanoseconds after = views()[0].slow->since - slowed;
+        qInfo("told after %.2f s", toSeconds(after));
+        QVERIFY2(after < std::chrono::seconds(2), QByteArray::number(toSeconds(after)));
+        QTRY_VERIFY2(
+            views()[0].slow->error.message().ends_with(
+                "it takes only 10 pictures a second of the 50 it was asked for; give it more light or a "
+                "shorter exposure, or ask for a lower rate"),
+            views()[0].slow->error.message().c_str());
+        QCOMPARE(views()[0].state, ViewHealth::State::Delivering);
+        QVERIFY(!views()[1].slow);
+        setRate(50);
+        QTRY_VERIFY(!views()[0].slow);
+    }
+
     /// Not even what is no camera ends it.
     void somethingElseInItsPlaceIsWaitedOut()
     {
@@ -246,11 +273,12 @@ private Q_SLOTS:
         const auto state = [&] { return session.health().views.at(0).state; };
         QTRY_COMPARE(state(), ViewHealth::State::Delivering);
         QVERIFY(shell("echo vivid.0 >/sys/bus/platform/drivers/vivid/unbind"));
-        const auto gone = std::chrono::steady_clock::now();
-        QTRY_VERIFY(state() == ViewHealth::State::Waiting);
-        QVERIFY(std::chrono::steady_clock::now() - gone <
-                std::chrono::seconds(2)); // 1 s, and the emulated machine's leisure
+        const Nanoseconds gone = steadyNow();
         QTRY_VERIFY(session.health().views[0].trouble);
+        QCOMPARE(state(), ViewHealth::State::Waiting);
+        const Nanoseconds after = session.health().views[0].trouble->since - gone;
+        qInfo("told after %.2f s", toSeconds(after));
+        QVERIFY2(after < std::chrono::seconds(1), QByteArray::number(toSeconds(after)));
         QVERIFY2(session.health().views[0].trouble->error.message().ends_with(
                      "it was unplugged; plug it in again"),
                  session.health().views[0].trouble->error.message().c_str());

@@ -23,6 +23,8 @@ Badge viewBadge(const ViewHealth &view)
 {
     if (view.state == ViewHealth::State::Waiting || view.state == ViewHealth::State::Ended || view.trouble)
         return {Words::tr("trouble"), BadgeState::Bad};
+    if (view.slow)
+        return {Words::tr("slow"), BadgeState::Warning};
     if (view.lostByUs > 0 || view.lostOnWire > 0)
         return {Words::tr("losses"), BadgeState::Warning};
     return view.state == ViewHealth::State::Delivering ? Badge{Words::tr("good"), BadgeState::Good} : Badge{};
@@ -137,11 +139,20 @@ QString troubleWords(const CaptureHealth &health, const std::vector<WantedCamera
 {
     if (health.disk.trouble)
         return Words::tr("Recording: %1").arg(errorSentence(health.disk.trouble->error));
-    for (std::size_t v = 0; v < std::min(cameras.size(), health.views.size()); ++v) {
-        if (health.views[v].trouble)
-            return Words::tr("Camera %1: %2")
-                .arg(QString::fromStdString(cameras[v].name), errorSentence(health.views[v].trouble->error));
-    }
+    const auto firstOf = [&](std::optional<Trouble> ViewHealth::*kind) {
+        for (std::size_t v = 0; v < std::min(cameras.size(), health.views.size()); ++v) {
+            if (const auto &trouble = health.views[v].*kind)
+                return Words::tr("Camera %1: %2")
+                    .arg(QString::fromStdString(cameras[v].name), errorSentence(trouble->error));
+        }
+        return QString();
+    };
+    if (const QString words = firstOf(&ViewHealth::trouble); !words.isEmpty())
+        return words;
+    if (health.sleep)
+        return errorSentence(health.sleep->error);
+    if (const QString words = firstOf(&ViewHealth::slow); !words.isEmpty())
+        return words;
     if (health.disk.recording && health.disk.waiting >= 0.5)
         return Words::tr("The disk is hardly fast enough: record to a faster one, or with fewer cameras.");
     if (health.disk.secondsLeft && *health.disk.secondsLeft < littleRoomS)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/v4l2_source.h"
 
+#include "core/base/steady_now.h"
 #include "core/capture/v4l2/v4l2_address.h"
 #include "core/capture/v4l2/v4l2_controls.h"
 #include "core/capture/v4l2/v4l2_description.h"
@@ -157,7 +158,7 @@ void V4l2Source::restore(const V4l2Device &device)
 
 std::optional<CapturedFrame> V4l2Source::read(const V4l2Stream::Buffer &buffer)
 {
-    const Nanoseconds arrival = now().time_since_epoch();
+    const Nanoseconds arrival = steadyNow();
     const V4l2Stamps::Stamp stamp = m_stamps.next(buffer.stamp, arrival);
     auto picture = buffer.isDamaged ? std::nullopt : m_pictures->read(buffer.bytes);
     if (!picture) {

@@ -13,7 +13,7 @@ struct V4l2BufferStamp
 {
     std::uint32_t sequence = 0; ///< wraps
     std::uint64_t time = 0;     ///< nanoseconds; wraps
-    bool isMonotonic = false;   ///< of this machine's steady clock, so the driver says
+    bool isMonotonic = false;   ///< of this machine's steady clock (steadyNow()), so the driver says
 };
 
 /// Makes of drivers' counts and times what CapturedFrame has: counts that rise and times that go on, whatever

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/v4l2_stream.h"
 
+#include "core/base/steady_now.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -126,6 +128,8 @@ int V4l2Stream::take(Buffer &taken)
     taken.isDamaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0;
     taken.stamp = {buffer.sequence, nanosecondsOf(buffer.timestamp),
                    (buffer.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC};
+    if (taken.stamp.isMonotonic) // a clock that stands still while the machine sleeps
+        taken.stamp.time += static_cast<std::uint64_t>(machineSlept().count());
     return 0;
 }
 

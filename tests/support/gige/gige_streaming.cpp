@@ -29,8 +29,7 @@ std::uint16_t idAfter(std::uint16_t id)
 bool SimulatedGigeCamera::sleepUntil(Lock &lock, Nanoseconds time)
 {
     const unsigned acquisition = m_acquisition;
-    const auto end = std::chrono::steady_clock::time_point(time);
-    m_wake.wait_until(lock, end, [&] { return m_stopped || m_acquisition != acquisition; });
+    m_wake.wait_for(lock, time - steadyNow(), [&] { return m_stopped || m_acquisition != acquisition; });
     return !m_stopped && m_acquisition == acquisition;
 }
 
@@ -141,7 +140,7 @@ void SimulatedGigeCamera::send(const std::vector<Packet> &packets, const sockadd
                    sizeof to);
         due += fromSeconds(delayS + static_cast<double>(packet.size()) / bytesPerSecond);
         if (due - steadyNow() > longestBurst)
-            std::this_thread::sleep_until(std::chrono::steady_clock::time_point(due));
+            std::this_thread::sleep_for(due - steadyNow());
     }
 }
 

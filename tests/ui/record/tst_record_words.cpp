@@ -112,6 +112,16 @@ void TestRecordWords::tellsTheWorstTrouble()
     health.pairs.pairs = 30;
     health.pairs.p95S = 0.03;
     QVERIFY(troubleWords(health, cameras).contains(QStringLiteral("not in step")));
+    health.views[0].slow = Trouble{slowCameraError("v4l2:/dev/video2", 12.4, 30), {}};
+    QCOMPARE(troubleWords(health, cameras),
+             QStringLiteral(
+                 "Camera A: camera v4l2:/dev/video2: it takes only 12 pictures a second of the 30 it was "
+                 "asked for; give it more light or a shorter exposure, or ask for a lower rate."));
+    health.sleep = Trouble{machineSleptError(std::chrono::minutes(3)), {}};
+    QCOMPARE(troubleWords(health, cameras),
+             QStringLiteral(
+                 "this computer: it slept for 3 min, and nothing was recorded meanwhile; what came before is "
+                 "kept; keep it awake while it records."));
     health.views[1].trouble = Trouble{gone, {}};
     QCOMPARE(troubleWords(health, cameras),
              QStringLiteral("Camera B: camera v4l2:/dev/video0: it was unplugged; plug it in again."));

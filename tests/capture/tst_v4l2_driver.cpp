@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a webcam's driver does that cannot be brought about in the emulated machine: a USB bus without room, a
+// camera that takes fewer pictures in dim light.
+#include "core/base/steady_now.h"
+#include "core/capture/capture_session.h"
+#include "played_driver.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr Nanoseconds told = 1s;
+const char *const noRoom =
+    "its USB bus has no room left for its pictures; plug it in where it shares no bus with another camera";
+
+std::unique_ptr<CaptureSession> sessionOf(const PlayedDriver &driver)
+{
+    auto source = openCamera(driver.uri());
+    if (!source) {
+        QTest::qFail(source.error().message().c_str(), __FILE__, __LINE__);
+        return nullptr;
+    }
+    std::vector<std::unique_ptr<CameraSource>> sources;
+    sources.push_back(std::move(*source));
+    return std::make_unique<CaptureSession>(std::move(sources));
+}
+
+} // namespace
+
+class TestV4l2Driver : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void aFullBusIsSaidWhenItIsOpened()
+    {
+        PlayedDriver driver;
+        driver.streamOnFailure = ENOSPC;
+        const auto refused = openCamera(driver.uri());
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::Unavailable);
+        QVERIFY2(refused.error().message().find(noRoom) != std::string::npos,
+                 refused.error().message().c_str());
+        driver.streamOnFailure = 0;
+        QVERIFY(openCamera(driver.uri()));
+    }
+
+    /// Another camera has taken the room meanwhile; in the end it is given free.
+    void aFullBusIsSaidWhenItComesBack()
+    {
+        PlayedDriver driver;
+        const auto session = sessionOf(driver);
+        QVERIFY(session);
+        const auto health = [&] { return session->health().views[0]; };
+        QTRY_VERIFY(health().delivered > 5);
+        QTemporaryDir folder;
+        session->startRecording({std::filesystem::path(folder.path().toStdString()) / "a.mkv"});
+        const auto recorded = [&] { return session->health().disk.recordedS; };
+        QTRY_VERIFY(recorded() > 0.1);
+        driver.streamOnFailure = ENOSPC;
+        driver.isUnplugged = true;
+        QTRY_VERIFY(health().trouble);
+        driver.isUnplugged = false;
+        const Nanoseconds back = steadyNow();
+        QTRY_VERIFY(health().trouble->error.message().find(noRoom) != std::string::npos);
+        QVERIFY2(steadyNow() - back < told, qPrintable(QString::number(toSeconds(steadyNow() - back))));
+        const std::uint64_t before = health().delivered;
+        driver.streamOnFailure = 0;
+        QTRY_VERIFY(health().delivered > before + 5);
+        QVERIFY(!health().trouble);
+        const RecordingOutcome outcome = session->stopRecording();
+        QCOMPARE(outcome.views[0].gaps.size(), std::size_t(1));
+        QVERIFY(outcome.views[0].gaps[0].why.message().find(noRoom) != std::string::npos);
+        QVERIFY(!outcome.views[0].problem);
+    }
+
+    void aSlowCameraIsTold()
+    {
+        PlayedDriver driver;
+        const auto session = sessionOf(driver);
+        QVERIFY(session);
+        const auto health = [&] { return session->health().views[0]; };
+        QTRY_VERIFY(health().delivered > 60);
+        QVERIFY(!health().slow);
+        driver.framesPerSecond = 12; // its automatic exposure needs more light
+        const Nanoseconds slowed = steadyNow();
+        QTRY_VERIFY(health().slow);
+        const Nanoseconds after = health().slow->since - slowed;
+        // In 0.84 s of 12 the share of the two seconds' pictures falls below three quarters.
+        QVERIFY2(after < 1200ms, qPrintable(QString::number(toSeconds(after))));
+        QTRY_VERIFY(
+            health().slow->error.message().find(
+                "it takes only 12 pictures a second of the 30 it was asked for; give it more light") !=
+            std::string::npos);
+        QCOMPARE(health().state, ViewHealth::State::Delivering);
+        QCOMPARE(health().lostOnWire, 0u);
+        driver.framesPerSecond = 30;
+        QTRY_VERIFY(!health().slow);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestV4l2Driver)
+#include "tst_v4l2_driver.moc"
