@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GigE cameras that are unplugged, freeze, are exchanged, come back, or belong to another program.
+#include "core/capture/capture_session.h"
 #include "frame_taker.h"
 
 #include <arpa/inet.h>
@@ -55,6 +56,7 @@ private Q_SLOTS:
     void whatComesWhileItIsNotTakenIsLostByUs();
     void anExchangedCameraIsRefused();
     void aSlowCameraIsNotGivenUp();
+    void fewerPicturesThanAskedForAreTold();
     void aCameraBelongsToOneProgram();
     void aCrashedProgramsCameraIsFreeAfterAWhile();
     void aClockThatBeginsAnewIsNotSeen();
@@ -201,6 +203,35 @@ void TestAravisFaults::aSlowCameraIsNotGivenUp()
     QCOMPARE(source->counts().reconnections, 0u);
     const auto frames = taker.frames();
     QCOMPARE(frames[2].sequence - frames[0].sequence, 2u);
+}
+
+/// It still says that it takes 30: what its exposure makes of that it does not tell.
+void TestAravisFaults::fewerPicturesThanAskedForAreTold()
+{
+    SimulatedGigeCamera dim({.address = "127.31.2.14", .serial = "DIM"}, codedPainter()),
+        bright({.address = "127.31.2.15", .serial = "BRIGHT"}, codedPainter());
+    std::vector<std::unique_ptr<CameraSource>> sources;
+    sources.push_back(opened("aravis:127.31.2.14"));
+    sources.push_back(opened("aravis:127.31.2.15"));
+    QVERIFY(sources[0] && sources[1]);
+    CameraSource &camera = *sources[0];
+    CaptureSession session(std::move(sources), {.preRoll = 0s});
+    const auto views = [&] { return session.health().views; };
+    QTRY_VERIFY(views()[0].delivered > 70 && views()[1].delivered > 70);
+    QVERIFY(!views()[0].slow);
+    QVERIFY(camera.set("ExposureTime", 83333)); // 12 a second
+    const Nanoseconds slowed = steadyNow();
+    QTRY_VERIFY(views()[0].slow);
+    const Nanoseconds after = views()[0].slow->since - slowed;
+    QVERIFY2(after < told, qPrintable(QString::number(toSeconds(after))));
+    QTRY_VERIFY(
+        views()[0].slow->error.message().ends_with("it takes only 12 pictures a second of the 30 it was "
+                                                   "asked for; give it more light or a shorter exposure, or "
+                                                   "ask for a lower rate"));
+    QVERIFY(!views()[0].trouble && !views()[1].trouble && !views()[1].slow);
+    QCOMPARE(views()[0].state, ViewHealth::State::Delivering);
+    QVERIFY(camera.set("ExposureTime", 5000));
+    QTRY_VERIFY(!views()[0].slow);
 }
 
 void TestAravisFaults::aCameraBelongsToOneProgram()

@@ -43,8 +43,10 @@ std::optional<Nanoseconds> SimulatedGigeCamera::waitForExposure(Lock &lock)
             return std::nullopt;
         return std::exchange(m_trigger, std::nullopt);
     }
-    const Nanoseconds interval =
-        m_clock.hostSpan(1 / std::max(0.1, double{m_registers.getFloat(reg::FrameRate)}));
+    // A sensor is exposed and read out one after the other: a long exposure lowers the rate.
+    const double exposureS = 1e-6 * double{m_registers.getFloat(reg::ExposureTime)};
+    const Nanoseconds interval = m_clock.hostSpan(
+        std::max(1 / std::max(0.1, double{m_registers.getFloat(reg::FrameRate)}), exposureS));
     const Nanoseconds now = steadyNow();
     m_next += interval;
     if (m_next < now - mostPicturesBehind * interval || m_next > now + interval) {
