@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 
+#include "core/project/change_journal.h"
 #include "core/project/connection.h"
 #include "core/project/file_header.h"
 #include "core/project/names.h"
@@ -125,7 +126,8 @@ struct Project::Impl
 {
     explicit Impl(std::unique_ptr<ProjectConnection> opened)
         : connection(std::move(opened)), cameras(*connection), layouts(*connection), robots(*connection),
-          teams(*connection), tasks(*connection), trials(*connection), analyses(*connection)
+          teams(*connection), tasks(*connection), trials(*connection), analyses(*connection),
+          journal(*connection)
     {
     }
 
@@ -137,6 +139,7 @@ struct Project::Impl
     TaskRepository tasks;
     TrialRepository trials;
     AnalysisRepository analyses;
+    ChangeJournal journal;
     bool writable = false;
 };
 
@@ -254,6 +257,36 @@ AnalysisRepository &Project::analyses()
 Result<void> Project::inTransaction(const std::function<Result<void>()> &work)
 {
     return transact(*m_impl->connection, work);
+}
+
+Result<void> Project::change(const std::string &words, const std::function<Result<void>()> &work)
+{
+    return m_impl->journal.make(words, work);
+}
+
+Result<std::string> Project::undo()
+{
+    return m_impl->journal.undo();
+}
+
+Result<std::string> Project::redo()
+{
+    return m_impl->journal.redo();
+}
+
+std::string Project::undoWords() const
+{
+    return m_impl->journal.undoWords();
+}
+
+std::string Project::redoWords() const
+{
+    return m_impl->journal.redoWords();
+}
+
+Result<std::vector<ChangeEntry>> Project::changes() const
+{
+    return changeEntries(*m_impl->connection);
 }
 
 Result<void> Project::saveCopy(const std::filesystem::path &file) const

@@ -64,6 +64,18 @@ public:
 
     /// Runs work in one transaction that is rolled back when work fails; inside another one it is a savepoint of it.
     Result<void> inTransaction(const std::function<Result<void>()> &work);
+    /// As inTransaction, of a change that a person made and can take back. words: what it does ("rename team Falcon"), also
+    /// for the list of changes. Inside another change it is a part of that one; work that changes nothing leaves no trace.
+    Result<void> change(const std::string &words, const std::function<Result<void>()> &work);
+    /// Takes the last change of this sitting back, or makes it again; gives its words. NotFound where there is none;
+    /// InvalidInput, and nothing done, where what it concerns has been changed since in another way.
+    Result<std::string> undo();
+    Result<std::string> redo();
+    /// Of what undo and redo would concern; empty: nothing.
+    std::string undoWords() const;
+    std::string redoWords() const;
+    /// What was ever changed and when, the newest first.
+    Result<std::vector<ChangeEntry>> changes() const;
     /// Copies the whole project to another file through SQLite's backup API.
     Result<void> saveCopy(const std::filesystem::path &file) const;
     /// Integrity of the database, references, and recordings (present, size; hashes when asked).

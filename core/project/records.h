@@ -100,6 +100,7 @@ struct TeamRecord
 {
     RecordId id = 0;
     std::string name, className;
+    std::string pseudonym = {}; ///< by which it is shown where names are to stay among those who know them; may be empty
 };
 
 /// A task is not changed once it is stored: trials were measured by it.
@@ -130,6 +131,10 @@ struct TrialRecord
     std::vector<std::string> robotNames; ///< read only, joined
     double durationS = 0;
     int viewCount = 0;            ///< read only
+    bool starred = false;
+    std::vector<std::string> tags;   ///< in alphabetical order
+    std::optional<Instant> archived; ///< since when it is out of the way; it counts as before
+    std::optional<Instant> binned;   ///< since when it lies in the bin: it counts nowhere, and can be taken out again
     bool unfinished = false;      ///< read only: it is being recorded, or was when that was cut off; its recordings have raw times only
 };
 
@@ -182,6 +187,15 @@ struct AnalysisRecord
     std::vector<RecordId> registrations; ///< one a view, in the views' order; 0 where unregistered
     std::vector<std::string> views;      ///< names of the views, bit i of Sample::views
     Profile profile;
+};
+
+/// That something was changed by a person, or that the change was taken back.
+struct ChangeEntry
+{
+    enum class Kind { Made, Undone, Redone };
+    Instant made;
+    Kind kind = Kind::Made;
+    std::string words; ///< what was changed
 };
 
 /// A figure from elsewhere that belongs to a trial: the demo's truth.

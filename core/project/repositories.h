@@ -127,6 +127,17 @@ public:
     Result<void> setRobots(RecordId trial, const std::vector<RecordId> &robots);
     /// By name; empty: none. Analyses that were made before stay.
     Result<void> setTask(RecordId trial, const std::string &task);
+    Result<void> setStarred(RecordId trial, bool starred);
+    /// Replaces its tags; each a name, in any order.
+    Result<void> setTags(RecordId trial, const std::vector<std::string> &tags);
+    /// Every tag that a trial has, in alphabetical order.
+    Result<std::vector<std::string>> tags() const;
+    Result<void> setArchived(RecordId trial, bool archived);
+    /// Into the bin, or out of it again.
+    Result<void> setBinned(RecordId trial, bool binned);
+    /// Removes a trial that lies in the bin for good, with its recordings' rows, observations and analyses; gives the paths of its
+    /// recordings' files, which are for the caller to delete. It cannot be undone. InvalidInput outside of the bin.
+    Result<std::vector<std::string>> removeForGood(RecordId trial);
     Result<std::vector<RecordingRecord>> recordings(RecordId trial) const; ///< in the order of the views
     /// Replaces the offset of a view against the first one.
     Result<void> setSync(const TrialRecord &trial);

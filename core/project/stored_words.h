@@ -40,6 +40,9 @@ constexpr StoredWords<RegistrationCheck::Outcome, 4> checkOutcomeWords{
      {RegistrationCheck::Outcome::CameraMoved, "camera"},
      {RegistrationCheck::Outcome::MarkersMoved, "markers"},
      {RegistrationCheck::Outcome::NotTold, "not_told"}}};
+constexpr StoredWords<ChangeEntry::Kind, 3> changeKindWords{{{ChangeEntry::Kind::Made, "made"},
+                                                             {ChangeEntry::Kind::Undone, "undone"},
+                                                             {ChangeEntry::Kind::Redone, "redone"}}};
 
 template <class Words, class Value>
 std::string storedWord(const Words &words, Value value)

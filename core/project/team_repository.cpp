@@ -8,12 +8,12 @@ namespace odo {
 
 namespace {
 
-const QString teamColumns = QStringLiteral("SELECT team.id, team.name, class.name FROM team "
+const QString teamColumns = QStringLiteral("SELECT team.id, team.name, class.name, pseudonym FROM team "
                                            "LEFT JOIN class ON class.id=team.class_id ");
 
 TeamRecord teamOf(const Statement &row)
 {
-    return {row.integer(0), row.text(1), row.text(2)};
+    return {row.integer(0), row.text(1), row.text(2), row.text(3)};
 }
 
 } // namespace
@@ -30,8 +30,8 @@ Result<TeamRecord> TeamRepository::add(const TeamRecord &team)
         const auto classId = idOfName(m_connection, "class", team.className);
         if (!classId)
             return tl::unexpected(classId.error());
-        Statement insert(m_connection, QStringLiteral("INSERT INTO team (name, class_id) VALUES (?,?)"));
-        if (auto done = insert.bind(team.name).bindReference(*classId).run(); !done)
+        Statement insert(m_connection, QStringLiteral("INSERT INTO team (name, class_id, pseudonym) VALUES (?,?,?)"));
+        if (auto done = insert.bind(team.name).bindReference(*classId).bind(team.pseudonym).run(); !done)
             return tl::unexpected(done.error());
         TeamRecord stored = team;
         stored.id = insert.insertedId();

@@ -13,9 +13,28 @@ const QString trialColumns = QStringLiteral(
     "SELECT trial.id, trial.name, trial.team_id, team.name, class.name, task.name, date_ms, notes, "
     "sync_method, "
     "sync_offset_s, sync_offset_sigma_s, sync_score, duration_s, sync_rate, sync_rate_sigma, "
-    "(SELECT COUNT(*) FROM recording WHERE recording.trial_id=trial.id), trial.state "
+    "(SELECT COUNT(*) FROM recording WHERE recording.trial_id=trial.id), trial.state, starred, "
+    "trial.archived_ms, binned_ms "
     "FROM trial LEFT JOIN team ON team.id=trial.team_id LEFT JOIN class ON class.id=team.class_id "
     "LEFT JOIN task ON task.id=trial.task_id ");
+
+std::optional<Instant> instantOf(const Statement &row, int column)
+{
+    if (!row.optionalReal(column))
+        return std::nullopt;
+    return Instant(std::chrono::milliseconds(row.integer(column)));
+}
+
+/// Calls take with each row's id and text.
+template <class Take>
+Result<void> readList(const ProjectConnection &connection, const char *sql, RecordId trial, const Take &take)
+{
+    Statement select(connection, QString::fromLatin1(sql));
+    return select.bind(trial).eachRow([&take](const Statement &row) -> Result<void> {
+        take(row.integer(0), row.text(1));
+        return {};
+    });
+}
 
 Result<TrialRecord> readTrial(const ProjectConnection &connection, const Statement &row)
 {
@@ -37,16 +56,22 @@ Result<TrialRecord> readTrial(const ProjectConnection &connection, const Stateme
     trial.syncRateSigma = row.real(14);
     trial.viewCount = row.smallInteger(15);
     trial.unfinished = row.text(16) == "recording";
-    Statement robots(connection, QStringLiteral("SELECT robot.id, robot.name FROM trial_robot JOIN robot "
-                                                "ON robot.id=trial_robot.robot_id WHERE trial_id=? "
-                                                "ORDER BY trial_robot.position"));
-    auto read = robots.bind(trial.id).eachRow([&trial](const Statement &robot) -> Result<void> {
-        trial.robots.push_back(robot.integer(0));
-        trial.robotNames.push_back(robot.text(1));
-        return {};
-    });
-    if (!read)
-        return tl::unexpected(read.error());
+    trial.starred = row.integer(17) != 0;
+    trial.archived = instantOf(row, 18);
+    trial.binned = instantOf(row, 19);
+    auto robots = readList(connection,
+                           "SELECT robot.id, robot.name FROM trial_robot JOIN robot ON robot.id=trial_robot.robot_id "
+                           "WHERE trial_id=? ORDER BY trial_robot.position",
+                           trial.id, [&trial](RecordId id, std::string name) {
+                               trial.robots.push_back(id);
+                               trial.robotNames.push_back(std::move(name));
+                           });
+    if (!robots)
+        return tl::unexpected(robots.error());
+    auto tags = readList(connection, "SELECT 0, tag FROM trial_tag WHERE trial_id=? ORDER BY tag", trial.id,
+                         [&trial](RecordId, std::string tag) { trial.tags.push_back(std::move(tag)); });
+    if (!tags)
+        return tl::unexpected(tags.error());
     return trial;
 }
 

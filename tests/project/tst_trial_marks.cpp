@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stars, tags, archive and bin of trials, and removing them for good.
+#include "core/project/connection.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "sample_records.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+class TestTrialMarks : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_file = m_folder->filePath(QStringLiteral("year.odo")).toStdString();
+        m_project = std::move(*Project::create(m_file, "Year"));
+        RecordSource source(3);
+        m_filled = *fill(*m_project, source);
+    }
+
+    void marksAreKept()
+    {
+        TrialRepository &trials = m_project->trials();
+        QVERIFY(!trial().starred && trial().tags.empty() && !trial().archived && !trial().binned);
+        QVERIFY(trials.setStarred(m_filled.trial, true));
+        QVERIFY(trials.setTags(m_filled.trial, {"wet floor", "été", "wet floor", "final"}));
+        QVERIFY(trials.setArchived(m_filled.trial, true));
+        QVERIFY(trials.setBinned(m_filled.trial, true));
+        m_project = std::move(*Project::open(m_file, Project::Access::ReadWrite));
+        QVERIFY(trial().starred && trial().archived && trial().binned);
+        QCOMPARE(trial().tags, (std::vector<std::string>{"final", "wet floor", "été"}));
+        QCOMPARE(m_project->trials().tags().value(), trial().tags);
+        const Instant since = *trial().archived;
+        QVERIFY(m_project->trials().setArchived(m_filled.trial, true)); // again changes nothing
+        QVERIFY(trial().archived == since);
+        QVERIFY(m_project->trials().setArchived(m_filled.trial, false));
+        QVERIFY(m_project->trials().setBinned(m_filled.trial, false));
+        QVERIFY(!trial().archived && !trial().binned);
+    }
+
+    void aTagIsAName()
+    {
+        QVERIFY(m_project->trials().setTags(m_filled.trial, {"good"}));
+        const auto refused = m_project->trials().setTags(m_filled.trial, {"fine", "two\nlines"});
+        QCOMPARE(refused.error().code, ErrorCode::InvalidInput);
+        QCOMPARE(trial().tags, std::vector<std::string>{"good"});
+    }
+
+    void aTrialThatIsBeingRecordedIsNotBinned()
+    {
+        TrialRecord begun;
+        begun.name = "now";
+        const auto added = m_project->trials().begin(begun, {});
+        QVERIFY(added.has_value());
+        QCOMPARE(m_project->trials().setBinned(added->id, true).error().message(),
+                 std::string("trial 'now': it is being recorded; end its recording first"));
+    }
+
+    void onlyWhatIsInTheBinIsRemovedForGood()
+    {
+        TrialRepository &trials = m_project->trials();
+        const auto refused = trials.removeForGood(m_filled.trial);
+        QCOMPARE(refused.error().code, ErrorCode::InvalidInput);
+        QVERIFY(refused.error().message().find("it is not in the bin; put it into the bin first") !=
+                std::string::npos);
+        QVERIFY(trials.currentObservations(m_filled.recordings.front(), m_filled.robot)->has_value());
+
+        std::vector<std::string> paths;
+        const auto recordings = trials.recordings(m_filled.trial).value();
+        for (const RecordingRecord &recording : recordings)
+            paths.push_back(recording.path);
+        QVERIFY(trials.setBinned(m_filled.trial, true));
+        const auto removed = trials.removeForGood(m_filled.trial);
+        QVERIFY2(removed, removed ? "" : removed.error().message().c_str());
+        QCOMPARE(*removed, paths);
+        QVERIFY(trials.all()->empty());
+        for (const ProjectProblem &problem : m_project->check(false).value_or(std::vector<ProjectProblem>()))
+            QVERIFY2(problem.what.find("calibration picture") != std::string::npos,
+                     problem.what.c_str()); // never were
+        const auto connection = ProjectConnection::open(m_file, DatabaseAccess::ReadOnly);
+        for (const char *table :
+             {"observation_series", "observation_chunk", "raw_time_chunk", "frame_time_chunk", "recording",
+              "analysis", "analysis_series", "metric", "spike", "truth"}) {
+            const QString count = QStringLiteral("SELECT COUNT(*) FROM %1").arg(QLatin1String(table));
+            QVERIFY2((*connection)->number(count).value() == 0, table);
+        }
+    }
+
+    /// Nobody deletes raw measurements by a statement of his own, not even of a trial in the bin.
+    void rawMeasurementsOfATrialInTheBinAreKept()
+    {
+        QVERIFY(m_project->trials().setBinned(m_filled.trial, true));
+        const auto connection = ProjectConnection::open(m_file, DatabaseAccess::ReadWrite);
+        for (const char *table : {"observation_series", "observation_chunk"})
+            QVERIFY(!(*connection)->execute(QStringLiteral("DELETE FROM %1").arg(QLatin1String(table))));
+    }
+
+    void teamsHavePseudonyms()
+    {
+        QVERIFY(m_project->teams().add({0, "Anna and Ben", "9B", "Team 4"}));
+        QCOMPARE(m_project->teams().find("Anna and Ben")->pseudonym, std::string("Team 4"));
+    }
+
+private:
+    TrialRecord trial() const { return *m_project->trials().get(m_filled.trial); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::filesystem::path m_file;
+    std::unique_ptr<Project> m_project;
+    FilledProject m_filled;
+};
+
+QTEST_GUILESS_MAIN(TestTrialMarks)
+#include "tst_trial_marks.moc"
