@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/connection.h"
 
+#include "core/project/write_turn.h"
+
 #include <QSqlDriver>
 #include <QSqlError>
 #include <QUrl>
@@ -70,6 +72,11 @@ Explanation explain(int resultCode)
 
 } // namespace
 
+ProjectConnection::ProjectConnection(std::filesystem::path file, QString name)
+    : m_file(std::move(file)), m_name(std::move(name)), m_turn(writeTurnOf(m_file))
+{
+}
+
 Result<std::unique_ptr<ProjectConnection>> ProjectConnection::open(const std::filesystem::path &file,
                                                                    DatabaseAccess access)
 {
@@ -114,6 +121,7 @@ Result<void> ProjectConnection::configure(DatabaseAccess access)
 
 ProjectConnection::~ProjectConnection()
 {
+    const std::lock_guard turn(writeTurn()); // the last one to be closed writes the log back
     m_database.close();
     m_database = QSqlDatabase();
     QSqlDatabase::removeDatabase(m_name);
@@ -146,6 +154,7 @@ Result<std::int64_t> ProjectConnection::number(const QString &sql) const
 
 void ProjectConnection::checkpoint()
 {
+    const std::lock_guard turn(writeTurn());
     sqlite3_wal_checkpoint_v2(handle(), nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
 }
 
@@ -212,6 +221,7 @@ Result<void> Statement::start()
 
 Result<void> Statement::run()
 {
+    const std::lock_guard turn(m_connection.writeTurn());
     return start();
 }
 
@@ -294,10 +304,13 @@ Result<void> Transaction::begin()
     if (m_depth > 0 && sqlite3_get_autocommit(m_connection.handle()) != 0)
         return fail(ErrorCode::Io, m_connection.displayName(), "an earlier step of this change failed",
                     "try the whole change again");
+    m_turn = std::unique_lock(m_connection.writeTurn());
     const QString sql =
         m_depth == 0 ? QStringLiteral("BEGIN IMMEDIATE") : QStringLiteral("SAVEPOINT step%1").arg(m_depth);
-    if (auto begun = m_connection.execute(sql); !begun)
+    if (auto begun = m_connection.execute(sql); !begun) {
+        m_turn.unlock();
         return begun;
+    }
     m_open = true;
     ++m_connection.m_transactionDepth;
     return {};
@@ -313,6 +326,7 @@ Result<void> Transaction::commit()
     }
     m_open = false;
     --m_connection.m_transactionDepth;
+    m_turn.unlock();
     return {};
 }
 
@@ -324,6 +338,7 @@ Transaction::~Transaction()
 
 void Transaction::rollBack()
 {
+    const std::unique_lock turn = std::move(m_turn); // until it is rolled back
     m_open = false;
     --m_connection.m_transactionDepth;
     if (sqlite3_get_autocommit(m_connection.handle()) != 0)

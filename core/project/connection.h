@@ -10,6 +10,8 @@
 #include <QString>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -36,6 +38,8 @@ struct ProjectConnection
     /// SQLite's own handle, for what Qt hides: backup, limits, state of the transaction.
     sqlite3 *handle() const;
     const std::filesystem::path &file() const { return m_file; }
+    /// Held by whoever writes, see write_turn.h.
+    std::recursive_mutex &writeTurn() const { return *m_turn; }
     /// "project 'run.odo'": how messages name it.
     std::string displayName() const;
 
@@ -49,14 +53,12 @@ struct ProjectConnection
 
 private:
     friend class Transaction;
-    ProjectConnection(std::filesystem::path file, QString name)
-        : m_file(std::move(file)), m_name(std::move(name))
-    {
-    }
+    ProjectConnection(std::filesystem::path file, QString name);
     Result<void> configure(DatabaseAccess access);
 
     std::filesystem::path m_file;
     QString m_name;
+    std::shared_ptr<std::recursive_mutex> m_turn;
     QSqlDatabase m_database;
     int m_transactionDepth = 0;
 };
@@ -117,6 +119,7 @@ private:
     void rollBack();
 
     ProjectConnection &m_connection;
+    std::unique_lock<std::recursive_mutex> m_turn;
     bool m_open = false;
     int m_depth = 0;
 };

@@ -140,14 +140,14 @@ struct Project::Impl
     TrialRepository trials;
     AnalysisRepository analyses;
     ChangeJournal journal;
-    bool writable = false;
+    bool writesBack = false; ///< the log, when it is closed
 };
 
 Project::Project(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 
 Project::~Project()
 {
-    if (m_impl->writable)
+    if (m_impl->writesBack)
         m_impl->connection->checkpoint();
 }
 
@@ -191,8 +191,16 @@ Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file
                     "copy it to a folder that you may write to, and open the copy");
     }
     auto impl = std::make_unique<Impl>(std::move(*connection));
-    impl->writable = access == Access::ReadWrite;
+    impl->writesBack = access == Access::ReadWrite;
     return std::unique_ptr<Project>(new Project(std::move(impl)));
+}
+
+Result<std::unique_ptr<Project>> Project::openAgain(const std::filesystem::path &file)
+{
+    auto connection = ProjectConnection::open(file, DatabaseAccess::ReadWrite);
+    if (!connection)
+        return tl::unexpected(connection.error());
+    return std::unique_ptr<Project>(new Project(std::make_unique<Impl>(std::move(*connection))));
 }
 
 const std::filesystem::path &Project::file() const

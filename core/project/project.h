@@ -27,9 +27,9 @@ struct ProjectProblem
     std::string what, where, advice;
 };
 
-/// An open project file: one SQLite connection, owned by the thread that opened it and used on no other.
-/// Repositories are reached through it and live as long as it. Each of their changes is one transaction of its own,
-/// unless it happens inside inTransaction.
+/// An open project file: an SQLite connection, owned by the thread that opened it and used on no other.
+/// Repositories are reached through it and live as long as it. Each of their changes is one transaction of
+/// its own, unless it happens inside inTransaction.
 class Project
 {
 public:
@@ -41,6 +41,10 @@ public:
     /// Opens a file; older schemas are migrated after a verified backup ("<name>.odo.bak-<version>"). Errors: missing,
     /// not a project, corrupt, newer (NewerFormat), no write access (ReadOnly).
     static Result<std::unique_ptr<Project>> open(const std::filesystem::path &file, Access access);
+    /// Once more, to write, a file that this program has open and keeps open meanwhile: for another thread,
+    /// which must open it itself. Quick: what opening looks at and migrates has been done. Of all that a
+    /// program has open of one file, one writes at a time; the others wait.
+    static Result<std::unique_ptr<Project>> openAgain(const std::filesystem::path &file);
     ~Project();
     Project(const Project &) = delete;
     Project &operator=(const Project &) = delete;

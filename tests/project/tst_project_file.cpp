@@ -4,6 +4,7 @@
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/project/schema.h"
+#include "core/project/write_turn.h"
 #include "sample_records.h"
 
 #include <QDir>
@@ -11,6 +12,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <fstream>
+#include <future>
 
 using namespace odo;
 using Access = Project::Access;
@@ -39,6 +41,56 @@ private Q_SLOTS:
         QVERIFY(bytes.startsWith("SQLite format 3"));
         QCOMPARE(bytes.mid(68, 4), QByteArray("Odog"));
         QCOMPARE(bytes.mid(60, 4), QByteArray("\0\0\0\12", 4));
+    }
+
+    void ofTwoThatWriteOneWaitsForTheOther()
+    {
+        const auto project = Project::open(m_file, Access::ReadWrite);
+        const std::filesystem::path otherwise = folder() / "." / m_file.filename();
+        const auto isFree = [&] {
+            return std::async(std::launch::async,
+                              [turn = writeTurnOf(otherwise)] {
+                                  const std::unique_lock lock(*turn, std::try_to_lock);
+                                  return lock.owns_lock();
+                              })
+                .get();
+        };
+        QVERIFY(isFree());
+        QVERIFY((*project)->inTransaction([&]() -> Result<void> {
+            if (auto done = (*project)->setTitle("inside"); !done)
+                return done;
+            return isFree() ? fail(ErrorCode::Internal, "the turn", "it is free", "") : Result<void>();
+        }));
+        QVERIFY(isFree());
+        QVERIFY(!(*project)->inTransaction([]() -> Result<void> { return cancelled("the change"); }));
+        QVERIFY(isFree());
+    }
+
+    void isOpenedAgainForAnotherThread()
+    {
+        constexpr int changes = 50;
+        const auto project = Project::open(m_file, Access::ReadWrite);
+        const std::size_t problems = (*project)->check(false)->size(); // its recordings are not there
+        auto other = std::async(std::launch::async, [this]() -> Result<void> {
+            const auto again = Project::openAgain(m_file);
+            if (!again)
+                return tl::unexpected(again.error());
+            for (int i = 0; i < changes; ++i) {
+                if (const auto team = (*again)->teams().add({0, "Team " + std::to_string(i), "9A"}); !team)
+                    return tl::unexpected(team.error());
+            }
+            return {};
+        });
+        const std::size_t before = (*project)->robots().all()->size();
+        for (int i = 0; i < changes; ++i) {
+            RobotRecord robot;
+            robot.name = "Robot " + std::to_string(i);
+            QVERIFY((*project)->robots().add(robot));
+        }
+        QVERIFY(other.get());
+        QCOMPARE((*project)->robots().all()->size(), before + changes);
+        QVERIFY((*project)->teams().find("Team 49"));
+        QCOMPARE((*project)->check(false)->size(), problems);
     }
 
     void creatingNeverReplacesNorLeavesAnything()
