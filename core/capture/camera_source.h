@@ -79,6 +79,9 @@ public:
     /// Turns off whatever changes picture or rate by itself (exposure, gain, white balance, focus), each held where it is now,
     /// so that colour and timing hold while recording. Gives the names of what could not be turned off.
     virtual std::vector<std::string> holdAutomatics() { return {}; }
+    /// Gives them back: what holdAutomatics has turned off is on again, at once or when the camera is back. Does nothing
+    /// where nothing is held.
+    virtual void releaseAutomatics() {}
 };
 
 /// "MJPG 1280×720 at 30 frames/s"; the coding may be left out.

@@ -30,4 +30,22 @@ CameraUri splitCameraUri(std::string_view uri, std::string_view scheme)
     return split;
 }
 
+bool takesWishes(const std::string &uri)
+{
+    return uri.starts_with("v4l2:") || uri.starts_with("aravis:");
+}
+
+std::string withoutWishes(const std::string &uri)
+{
+    return takesWishes(uri) ? uri.substr(0, uri.find('?')) : uri;
+}
+
+std::string withWishes(const std::string &uri, const std::vector<CameraWish> &wishes)
+{
+    std::string whole = withoutWishes(uri);
+    for (std::size_t i = 0; i < wishes.size(); ++i)
+        whole += (i == 0 ? '?' : '&') + wishes[i].text;
+    return whole;
+}
+
 } // namespace odo

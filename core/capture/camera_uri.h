@@ -25,4 +25,11 @@ struct CameraUri
 /// scheme: with its colon; the address must begin with it.
 CameraUri splitCameraUri(std::string_view uri, std::string_view scheme);
 
+/// Which camera an address means, without what is wanted of it: "v4l2:/dev/video0".
+std::string withoutWishes(const std::string &uri);
+/// With these in place of whatever the address wanted before.
+std::string withWishes(const std::string &uri, const std::vector<CameraWish> &wishes);
+/// USB and network cameras: others are what they are.
+bool takesWishes(const std::string &uri);
+
 } // namespace odo

@@ -49,12 +49,19 @@ std::string healthWords(const ViewHealth &view)
         words += " (too slow)";
     const std::uint64_t lost = view.lostOnWire + view.lostByUs;
     words += lost == 0 ? std::string(", none lost") : ", " + std::to_string(lost) + " lost";
-    if (view.lostOnWire > 0 && view.lostByUs > 0)
+    if (lost > 0 && !view.hasWire)
+        words += " because this machine is too slow";
+    else if (view.lostOnWire > 0 && view.lostByUs > 0)
         words += " (" + std::to_string(view.lostOnWire) + " on the wire, " + std::to_string(view.lostByUs) +
                  " here)";
     else if (lost > 0)
         words += view.lostOnWire > 0 ? " on the wire" : " here";
     return words;
+}
+
+bool comesByWire(const std::string &kind)
+{
+    return kind != "simulated" && kind != "file";
 }
 
 std::string inStepWords(double p95S)

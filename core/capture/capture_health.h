@@ -31,6 +31,7 @@ struct ViewHealth
     double framesPerSecond = 0; ///< over the last two seconds
     std::uint64_t delivered = 0;
     std::uint64_t lostOnWire = 0; ///< gaps in the camera's own count
+    bool hasWire = true;          ///< false: its pictures are made, or read, by this program, not sent by a camera
     std::uint64_t lostByUs = 0;   ///< that this program or the disk was too slow for
     CameraCounts source;          ///< damaged, resent, reconnections
     double latencyS = 0; ///< 95 % of the last two seconds' pictures were here so soon after they were taken
@@ -83,6 +84,8 @@ Error slowCameraError(const std::string &uri, double framesPerSecond, double ask
 std::string healthWords(const ViewHealth &view);
 /// "in step to 1.2 ms; at 2 m/s that is 2.4 mm"; 95 % of the pairs are within it.
 std::string inStepWords(double p95S);
+/// Whether the pictures of a kind of camera come by a cable or a network.
+bool comesByWire(const std::string &kind);
 /// "room for 42 min"; empty where it is not known.
 std::string roomWords(const DiskHealth &disk);
 

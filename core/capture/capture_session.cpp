@@ -121,14 +121,26 @@ std::optional<Trouble> CaptureSession::sleep(Nanoseconds now) const
     return m_sleep;
 }
 
+std::optional<double> CaptureSession::secondsOfRoom(const std::filesystem::path &folder) const
+{
+    double bytesPerSecond = 0;
+    for (const auto &view : m_views)
+        bytesPerSecond += view->bytesPerSecond();
+    const std::optional<DiskRoom> room = m_disk.room(folder);
+    if (!room || bytesPerSecond <= 0)
+        return std::nullopt;
+    return static_cast<double>(m_disk.left(*room)) / bytesPerSecond;
+}
+
 void CaptureSession::startRecording(const std::vector<std::filesystem::path> &files, Nanoseconds preRoll)
 {
     const std::lock_guard lock(m_mutex);
     m_slept = machineSlept();
     m_sleep.reset();
     for (std::size_t view = 0; view < m_views.size(); ++view) {
+        const double rate = description(view).framesPerSecond; // 0 of one that is still waited for
         m_writers.push_back(
-            std::make_shared<ViewWriter>(files[view], description(view).framesPerSecond, m_disk));
+            std::make_shared<ViewWriter>(files[view], rate > 0 ? rate : usualFramesPerSecond, m_disk));
         m_views[view]->startWriting(m_writers.back(), preRoll);
     }
 }

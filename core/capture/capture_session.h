@@ -72,6 +72,10 @@ public:
     /// A value that was true just now; cheap, never waits for a camera or the disk.
     CaptureHealth health() const;
 
+    /// How long there would be room for on the disk of a folder, at what the cameras send now, before a
+    /// recording is begun; nullopt while that is not known, and without a pre-roll. Asks the disk: quick for
+    /// one in this machine.
+    std::optional<double> secondsOfRoom(const std::filesystem::path &folder) const;
     /// Records all views from so long ago, but no longer ago than the settings keep, each to its own new MKV
     /// file; holds the cameras' automatics still. Returns at once: what cannot be written shows in health().
     /// Not while one goes on.

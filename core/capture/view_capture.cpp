@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 constexpr std::size_t mostUncoded = 32; // a second at 30 frames/s; at 1280×720 some 45 MB
 constexpr std::size_t mostKeptBytes = 64 << 20;
 constexpr Nanoseconds rateOver = 2s, longestSilence = 1s, longestStart = 3s;
-constexpr double framesMissed = 5;
+constexpr double framesMissed = 5, leastKnownS = 0.5;
 constexpr Nanoseconds paceKnownFrom = 1500ms, shortestSleep = 100ms;
 constexpr double slowShare = 0.75; // of the rate; with a pause of half a second in two it has not got slow
 
@@ -61,6 +61,13 @@ struct ViewCapture::Coder
             keptBytes -= kept.front().jpeg->size();
             kept.pop_front();
         }
+    }
+
+    /// Of what is kept; 0 where that is too little to tell.
+    double bytesPerSecond() const
+    {
+        const double overS = kept.empty() ? 0 : toSeconds(kept.back().raw.arrival - kept.front().raw.arrival);
+        return overS > leastKnownS ? static_cast<double>(keptBytes) / overS : 0;
     }
 
     void begin(Start start)
@@ -108,6 +115,11 @@ void ViewCapture::start()
 
 void ViewCapture::stop()
 {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_holdWanted = false;
+    }
+    settleAutomatics();
     m_camera->stop();
 }
 
@@ -130,7 +142,7 @@ void ViewCapture::join(std::chrono::steady_clock::time_point deadline)
 void ViewCapture::takePictures()
 {
     for (;;) {
-        holdAutomaticsIfWanted();
+        settleAutomatics();
         auto captured = m_camera->next();
         if (captured) {
             take(std::move(*captured));
@@ -157,14 +169,23 @@ void ViewCapture::interrupted(const Error &error)
     m_pace.clear();
 }
 
-void ViewCapture::holdAutomaticsIfWanted()
+/// Holds them while a recording goes on, and gives them back after it. Camera calls may take their time, so
+/// that none is made under the lock.
+void ViewCapture::settleAutomatics()
 {
+    bool hold = false;
     {
         const std::lock_guard lock(m_mutex);
-        if (!m_holdWanted)
+        if (m_held == m_holdWanted)
             return;
-        m_holdWanted = false;
+        m_held = hold = m_holdWanted;
+        if (!hold) {
+            m_health.automaticsHeld.reset();
+            m_health.notHeld.clear();
+        }
     }
+    if (!hold)
+        return m_camera->releaseAutomatics();
     std::vector<std::string> notHeld = m_camera->holdAutomatics();
     const std::lock_guard lock(m_mutex);
     m_health.automaticsHeld = notHeld.empty();
@@ -215,8 +236,7 @@ void ViewCapture::noteSleep(const CapturedFrame &captured)
 std::optional<Trouble> ViewCapture::slowness(const CapturedFrame &captured, Nanoseconds now)
 {
     const CameraDescription &camera = description();
-    const bool isNoCamera = camera.kind == "file" || camera.kind == "simulated";
-    if (isNoCamera || !(camera.framesPerSecond > 0))
+    if (!comesByWire(camera.kind) || !(camera.framesPerSecond > 0))
         return std::nullopt;
     m_pace.push_back({captured.sequence, captured.frame.time});
     const Nanoseconds window = std::max(rateOver, fromSeconds(framesMissed / camera.framesPerSecond));
@@ -309,6 +329,7 @@ ViewHealth ViewCapture::health(Nanoseconds now) const
     health.framesPerSecond = static_cast<double>(latenciesS.size()) / overS;
     health.latencyS = percentile(std::move(latenciesS), 95);
     health.source = m_camera->counts();
+    health.hasWire = comesByWire(description().kind);
     return health;
 }
 
@@ -335,10 +356,18 @@ std::future<void> ViewCapture::stopWriting()
     {
         const std::lock_guard lock(m_mutex);
         stop.lostBefore = std::exchange(m_lostBefore, 0);
+        m_holdWanted = false;
     }
     std::future<void> done = stop.done.get_future();
     m_work.push(std::move(stop));
     return done;
+}
+
+void ViewCapture::keep(Coder &coder, CodedFrame frame)
+{
+    coder.keep(std::move(frame), m_preRoll);
+    if (const double rate = coder.bytesPerSecond(); rate > 0)
+        m_bytesPerSecond = rate;
 }
 
 void ViewCapture::codePictures()
@@ -354,7 +383,7 @@ void ViewCapture::codePictures()
             if (coded && coder.writer)
                 coder.writer->offer(std::move(*coded));
             else if (coded)
-                coder.keep(std::move(*coded), m_preRoll);
+                keep(coder, std::move(*coded));
             else if (coder.writer)
                 coder.writer->fail(coded.error());
         }

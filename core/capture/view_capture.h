@@ -6,6 +6,7 @@
 #include "core/capture/frame_pairing.h"
 #include "core/capture/view_writer.h"
 
+#include <atomic>
 #include <deque>
 #include <future>
 #include <mutex>
@@ -26,7 +27,7 @@ public:
     ViewCapture &operator=(const ViewCapture &) = delete;
 
     void start();
-    /// Takes no more pictures. Any thread.
+    /// Takes no more pictures, and gives the camera's automatics back, where they are held. Any thread.
     void stop();
     /// Waits, after stop(), for the threads to end; leaves the camera's to itself when it does not by then.
     void join(std::chrono::steady_clock::time_point deadline);
@@ -35,6 +36,8 @@ public:
     Result<std::vector<CameraControl>> controls() { return m_camera->controls(); }
     std::shared_ptr<BoundedQueue<TimedFrame>> subscribe(std::size_t capacity);
     ViewHealth health(Nanoseconds now) const;
+    /// What its pictures take on the disk, as they come now; 0 while that is not known.
+    double bytesPerSecond() const { return m_bytesPerSecond; }
     /// Why nothing more will come; nullopt while something may.
     std::optional<Error> end() const;
 
@@ -77,12 +80,13 @@ private:
     void takePictures();
     void take(CapturedFrame captured);
     void interrupted(const Error &error);
-    void holdAutomaticsIfWanted();
+    void settleAutomatics();
     void noteSleep(const CapturedFrame &captured);
     Nanoseconds note(const CapturedFrame &captured, Nanoseconds now);
     std::optional<Trouble> slowness(const CapturedFrame &captured, Nanoseconds now);
     void giveOut(const TimedFrame &timed);
     void codePictures();
+    void keep(Coder &coder, CodedFrame frame);
     std::optional<Trouble> silence(Nanoseconds now) const;
 
     const std::unique_ptr<CameraSource> m_camera;
@@ -92,6 +96,7 @@ private:
     BoundedQueue<Work> m_work;
     std::thread m_taker, m_coder;
     std::future<void> m_takerEnded;
+    std::atomic<double> m_bytesPerSecond = 0; ///< of what the coder keeps
 
     mutable std::mutex m_mutex; ///< guards what follows
     ClockMap m_clock;
@@ -105,7 +110,7 @@ private:
     Nanoseconds m_begun{0}, m_lastArrival{0};
     std::optional<Error> m_interruption; ///< since the last picture
     std::uint64_t m_lostBefore = 0;      ///< by us, since the last one that found room
-    bool m_holdWanted = false;
+    bool m_holdWanted = false, m_held = false; ///< of the automatics
     std::vector<std::shared_ptr<BoundedQueue<TimedFrame>>> m_feeds;
 };
 

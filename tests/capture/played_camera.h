@@ -3,6 +3,7 @@
 
 #include "core/capture/camera_source.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -63,6 +64,8 @@ public:
         m_stopped = true;
         m_wake.notify_all();
     }
+    std::atomic<bool> held = false; ///< the camera's automatics
+
     /// nullopt once stopped.
     std::optional<Step> next()
     {
@@ -111,7 +114,12 @@ public:
 
     const CameraDescription &description() const override { return m_description; }
     void stop() override { m_script->stop(); }
-    std::vector<std::string> holdAutomatics() override { return m_kind.notHeld; }
+    std::vector<std::string> holdAutomatics() override
+    {
+        m_script->held = true;
+        return m_kind.notHeld;
+    }
+    void releaseAutomatics() override { m_script->held = false; }
     Result<CapturedFrame> next() override
     {
         for (;;) {

@@ -46,6 +46,18 @@ private Q_SLOTS:
         QCOMPARE(texts, wishes);
     }
 
+    void whatIsWantedIsReplaced()
+    {
+        const std::string uri = "aravis:192.168.1.20?rate=60&gain=6";
+        QCOMPARE(withoutWishes(uri), std::string("aravis:192.168.1.20"));
+        QCOMPARE(withWishes(uri, {}), std::string("aravis:192.168.1.20"));
+        QCOMPARE(withWishes(uri, {{"rate=30", "rate", "30"}, {"trigger=software", "trigger", "software"}}),
+                 std::string("aravis:192.168.1.20?rate=30&trigger=software"));
+        QCOMPARE(withoutWishes("sim:A?board"), std::string("sim:A?board")); // that is no wish
+        QCOMPARE(withoutWishes("file:/videos/why?.mp4"), std::string("file:/videos/why?.mp4"));
+        QVERIFY(!takesWishes("sim:A"));
+    }
+
     void withoutASignItHasNoName()
     {
         const CameraUri uri = splitCameraUri("x:a?rate", "x:");

@@ -74,6 +74,8 @@ private Q_SLOTS:
     void subscribersGetPicturesAndSetsAndLoseTheOldest();
     void healthKnowsTheClockAndHowWellTheyAreInStep();
     void whatChangesByItselfIsHeldWhileRecording();
+    void theRoomIsKnownBeforeAnythingIsRecorded();
+    void lossesOfWhatIsMadeHereAreNotTheWires();
     void aCameraThatHangsHoldsNothingUp();
     void aCameraThatTakesFewerPicturesIsTold();
 
@@ -416,6 +418,40 @@ void TestCaptureSession::whatChangesByItselfIsHeldWhileRecording()
     QVERIFY(!*cameras.health(0).automaticsHeld);
     QCOMPARE(cameras.health(0).notHeld, std::vector<std::string>{"White balance"});
     QVERIFY(*cameras.health(1).automaticsHeld);
+    QVERIFY(cameras.a->held && cameras.b->held);
+
+    cameras.session->stopRecording();
+    cameras.pictures(1); // with the next picture they are given back
+    QTRY_VERIFY(!cameras.a->held && !cameras.b->held);
+    QVERIFY(!cameras.health(0).automaticsHeld);
+
+    cameras.session->startRecording(files("a2.mkv", "b2.mkv"));
+    cameras.pictures(2);
+    QTRY_VERIFY(cameras.a->held && cameras.b->held);
+    cameras.session.reset(); // in the midst of it
+    QVERIFY(!cameras.a->held && !cameras.b->held);
+}
+
+void TestCaptureSession::theRoomIsKnownBeforeAnythingIsRecorded()
+{
+    TwoCameras cameras(2s);
+    QVERIFY(!cameras.session->secondsOfRoom(m_folder->path().toStdString()));
+    cameras.pictures(lot); // almost a second
+    const auto room = [&] { return cameras.session->secondsOfRoom(m_folder->path().toStdString()); };
+    QTRY_VERIFY(room() && *room() > 0);
+    QVERIFY(!cameras.session->secondsOfRoom("/no/such/folder"));
+}
+
+void TestCaptureSession::lossesOfWhatIsMadeHereAreNotTheWires()
+{
+    ViewHealth view;
+    view.state = ViewHealth::State::Delivering;
+    view.framesPerSecond = 30;
+    view.lostOnWire = 3;
+    QCOMPARE(healthWords(view), std::string("30.0 frames/s, 3 lost on the wire"));
+    view.hasWire = comesByWire("simulated");
+    QCOMPARE(healthWords(view), std::string("30.0 frames/s, 3 lost because this machine is too slow"));
+    QVERIFY(!comesByWire("file") && comesByWire("v4l2") && comesByWire("aravis"));
 }
 
 void TestCaptureSession::aCameraThatHangsHoldsNothingUp()

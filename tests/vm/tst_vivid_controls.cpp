@@ -86,6 +86,8 @@ private Q_SLOTS:
         const double held = control("gain").value;
         QVERIFY(!take(*m_source, 10).pictures.empty());
         QCOMPARE(control("gain").value, held);
+        m_source->releaseAutomatics();
+        QCOMPARE(control("gain_automatic").value, 1.0);
     }
 
 private:

@@ -177,6 +177,8 @@ HeldAutomatics holdAravisAutomatics(ArvCamera *camera)
         const auto place = static_cast<double>(choice - control->choices.begin());
         const bool isOff = choice != control->choices.end() &&
                            (control->value == place || setAravisControl(camera, {}, feature.id, place));
+        if (isOff && control->value != place)
+            held.automatics.emplace_back(feature.id, control->value);
         if (isOff)
             held.settings.emplace_back(feature.id, place);
         else

@@ -18,6 +18,7 @@ Result<void> setAravisControl(ArvCamera *camera, const std::string &uri, const s
 struct HeldAutomatics
 {
     std::vector<std::pair<std::string, double>> settings;
+    std::vector<std::pair<std::string, double>> automatics; ///< as they stood, those that were on
     std::vector<std::string> notHeld; ///< names, for people
 };
 HeldAutomatics holdAravisAutomatics(ArvCamera *camera);

@@ -72,6 +72,14 @@ public:
         };
         return onCamera<std::vector<std::string>>(hold, {"Exposure and gain"});
     }
+    void releaseAutomatics() override
+    {
+        const auto release = [](AravisDevice *device, AravisWorker &worker) {
+            worker.releaseAutomatics(device);
+            return true;
+        };
+        onCamera<bool>(release, false);
+    }
 
 private:
     /// Has the camera's thread do something, and waits for it; gives the other answer where it cannot be

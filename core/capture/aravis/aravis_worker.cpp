@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace odo {
 
@@ -132,8 +133,21 @@ std::vector<std::string> AravisWorker::holdAutomatics(AravisDevice *device)
     HeldAutomatics held = holdAravisAutomatics(device->camera());
     for (const auto &[id, value] : held.settings)
         remember(id, value);
+    m_automatics.insert(m_automatics.end(), held.automatics.begin(), held.automatics.end());
     device->readExposure();
     return held.notHeld;
+}
+
+void AravisWorker::releaseAutomatics(AravisDevice *device)
+{
+    m_holdWhenBack = false;
+    for (const auto &[id, value] : std::exchange(m_automatics, {})) {
+        remember(id, value);
+        if (device)
+            setAravisControl(device->camera(), m_address.uri, id, value);
+    }
+    if (device)
+        device->readExposure();
 }
 
 AravisWorker::Opened AravisWorker::takeUp()

@@ -28,6 +28,8 @@ public:
     /// Holds them now, and again when the camera comes back; without a camera, when it does. Gives what is
     /// not held.
     std::vector<std::string> holdAutomatics(AravisDevice *device);
+    /// Gives back what is held, without a camera when it comes back.
+    void releaseAutomatics(AravisDevice *device);
 
 private:
     using Opened = Result<std::unique_ptr<AravisDevice>>;
@@ -52,7 +54,8 @@ private:
     std::optional<AravisPlace> m_place; ///< where it was; none before the first time
     AravisMode m_mode;                  ///< as it was then
     bool m_holdWhenBack = false;
-    std::vector<std::pair<std::string, double>> m_settings;
+    std::vector<std::pair<std::string, double>> m_settings,
+        m_automatics; ///< m_automatics: held, as they stood
     CameraTimeScale m_times;
     PictureNumbering m_numbering;
     std::optional<ClockReading> m_reading; ///< the last one of the camera's own clock

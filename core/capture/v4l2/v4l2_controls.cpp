@@ -208,18 +208,19 @@ const Control *find(const std::vector<Control> &controls, __u32 id)
 
 /// Whether it is off afterwards.
 bool turnOff(const V4l2Device &device, const std::string &uri, const Control &control, __s64 off,
-             V4l2Settings &settings)
+             V4l2Held &held)
 {
     const double shown = shownValue(control, off);
     const bool hasIt =
         control.places.empty() || std::ranges::find(control.places, off) != control.places.end();
     if (hasIt && control.shown.value == shown) {
-        settings.emplace_back(control.shown.id, shown);
+        held.settings.emplace_back(control.shown.id, shown);
         return true;
     }
     if (!hasIt || control.shown.readOnly || !write(device, uri, control, off))
         return false;
-    settings.emplace_back(control.shown.id, shown);
+    held.settings.emplace_back(control.shown.id, shown);
+    held.automatics.emplace_back(control.shown.id, control.shown.value);
     return true;
 }
 
@@ -264,29 +265,28 @@ Result<void> setV4l2Control(const V4l2Device &device, const std::string &uri, co
                  found->places.empty() ? rounded : found->places[static_cast<std::size_t>(rounded)]);
 }
 
-std::vector<std::string> holdV4l2Automatics(const V4l2Device &device, const std::string &uri,
-                                            V4l2Settings &settings)
+V4l2Held holdV4l2Automatics(const V4l2Device &device, const std::string &uri)
 {
-    std::vector<std::string> stillOn;
+    V4l2Held held;
     const auto controls = readControls(device, uri);
     if (!controls)
-        return stillOn;
+        return held;
     for (const Automatic &automatic : automatics) {
         const Control *control = find(*controls, automatic.id);
         if (!control)
             continue;
-        if (!turnOff(device, uri, *control, automatic.off, settings)) {
-            stillOn.push_back(control->shown.name);
+        if (!turnOff(device, uri, *control, automatic.off, held)) {
+            held.stillOn.push_back(control->shown.name);
             continue;
         }
         // Many a camera falls back to what was set by hand before: it is to stay where the automatic had it.
         for (const __u32 id : automatic.moved) {
             const Control *moved = id == 0 ? nullptr : find(*controls, id);
             if (moved && setV4l2Control(device, uri, moved->shown.id, moved->shown.value))
-                settings.emplace_back(moved->shown.id, moved->shown.value);
+                held.settings.emplace_back(moved->shown.id, moved->shown.value);
         }
     }
-    return stillOn;
+    return held;
 }
 
 } // namespace odo

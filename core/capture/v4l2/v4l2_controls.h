@@ -22,8 +22,13 @@ Result<std::vector<CameraControl>> v4l2Controls(const V4l2Device &device, const 
 Result<void> setV4l2Control(const V4l2Device &device, const std::string &uri, const std::string &id,
                             double value);
 
-/// As CameraSource::holdAutomatics; what was set for it is added to the settings.
-std::vector<std::string> holdV4l2Automatics(const V4l2Device &device, const std::string &uri,
-                                            V4l2Settings &settings);
+/// As CameraSource::holdAutomatics.
+struct V4l2Held
+{
+    V4l2Settings settings;            ///< what was set for it
+    V4l2Settings automatics;          ///< as they stood, those that were on
+    std::vector<std::string> stillOn; ///< names of what could not be turned off
+};
+V4l2Held holdV4l2Automatics(const V4l2Device &device, const std::string &uri);
 
 } // namespace odo

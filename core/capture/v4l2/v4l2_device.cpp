@@ -69,7 +69,7 @@ Result<std::shared_ptr<V4l2Device>> V4l2Device::open(const std::filesystem::path
         return fail(ErrorCode::InvalidInput, "camera " + uri, node.string() + " gives no pictures",
                     "choose one of those that odograph cameras lists");
     device->m_identity = {textOf(capability.driver), textOf(capability.card), textOf(capability.bus_info),
-                          v4l2Sysfs::serialOf(node)};
+                          v4l2Sysfs::serialOf(node), v4l2Sysfs::indexOf(node)};
     return device;
 }
 

@@ -16,6 +16,7 @@ struct V4l2Identity
     std::string driver, name;
     std::string busInfo; ///< the port it is plugged in at: "usb-0000:00:14.0-1"
     std::string serial;  ///< of the USB device; empty where it has none
+    std::string index;   ///< which of its nodes it is: a camera may have one in colour and one in infrared
 };
 
 /// An open V4L2 node that captures pictures. Its calls may come from any thread; it is closed with its last

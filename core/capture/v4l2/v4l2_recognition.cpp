@@ -10,19 +10,23 @@ V4l2KnownCamera::V4l2KnownCamera(V4l2Address address, const V4l2Device &device)
     : m_address(std::move(address)), m_identity(device.identity())
 {
     // Cheap cameras of one model often carry one serial number.
-    const auto sharesIt = [this](const auto &other) { return other->identity().serial == m_identity.serial; };
-    m_isSerialUnique = !m_identity.serial.empty() && std::ranges::count_if(openV4l2Devices(), sharesIt) == 1;
+    const auto sharesIt = [this](const auto &other) {
+        return other->identity().serial == m_identity.serial &&
+               other->identity().busInfo != m_identity.busInfo;
+    };
+    m_isSerialUnique = !m_identity.serial.empty() && std::ranges::none_of(openV4l2Devices(), sharesIt);
 }
 
 bool V4l2KnownCamera::isAtItsPort(const V4l2Identity &other) const
 {
     return other.busInfo == m_identity.busInfo && other.name == m_identity.name &&
-           other.serial == m_identity.serial;
+           other.serial == m_identity.serial && other.index == m_identity.index;
 }
 
 bool V4l2KnownCamera::isElsewhere(const V4l2Identity &other) const
 {
-    return m_isSerialUnique && other.serial == m_identity.serial && other.name == m_identity.name;
+    return m_isSerialUnique && other.serial == m_identity.serial && other.name == m_identity.name &&
+           other.index == m_identity.index;
 }
 
 Result<std::shared_ptr<V4l2Device>> V4l2KnownCamera::find() const

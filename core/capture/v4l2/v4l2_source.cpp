@@ -57,6 +57,7 @@ public:
     Result<std::vector<CameraControl>> controls() override;
     Result<void> set(const std::string &id, double value) override;
     std::vector<std::string> holdAutomatics() override;
+    void releaseAutomatics() override;
 
 private:
     void begin(std::shared_ptr<V4l2Device> device, std::unique_ptr<V4l2Stream> stream);
@@ -89,6 +90,7 @@ private:
     std::shared_ptr<V4l2Device> m_device;
     CameraCounts m_counts;
     V4l2Settings m_settings;
+    V4l2Settings m_automatics;   ///< that are held, as they stood before
     bool m_isHoldMissed = false; ///< it was not there when its automatics were to be held
 };
 
@@ -282,12 +284,30 @@ std::vector<std::string> V4l2Source::holdAutomatics()
         m_isHoldMissed = true;
         return {};
     }
-    V4l2Settings settings;
-    auto stillOn = holdV4l2Automatics(**open, m_description.uri, settings);
+    V4l2Held held = holdV4l2Automatics(**open, m_description.uri);
     const std::lock_guard lock(m_mutex);
-    for (const auto &[id, value] : settings)
+    for (const auto &[id, value] : held.settings)
         remember(m_settings, id, value);
-    return stillOn;
+    for (const auto &[id, value] : held.automatics)
+        remember(m_automatics, id, value);
+    return std::move(held.stillOn);
+}
+
+void V4l2Source::releaseAutomatics()
+{
+    const auto open = device();
+    V4l2Settings automatics;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_isHoldMissed = false;
+        automatics = std::exchange(m_automatics, {});
+        for (const auto &[id, value] : automatics)
+            remember(m_settings, id, value); // one that is away now is to have them when it is back
+    }
+    for (const auto &[id, value] : automatics) {
+        if (open)
+            (void)setV4l2Control(**open, m_description.uri, id, value); // gone meanwhile: as if it were away
+    }
 }
 
 } // namespace

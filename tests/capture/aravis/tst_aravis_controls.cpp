@@ -97,6 +97,35 @@ private Q_SLOTS:
         QCOMPARE(camera->readFloat(reg::Gain), gain);
     }
 
+    /// After the recording the camera sees to its exposure again; one that is away then, as soon as it is
+    /// back.
+    void automaticsAreGivenBack()
+    {
+        const SimulatedGigeCamera::Settings settings{.address = "127.31.4.6", .automatics = true};
+        auto camera = std::make_unique<SimulatedGigeCamera>(settings, codedPainter());
+        const auto source = opened("aravis:127.31.4.6");
+        QVERIFY(source);
+        FrameTaker taker(*source);
+        QTRY_VERIFY(taker.count() > 5);
+        source->releaseAutomatics(); // nothing is held
+        QCOMPARE(camera->read(reg::ExposureAuto), 2u);
+        QVERIFY(source->holdAutomatics().empty());
+        QCOMPARE(camera->read(reg::ExposureAuto), 0u);
+        source->releaseAutomatics();
+        QCOMPARE(camera->read(reg::ExposureAuto), 2u);
+        QCOMPARE(camera->read(reg::GainAuto), 2u);
+
+        QVERIFY(source->holdAutomatics().empty());
+        camera.reset();
+        QTRY_VERIFY(taker.said("it does not answer"));
+        source->releaseAutomatics();
+        camera = std::make_unique<SimulatedGigeCamera>(settings, codedPainter());
+        const Nanoseconds back = steadyNow();
+        QTRY_VERIFY_WITH_TIMEOUT(taker.countSince(back) > 3, 15000);
+        QCOMPARE(camera->read(reg::ExposureAuto), 2u); // it is not told to hold still any more
+        QCOMPARE(camera->read(reg::GainAuto), 2u);
+    }
+
     /// They are to be held while the camera is away: it is done when it comes back.
     void automaticsOfACameraThatIsAwayAreHeldLater()
     {

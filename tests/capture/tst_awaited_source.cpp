@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/awaited_source.h"
+#include "tests/capture/played_camera.h"
+
+#include <QTest>
+#include <atomic>
+
+using namespace odo;
+using namespace odo::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+const Error taken{ErrorCode::NotFound, "camera play:", "it is not there", "plug it in"};
+
+} // namespace
+
+class TestAwaitedSource : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void isThatCameraAsSoonAsItIsThere();
+    void saysWhyItIsNotThere();
+    void anAddressThatIsNotUnderstoodIsNotTriedAgain();
+    void isStoppedWhileItWaits();
+};
+
+void TestAwaitedSource::isThatCameraAsSoonAsItIsThere()
+{
+    const auto script = std::make_shared<Script>();
+    script->pictures(2);
+    std::atomic<int> attempts = 0;
+    const auto source = awaitCamera(
+        "play:1", taken,
+        [&]() -> Result<std::unique_ptr<CameraSource>> {
+            if (++attempts < 3)
+                return tl::unexpected(taken);
+            return std::make_unique<PlayedCamera>(script, PlayedCamera::Kind{.notHeld = {"Focus"}});
+        },
+        1ms);
+    QVERIFY(source->holdAutomatics().empty() || attempts == 3);
+    Result<CapturedFrame> picture = source->next();
+    while (!picture && picture.error().code == ErrorCode::Unavailable)
+        picture = source->next();
+    QVERIFY(picture);
+    QCOMPARE(attempts.load(), 3);
+    QCOMPARE(source->next()->sequence, 1u);
+    QCOMPARE(source->description().name, std::string("Played"));
+    QCOMPARE(source->holdAutomatics(), std::vector<std::string>{"Focus"});
+}
+
+void TestAwaitedSource::saysWhyItIsNotThere()
+{
+    const auto source = awaitCamera(
+        "v4l2:/dev/video7", taken,
+        []() -> Result<std::unique_ptr<CameraSource>> { return tl::unexpected(taken); }, 1ms);
+    const auto picture = source->next();
+    QVERIFY(!picture);
+    QCOMPARE(picture.error().code, ErrorCode::Unavailable); // it may come
+    QCOMPARE(picture.error().message(), taken.message());
+    QCOMPARE(source->controls().error().code, ErrorCode::Unavailable);
+    QCOMPARE(source->set("gain", 1).error().message(), taken.message());
+    QCOMPARE(source->description().kind, std::string("v4l2"));
+    QCOMPARE(source->description().widthPx, 0);
+}
+
+void TestAwaitedSource::anAddressThatIsNotUnderstoodIsNotTriedAgain()
+{
+    const Error wrong{ErrorCode::InvalidInput, "camera v4l2:x?y", "'y' is not understood", "leave it out"};
+    std::atomic<int> attempts = 0;
+    const auto source = awaitCamera(
+        "v4l2:x?y", wrong,
+        [&]() -> Result<std::unique_ptr<CameraSource>> {
+            ++attempts;
+            return tl::unexpected(wrong);
+        },
+        1ms);
+    QCOMPARE(source->next().error().code, ErrorCode::InvalidInput);
+    QCOMPARE(source->next().error().message(), wrong.message());
+    QCOMPARE(attempts.load(), 0);
+}
+
+void TestAwaitedSource::isStoppedWhileItWaits()
+{
+    const auto source = awaitCamera(
+        "play:1", taken, []() -> Result<std::unique_ptr<CameraSource>> { return tl::unexpected(taken); }, 1h);
+    source->stop();
+    QCOMPARE(source->next().error().code, ErrorCode::Cancelled);
+}
+
+QTEST_GUILESS_MAIN(TestAwaitedSource)
+#include "tst_awaited_source.moc"
