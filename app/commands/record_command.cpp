@@ -12,7 +12,7 @@ namespace {
 
 const QString trial = QStringLiteral("trial"), camera = QStringLiteral("camera"),
               seconds = QStringLiteral("seconds"), robot = QStringLiteral("robot"),
-              recover = QStringLiteral("recover");
+              recover = QStringLiteral("recover"), preRoll = QStringLiteral("pre-roll");
 
 /// Opening has completed what was cut off, and said so.
 Result<void> answerRecover(const CommandCall &call)
@@ -43,6 +43,12 @@ Result<RecordSettings> settingsFrom(const CommandCall &call)
         if (!number || *number <= 0)
             return call.wrongCall(QStringLiteral("--seconds is a number above zero"));
         settings.seconds = *number;
+    }
+    if (call.isSet(preRoll)) {
+        const auto number = call.number(preRoll);
+        if (!number || *number < 0)
+            return call.wrongCall(QStringLiteral("--pre-roll is a number of seconds"));
+        settings.preRollS = *number;
     }
     return settings;
 }
@@ -86,14 +92,18 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call(
         {QStringLiteral("record"),
-         QStringLiteral("P.odo --trial NAME --camera A=URI [--camera B=URI]... [--seconds 10] [--robot R]... "
-                        "[--json], or P.odo --recover"),
+         QStringLiteral("P.odo --trial NAME --camera A=URI [--camera B=URI]... [--seconds 10] [--pre-roll 0] "
+                        "[--robot R]... [--json], or P.odo --recover"),
          1,
          1,
          {{trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
           {camera, QStringLiteral("A view: the camera's name and its address; see odograph cameras."),
            QStringLiteral("CAMERA=URI")},
           {seconds, QStringLiteral("How long, from when all cameras deliver."), QStringLiteral("SECONDS")},
+          {preRoll,
+           QStringLiteral(
+               "What is recorded from before that, 10 seconds at most: the cameras run so long first."),
+           QStringLiteral("SECONDS")},
           {robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
           {recover,
            QStringLiteral(

@@ -111,6 +111,14 @@ Result<CameraRecord> CameraRepository::get(RecordId id) const
     return cameraOf(select);
 }
 
+Result<void> CameraRepository::setDevice(RecordId camera, const std::string &uri)
+{
+    if (auto valid = checkText("address of a camera", uri); !valid)
+        return valid;
+    Statement update(m_connection, QStringLiteral("UPDATE camera SET device_uri=? WHERE id=?"));
+    return update.bind(uri).bind(camera).run();
+}
+
 Result<void> CameraRepository::removeUnused(RecordId id)
 {
     Statement remove(m_connection, QStringLiteral("DELETE FROM camera WHERE id=?"));

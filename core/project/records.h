@@ -147,7 +147,7 @@ struct RecordingRecord
     std::string cameraName;      ///< read only, joined
     int position = 0;            ///< 0: the first view
     std::string path;            ///< relative to the project's folder when beside it, else absolute
-    std::string sha256;
+    std::string sha256;          ///< empty: not made yet
     std::int64_t bytes = 0;
     int widthPx = 0, heightPx = 0;
     double framesPerSecond = 0;

@@ -25,6 +25,8 @@ public:
     Result<std::vector<CameraRecord>> all() const;
     Result<CameraRecord> find(const std::string &name) const;
     Result<CameraRecord> get(RecordId id) const;
+    /// The address of the device that it is; empty: none.
+    Result<void> setDevice(RecordId camera, const std::string &uri);
     /// Removes a camera that nothing refers to; fails for any other.
     Result<void> removeUnused(RecordId id);
     Result<IntrinsicsRecord> addIntrinsics(const IntrinsicsRecord &intrinsics);
@@ -118,6 +120,10 @@ public:
     /// Ends the recording: what is known now about the trial's sync and duration and about its recordings, by their ids.
     /// Of a recording that is not among them nothing came; its row goes. InvalidInput for a trial that is finished.
     Result<void> complete(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings);
+    /// Of trials that have ended, those whose file's hash has not been made yet; their frame times are left
+    /// out.
+    Result<std::vector<RecordingRecord>> unhashed() const;
+    Result<void> setHash(RecordId recording, const std::string &sha256);
     /// Removes an unfinished trial: of one that was given up, or that no picture was recorded of.
     Result<void> removeUnfinished(RecordId trial);
     Result<std::vector<TrialRecord>> all() const; ///< newest first

@@ -118,6 +118,33 @@ Result<void> TrialRepository::complete(const TrialRecord &trial,
     });
 }
 
+Result<std::vector<RecordingRecord>> TrialRepository::unhashed() const
+{
+    std::vector<RecordingRecord> recordings;
+    Statement select(
+        m_connection,
+        QStringLiteral("SELECT recording.id, trial_id, path, bytes FROM recording JOIN trial ON "
+                       "trial.id=trial_id WHERE sha256='' AND state='complete' ORDER BY recording.id"));
+    auto read = select.eachRow([&](const Statement &row) -> Result<void> {
+        RecordingRecord recording;
+        recording.id = row.integer(0);
+        recording.trial = row.integer(1);
+        recording.path = row.text(2);
+        recording.bytes = row.integer(3);
+        recordings.push_back(std::move(recording));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return recordings;
+}
+
+Result<void> TrialRepository::setHash(RecordId recording, const std::string &sha256)
+{
+    Statement update(m_connection, QStringLiteral("UPDATE recording SET sha256=? WHERE id=?"));
+    return update.bind(sha256).bind(recording).run();
+}
+
 Result<void> TrialRepository::removeUnfinished(RecordId trial)
 {
     return transact(m_connection, [&]() -> Result<void> {

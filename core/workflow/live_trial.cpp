@@ -125,8 +125,10 @@ Result<void> LiveTrial::store(Project &project)
     const auto stored = project.inTransaction([&]() -> Result<void> {
         if (auto appended = appendPending(project); !appended)
             return appended;
-        return project.trials().setDuration(m_trial.id,
-                                            toSeconds(m_views.front().last - m_views.front().first));
+        Nanoseconds longest{0};
+        for (const View &view : m_views)
+            longest = std::max(longest, view.last - view.first);
+        return project.trials().setDuration(m_trial.id, toSeconds(longest));
     });
     if (!stored)
         return stored;
@@ -152,7 +154,7 @@ Result<void> LiveTrial::run(const JobControl &control)
     for (std::size_t i = 0; i < m_views.size(); ++i) {
         View &view = m_views[i];
         const ViewRecording &outcome = m_outcome.views[i];
-        warnOf(outcome, view.record.cameraName);
+        warnOf(outcome, view.record.cameraName, comesByWire(m_session.description(i).kind));
         const auto added = [](const auto &all, std::size_t stored) {
             using Times = std::decay_t<decltype(all)>;
             return Times(all.begin() + static_cast<std::ptrdiff_t>(std::min(stored, all.size())), all.end());
@@ -165,7 +167,7 @@ Result<void> LiveTrial::run(const JobControl &control)
         ended.back().record.widthPx = outcome.format.width;
         ended.back().record.heightPx = outcome.format.height;
     }
-    auto recordings = describeRecordings(ended, control);
+    auto recordings = describeRecordings(ended);
     if (!recordings)
         return tl::unexpected(recordings.error());
     m_recordings = std::move(*recordings);
@@ -222,7 +224,7 @@ Result<void> LiveTrial::discard(Project &project)
     return {};
 }
 
-void LiveTrial::warnOf(const ViewRecording &view, const std::string &camera)
+void LiveTrial::warnOf(const ViewRecording &view, const std::string &camera, bool byWire)
 {
     const std::string who = "view '" + camera + "': ";
     if (view.taken.empty())
@@ -240,10 +242,14 @@ void LiveTrial::warnOf(const ViewRecording &view, const std::string &camera)
     if (view.lostByUs > 0)
         m_warnings.push_back(who + picturesText(view.lostByUs) + " lost because this computer or its disk was too slow; " +
                              "record to a faster disk, or fewer cameras at once");
-    if (view.lostOnWire > 0)
+    if (view.lostOnWire > 0 && byWire)
         m_warnings.push_back(who + picturesText(view.lostOnWire) +
                              " lost between the camera and this program; " +
                              "check cable, bandwidth and what else this machine does");
+    else if (view.lostOnWire > 0)
+        m_warnings.push_back(who + picturesText(view.lostOnWire) +
+                             " lost because this machine was too slow to make them in time; " +
+                             "close other programs, or take fewer such cameras at once");
 }
 
 } // namespace odo

@@ -17,7 +17,8 @@ namespace odo {
 /// but for the last second.
 ///
 /// Ending it is this job: run stops the recording, which takes as long as the disk does, and commit completes
-/// the trial. One that is cancelled, or fails, is completed by RecoverJob at the next opening.
+/// the trial, but for the hashes of its files, which HashJob makes. One that is cancelled, or fails, is
+/// completed by RecoverJob at the next opening.
 class LiveTrial : public Job
 {
 public:
@@ -65,7 +66,7 @@ private:
     Result<void> addTo(Project &project, const std::vector<std::string> &cameras);
     Result<void> store(Project &project);
     Result<void> appendPending(Project &project) const;
-    void warnOf(const ViewRecording &view, const std::string &camera);
+    void warnOf(const ViewRecording &view, const std::string &camera, bool byWire);
 
     CaptureSession &m_session;
     std::unique_ptr<RecordingLock> m_lock;

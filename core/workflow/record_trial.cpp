@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/hash_job.h"
 #include "core/workflow/line_up.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto lookEach = 50ms, appendEach = 1000ms, longestStart = 10000ms;
-constexpr double longestS = 24 * 3600;
+constexpr double longestS = 24 * 3600, longestPreRollS = 10;
 
 std::string whatOf(const RecordSettings &settings)
 {
@@ -34,6 +35,9 @@ Result<void> checkSettings(Project &project, const RecordSettings &settings)
     if (!(settings.seconds > 0 && settings.seconds <= longestS))
         return fail(ErrorCode::InvalidInput, what, "it would take no time, or more than a day",
                     "give the seconds, like 10");
+    if (!(settings.preRollS >= 0 && settings.preRollS <= longestPreRollS))
+        return fail(ErrorCode::InvalidInput, what, "what is kept from before is no time, or more than 10 s",
+                    "give a pre-roll of 0 to 10 seconds");
     if (project.trials().find(settings.trial))
         return fail(ErrorCode::AlreadyExists, what, "the project has a trial of that name",
                     "choose another name");
@@ -82,6 +86,18 @@ Result<void> waitForPictures(const CaptureSession &session, const RecordSettings
     }
 }
 
+/// The pre-roll.
+Result<void> letRun(const RecordSettings &settings, const JobControl &control)
+{
+    const auto until = Clock::now() + fromSeconds(settings.preRollS);
+    while (Clock::now() < until) {
+        if (control.isCancelled())
+            return cancelled(whatOf(settings));
+        std::this_thread::sleep_for(std::min<Nanoseconds>(lookEach, until - Clock::now()));
+    }
+    return {};
+}
+
 /// Until its time is over, or nothing more can be recorded.
 Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSession &session,
                            const RecordSettings &settings, const JobControl &control)
@@ -119,13 +135,16 @@ Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSet
     auto cameras = openCameras(settings);
     if (!cameras)
         return tl::unexpected(cameras.error());
-    CaptureSession session(std::move(*cameras), {.preRoll = Nanoseconds(0)});
+    const Nanoseconds preRoll = fromSeconds(settings.preRollS);
+    CaptureSession session(std::move(*cameras), {.preRoll = preRoll});
     if (auto delivering = waitForPictures(session, settings, control); !delivering)
         return tl::unexpected(delivering.error());
+    if (auto warm = letRun(settings, control); !warm)
+        return tl::unexpected(warm.error());
     std::vector<std::string> names;
     for (const auto &[name, address] : settings.cameras)
         names.push_back(name);
-    auto live = LiveTrial::begin(project, std::move(*trial), names, session);
+    auto live = LiveTrial::begin(project, std::move(*trial), names, session, preRoll);
     if (!live)
         return live;
     const auto kept = keepRecording(project, **live, session, settings, control);
@@ -137,6 +156,9 @@ Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSet
     // Where the project could not be written to, the end tries once more, with all that is missing.
     if (auto ended = runToEnd(**live, project, control); !ended)
         return tl::unexpected(kept ? ended.error() : kept.error());
+    HashJob hashes; // what is left of them is made the next time
+    if (auto done = runToEnd(hashes, project, control); !done && done.error().code != ErrorCode::Cancelled)
+        return tl::unexpected(done.error());
     return live;
 }
 

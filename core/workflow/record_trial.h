@@ -16,6 +16,7 @@ struct RecordSettings
     std::vector<std::pair<std::string, std::string>>
         cameras;         ///< camera's name and its address, first view first
     double seconds = 10; ///< from when all cameras deliver
+    double preRollS = 0; ///< so long before, the cameras run already, and that is recorded too
     std::vector<std::string> robots;
 };
 

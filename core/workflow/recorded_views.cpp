@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/recorded_views.h"
 
-#include "core/project/recording_rows.h"
-
 #include <cmath>
 
 namespace odo {
@@ -22,8 +20,7 @@ void putInStep(RecordingRecord &record, const EndedView &view, const EndedView &
 
 } // namespace
 
-Result<std::vector<RecordingRecord>> describeRecordings(const std::vector<EndedView> &views,
-                                                        const JobControl &control)
+Result<std::vector<RecordingRecord>> describeRecordings(const std::vector<EndedView> &views)
 {
     std::vector<RecordingRecord> records;
     const EndedView *first = nullptr;
@@ -41,12 +38,12 @@ Result<std::vector<RecordingRecord>> describeRecordings(const std::vector<EndedV
             first = &view;
         else
             putInStep(record, view, *first);
-        const auto hash = fileSha256(view.file, control);
-        if (!hash)
-            return tl::unexpected(hash.error());
-        record.sha256 = *hash;
-        std::error_code ignored; // the hash has just read it
-        record.bytes = static_cast<std::int64_t>(std::filesystem::file_size(view.file, ignored));
+        std::error_code problem;
+        record.bytes = static_cast<std::int64_t>(std::filesystem::file_size(view.file, problem));
+        if (problem)
+            return fail(ErrorCode::Io, "file '" + view.file.string() + "'",
+                        "it cannot be looked at (" + problem.message() + ")",
+                        "check that the file is there and may be read");
         records.push_back(std::move(record));
     }
     return records;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/job_control.h"
+#include "core/base/error.h"
 #include "core/project/records.h"
 
 #include <filesystem>
@@ -19,10 +19,9 @@ struct EndedView
     bool clockKnown = true; ///< false: taken is right against itself alone
 };
 
-/// Frame times, rate, sync, size and hash of the views that have pictures, the first of which is the first
-/// view. Long: reads the files. Errors: Io, Cancelled.
-Result<std::vector<RecordingRecord>> describeRecordings(const std::vector<EndedView> &views,
-                                                        const JobControl &control);
+/// Frame times, rate, sync and size of the views that have pictures, the first of which is the first view.
+/// The hash is left to HashJob. Errors: Io.
+Result<std::vector<RecordingRecord>> describeRecordings(const std::vector<EndedView> &views);
 
 /// Duration and sync of a trial with these recordings, one at least.
 void describeTrial(TrialRecord &trial, const std::vector<RecordingRecord> &recordings);

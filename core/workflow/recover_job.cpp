@@ -5,10 +5,13 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
+#include "core/workflow/hash_job.h"
 #include "core/workflow/recorded_views.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 
 namespace odo {
 
@@ -30,6 +33,19 @@ void fit(std::vector<RawTime> &pictures, const std::vector<Nanoseconds> &fileTim
     }
 }
 
+/// Of a file that cannot be played: whether it holds nothing but the beginning of one. Not told by its name
+/// alone, so that nothing is ever thrown away that somebody might still get a picture out of.
+bool hasNoPicture(const std::filesystem::path &file)
+{
+    constexpr std::uintmax_t mostWithout = 65536;
+    std::error_code problem;
+    if (std::filesystem::file_size(file, problem) > mostWithout || problem)
+        return false;
+    std::ifstream stream(file, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    return !stream.bad() && bytes.find("\xff\xd8\xff") == std::string::npos; // how a JPEG picture begins
+}
+
 } // namespace
 
 Result<void> RecoverJob::prepare(Project &project)
@@ -46,7 +62,7 @@ Result<void> RecoverJob::prepare(Project &project)
     for (const TrialRecord &trial : *trials) {
         if (!trial.unfinished)
             continue;
-        Unfinished unfinished{trial, {}, {}, {}};
+        Unfinished unfinished{trial, {}, {}, {}, {}};
         const auto recordings = project.trials().recordings(trial.id);
         if (!recordings)
             return tl::unexpected(recordings.error());
@@ -66,13 +82,15 @@ Result<void> RecoverJob::run(const JobControl &control)
     for (std::size_t i = 0; i < m_trials.size(); ++i) {
         control.report(static_cast<double>(i) / static_cast<double>(m_trials.size()),
                        "completing a recording that was cut off");
-        if (auto recovered = recover(m_trials[i], control); !recovered)
+        if (control.isCancelled())
+            return cancelled("completing the recordings");
+        if (auto recovered = recover(m_trials[i]); !recovered)
             return recovered;
     }
     return {};
 }
 
-Result<void> RecoverJob::recover(Unfinished &unfinished, const JobControl &control)
+Result<void> RecoverJob::recover(Unfinished &unfinished)
 {
     std::vector<EndedView> ended;
     for (View &view : unfinished.views) {
@@ -82,8 +100,11 @@ Result<void> RecoverJob::recover(Unfinished &unfinished, const JobControl &contr
             return {};
         }
         const auto reader = VideoReader::open(view.file);
-        if (!reader)
-            continue; // it was cut off before a picture was on the disk
+        if (!reader) { // it was cut off before a picture was on the disk
+            if (view.times.pictures.empty() && hasNoPicture(view.file))
+                unfinished.empty.push_back(view.file);
+            continue;
+        }
         const VideoInfo &info = (*reader)->info();
         EndedView one{view.record, view.file, {}, 0, !view.times.pictures.empty()};
         fit(view.times.pictures, info.frameTimes);
@@ -94,7 +115,7 @@ Result<void> RecoverJob::recover(Unfinished &unfinished, const JobControl &contr
         one.record.heightPx = info.format.height;
         ended.push_back(std::move(one));
     }
-    auto recordings = describeRecordings(ended, control);
+    auto recordings = describeRecordings(ended);
     if (!recordings)
         return tl::unexpected(recordings.error());
     unfinished.recordings = std::move(*recordings);
@@ -122,7 +143,10 @@ Result<void> RecoverJob::complete(Project &project, Unfinished &unfinished)
     }
     if (unfinished.recordings.empty()) {
         m_told.push_back(who + "nothing of it had reached the disk, and it is left out: record it again");
-        return project.trials().removeUnfinished(trial.id);
+        if (auto removed = project.trials().removeUnfinished(trial.id); !removed)
+            return removed;
+        removeEmpty(unfinished);
+        return {};
     }
     describeTrial(trial, unfinished.recordings);
     char words[96];
@@ -130,7 +154,17 @@ Result<void> RecoverJob::complete(Project &project, Unfinished &unfinished)
                   trial.durationS, unfinished.recordings.size(),
                   unfinished.recordings.size() == 1 ? "view" : "views");
     m_told.push_back(who + words);
-    return project.trials().complete(trial, unfinished.recordings);
+    if (auto completed = project.trials().complete(trial, unfinished.recordings); !completed)
+        return completed;
+    removeEmpty(unfinished);
+    return {};
+}
+
+void RecoverJob::removeEmpty(const Unfinished &unfinished)
+{
+    std::error_code ignored; // nothing more can be done for a file that cannot be removed
+    for (const std::filesystem::path &file : unfinished.empty)
+        std::filesystem::remove(file, ignored);
 }
 
 Result<std::vector<std::string>> recoverTrials(Project &project, const JobControl &control)
@@ -143,6 +177,9 @@ Result<std::vector<std::string>> recoverTrials(Project &project, const JobContro
     if (auto done = job.run(control); !done)
         return tl::unexpected(done.error());
     if (auto done = job.commit(project); !done)
+        return tl::unexpected(done.error());
+    HashJob hashes;
+    if (auto done = runToEnd(hashes, project, control); !done)
         return tl::unexpected(done.error());
     return job.told();
 }

@@ -16,7 +16,8 @@ namespace odo {
 /// Completes the trials whose recording was cut off, by a kill or a power cut: from the pictures that are in
 /// their files and from the raw times in the project. The last pictures, whose times had not been stored yet,
 /// get them from the file's own time stamps, which are whole milliseconds. Leaves alone what somebody is
-/// recording just now, and a trial whose file is missing.
+/// recording just now, and a trial whose file is missing. A file without any picture is removed. The hashes
+/// are left to HashJob.
 class RecoverJob : public Job
 {
 public:
@@ -42,8 +43,10 @@ private:
         std::vector<View> views;
         std::vector<RecordingRecord> recordings; ///< after run
         std::string missing;                     ///< a file that is not there; then the trial stays as it is
+        std::vector<std::filesystem::path> empty; ///< files that no picture has come into
     };
-    static Result<void> recover(Unfinished &unfinished, const JobControl &control);
+    static Result<void> recover(Unfinished &unfinished);
+    static void removeEmpty(const Unfinished &unfinished);
     Result<void> complete(Project &project, Unfinished &unfinished);
 
     std::unique_ptr<RecordingLock> m_lock;
@@ -51,8 +54,8 @@ private:
     std::vector<std::string> m_told;
 };
 
-/// Completes them at once, on the project's thread, and gives a sentence for each: what the command line does
-/// on opening a project to write.
+/// Completes them at once, hashes too, on the project's thread, and gives a sentence for each: what the
+/// command line does on opening a project to write.
 Result<std::vector<std::string>> recoverTrials(Project &project, const JobControl &control);
 
 } // namespace odo

@@ -98,6 +98,9 @@ private Q_SLOTS:
     {
         const auto a = m_project->cameras().add({0, "Kamera ß", "v4l2:/dev/video0"});
         const auto b = m_project->cameras().add({0, "B", ""});
+        QVERIFY(m_project->cameras().setDevice(b->id, "aravis:S1?rate=60"));
+        QCOMPARE(m_project->cameras().find("B")->deviceUri, std::string("aravis:S1?rate=60"));
+        QVERIFY(m_project->cameras().setDevice(b->id, ""));
         QVERIFY(a && b && a->id != 0 && a->id != b->id);
         reopen();
         QCOMPARE(m_project->cameras().all()->size(), std::size_t(2));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/steady_now.h"
 #include "core/project/project.h"
+#include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
+#include "core/workflow/hash_job.h"
 #include "core/workflow/live_trial.h"
 #include "core/workflow/recover_job.h"
 #include "tests/capture/played_camera.h"
@@ -10,6 +12,7 @@
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
+#include <fstream>
 
 using namespace odo;
 using namespace odo::test;
@@ -81,6 +84,9 @@ private Q_SLOTS:
     void whatIsBeingRecordedIsLeftAlone();
     void aMissingFileIsWaitedFor();
     void picturesWithoutStoredTimesGetTheirsFromTheFile();
+    void aFileWithoutAPictureIsRemoved();
+    void aFileThatMayHoldAPictureStays();
+    void hashesAreMadeAfterwards();
 };
 
 void TestLiveTrial::standsInTheProjectFromItsBeginning()
@@ -220,6 +226,58 @@ void TestLiveTrial::picturesWithoutStoredTimesGetTheirsFromTheFile()
          ++i) // the file knows them to half a millisecond, at each end of a difference
         QVERIFY(std::abs(toSeconds(recordings->front().frameTimes[i]) - 0.033 * double(i)) < 0.0011);
     QCOMPARE(sitting.rawTimes("A").pictures.size(), std::size_t(lot)); // what is not known is not made up
+}
+
+void TestLiveTrial::aFileWithoutAPictureIsRemoved()
+{
+    Sitting sitting;
+    {
+        const auto live = sitting.begin();
+        sitting.a->pictures(lot);
+        QTRY_VERIFY((*live)->append(*sitting.project) && sitting.rawTimes("A").pictures.size() == lot);
+    }
+    // As far as a recording is written before its first picture.
+    std::ofstream(sitting.project->mediaFolder() / "run_B.mkv") << "\x1a\x45\xdf\xa3 the beginning of a file";
+    QVERIFY(recoverTrials(*sitting.project, {}));
+    QCOMPARE(sitting.trial().viewCount, 1);
+    QCOMPARE(sitting.media(), QStringList{QStringLiteral("run_A.mkv")});
+}
+
+void TestLiveTrial::aFileThatMayHoldAPictureStays()
+{
+    Sitting sitting;
+    {
+        const auto live = sitting.begin();
+    }
+    std::ofstream(sitting.project->mediaFolder() / "run_B.mkv")
+        << "damaged, but \xff\xd8\xff begins a picture";
+    const auto told = recoverTrials(*sitting.project, {});
+    QVERIFY(told && told->front().find("nothing of it had reached the disk") != std::string::npos);
+    QVERIFY(sitting.project->trials().all()->empty());
+    QCOMPARE(sitting.media(), QStringList{QStringLiteral("run_B.mkv")});
+}
+
+void TestLiveTrial::hashesAreMadeAfterwards()
+{
+    Sitting sitting;
+    const auto live = sitting.begin();
+    sitting.record(**live, 1);
+    QVERIFY(runToEnd(**live, *sitting.project, {}));
+    QCOMPARE(sitting.project->trials().unhashed()->size(), std::size_t(2));
+
+    HashJob calledOff;
+    QVERIFY(calledOff.prepare(*sitting.project));
+    JobControl control;
+    control.cancel.cancel();
+    QCOMPARE(calledOff.run(control).error().code, ErrorCode::Cancelled);
+
+    std::filesystem::resize_file(sitting.project->mediaFolder() / "run_B.mkv", 100); // not as it was
+    HashJob job;
+    QVERIFY(runToEnd(job, *sitting.project, {}));
+    const auto recordings = sitting.project->trials().recordings(sitting.trial().id);
+    QCOMPARE(recordings->front().sha256, *fileSha256(sitting.project->mediaFolder() / "run_A.mkv", {}));
+    QVERIFY(recordings->back().sha256.empty());
+    QCOMPARE(sitting.project->check(true)->size(), std::size_t(1));
 }
 
 QTEST_GUILESS_MAIN(TestLiveTrial)

@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/demo.h"
+#include "core/workflow/hash_job.h"
 #include "core/workflow/job.h"
 #include "core/workflow/job_runner.h"
 #include "core/workflow/recover_job.h"
@@ -54,7 +55,7 @@ void Workspace::recoverTrials()
 {
     const auto trials = m_project->trials().all();
     if (!trials || std::ranges::none_of(*trials, &TrialRecord::unfinished))
-        return;
+        return makeHashes();
     const auto job = std::make_shared<RecoverJob>();
     const Result<void> started = start(job, tr("Completing a recording that was cut off"), [this, job] {
         QStringList words;
@@ -62,8 +63,21 @@ void Workspace::recoverTrials()
             words << QString::fromStdString(sentence);
         if (!words.isEmpty())
             Q_EMIT told(words.join(u'\n'));
+        makeHashes();
     });
     if (!started)
+        Q_EMIT jobFailed(started.error());
+}
+
+/// Of recordings that the window was closed upon.
+void Workspace::makeHashes()
+{
+    HashJob look;
+    if (!look.prepare(*m_project) || !look.isNeeded())
+        return;
+    if (const Result<void> started =
+            start(std::make_shared<HashJob>(), tr("Making the hashes of new recordings"), nullptr);
+        !started)
         Q_EMIT jobFailed(started.error());
 }
 

@@ -59,6 +59,7 @@ Q_SIGNALS:
 
 private:
     void recoverTrials();
+    void makeHashes();
     void finishJob(const std::optional<Error> &error);
     void adopt(std::unique_ptr<Project> project, bool readOnly);
 
