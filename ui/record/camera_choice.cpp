@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/camera_choice.h"
 
+#include "core/capture/camera_uri.h"
+
 #include <QSettings>
 #include <algorithm>
 #include <set>
@@ -33,15 +35,15 @@ std::vector<ChosenCamera> proposeCameras(const std::vector<CameraRecord> &camera
         anyReal = anyReal || device.kind != "simulated";
     }
     const auto give = [&](ChosenCamera &camera, const std::string &uri) {
-        if (camera.second.empty() && free.erase(uri) > 0)
+        if (camera.second.empty() && free.erase(withoutWishes(uri)) > 0)
             camera.second = uri;
     };
+    for (std::size_t i = 0; i < cameras.size(); ++i)
+        give(chosen[i], cameras[i].deviceUri);
     for (ChosenCamera &camera : chosen) {
         if (const auto was = before.find(camera.first); was != before.end())
             give(camera, was->second);
     }
-    for (std::size_t i = 0; i < cameras.size(); ++i)
-        give(chosen[i], cameras[i].deviceUri);
     for (ChosenCamera &camera : chosen) {
         if (!anyReal)
             give(camera, simulated + camera.first);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/camera_choice_dialog.h"
 
+#include "core/capture/camera_uri.h"
 #include "ui/models/live_cameras.h"
+#include "ui/record/camera_wishes_dialog.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -11,6 +13,7 @@
 #include <QSet>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace odo {
 
@@ -28,8 +31,18 @@ CameraChoiceDialog::CameraChoiceDialog(std::vector<ChosenCamera> cameras, LiveCa
         box->setAccessibleName(tr("Device that is camera %1").arg(QString::fromStdString(name)));
         box->setMinimumContentsLength(36);
         connect(box, &QComboBox::currentIndexChanged, this, &CameraChoiceDialog::check);
-        form->addRow(tr("Camera %1").arg(QString::fromStdString(name)), box);
+        auto *settings = new QPushButton(tr("Settings…"));
+        settings->setAccessibleName(tr("Settings of camera %1").arg(QString::fromStdString(name)));
+        settings->setAutoDefault(false);
+        const std::size_t camera = m_boxes.size();
+        connect(settings, &QPushButton::clicked, this, [this, camera] { askWishes(camera); });
+        auto *row = new QHBoxLayout;
+        row->addWidget(box, 1);
+        row->addWidget(settings);
+        form->addRow(tr("Camera %1").arg(QString::fromStdString(name)), row);
         m_boxes.push_back(box);
+        m_settings.push_back(settings);
+        m_wanted[withoutWishes(uri)] = uri;
     }
     m_words->setWordWrap(true);
     m_words->setTextFormat(Qt::PlainText);
@@ -54,8 +67,8 @@ void CameraChoiceDialog::fill()
     for (std::size_t i = 0; i < m_boxes.size(); ++i) {
         QComboBox &box = *m_boxes[i];
         const QSignalBlocker quiet(box);
-        const QString now =
-            box.count() > 0 ? box.currentData().toString() : QString::fromStdString(m_cameras[i].second);
+        const QString now = box.count() > 0 ? box.currentData().toString()
+                                            : QString::fromStdString(withoutWishes(m_cameras[i].second));
         box.clear();
         box.addItem(tr("not used"), QString());
         for (const CameraDescription &device : m_connected.cameras()) {
@@ -83,6 +96,8 @@ void CameraChoiceDialog::check()
         if (!uri.isEmpty())
             uris.insert(uri);
     }
+    for (std::size_t i = 0; i < m_boxes.size(); ++i)
+        m_settings[i]->setEnabled(takesWishes(m_boxes[i]->currentData().toString().toStdString()));
     QString words;
     if (m_connected.isLooking())
         words = tr("Looking for cameras…");
@@ -98,11 +113,29 @@ void CameraChoiceDialog::check()
     }
 }
 
+/// With what is wanted of it.
+std::string CameraChoiceDialog::uriOf(std::size_t camera) const
+{
+    const std::string uri = m_boxes[camera]->currentData().toString().toStdString();
+    const auto wanted = m_wanted.find(uri);
+    return wanted == m_wanted.end() ? uri : wanted->second;
+}
+
+void CameraChoiceDialog::askWishes(std::size_t camera)
+{
+    const std::string uri = uriOf(camera);
+    const auto device = std::ranges::find(m_connected.cameras(), withoutWishes(uri), &CameraDescription::uri);
+    const CameraDescription known{.uri = uri, .kind = {}, .name = uri}; // one that is not connected now
+    CameraWishesDialog dialog(device == m_connected.cameras().end() ? known : *device, uri, this);
+    if (dialog.exec() == QDialog::Accepted)
+        m_wanted[withoutWishes(uri)] = dialog.uri();
+}
+
 std::vector<ChosenCamera> CameraChoiceDialog::cameras() const
 {
     std::vector<ChosenCamera> chosen = m_cameras;
     for (std::size_t i = 0; i < m_boxes.size(); ++i)
-        chosen[i].second = m_boxes[i]->currentData().toString().toStdString();
+        chosen[i].second = uriOf(i);
     return chosen;
 }
 

@@ -4,12 +4,14 @@
 #include "ui/record/camera_choice.h"
 
 #include <QDialog>
+#include <map>
 #include <vector>
 
 class QComboBox;
 class QDialogButtonBox;
 class QFormLayout;
 class QLabel;
+class QPushButton;
 
 namespace odo {
 
@@ -28,10 +30,14 @@ public:
 private:
     void fill();
     void check();
+    void askWishes(std::size_t camera);
+    std::string uriOf(std::size_t camera) const;
 
     LiveCameras &m_connected;
     std::vector<ChosenCamera> m_cameras;
-    std::vector<QComboBox *> m_boxes;
+    std::vector<QComboBox *> m_boxes; ///< addresses without what is wanted
+    std::vector<QPushButton *> m_settings;
+    std::map<std::string, std::string> m_wanted; ///< by such an address: the whole one
     QLabel *m_words;
     QDialogButtonBox *m_buttons;
 };

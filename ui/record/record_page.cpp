@@ -4,7 +4,6 @@
 #include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "ui/record/camera_choice_dialog.h"
 #include "ui/record/doctor_dialog.h"
 #include "ui/record/health_words.h"
 #include "ui/record/live_board.h"
@@ -28,16 +27,8 @@
 namespace odo {
 namespace {
 
-constexpr int tickMs = 50, healthEachTicks = 10, retryMs = 3000;
+constexpr int tickMs = 50, healthEachTicks = 10;
 constexpr int columnWidth = 320;
-constexpr std::ptrdiff_t leastSightings = 10;
-
-bool wasSeen(const LiveRun &run)
-{
-    return std::ranges::any_of(run.views, [](const ViewTrack &view) {
-        return std::ranges::count_if(view.observations, &Observation::found) >= leastSightings;
-    });
-}
 
 QString sentence(QString words)
 {
@@ -51,8 +42,8 @@ QString sentence(QString words)
 } // namespace
 
 RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWidget *parent)
-    : QWidget(parent), m_project(project), m_readOnly(readOnly), m_connected(std::move(access.list)),
-      m_cameras(std::move(access.open)), m_control(steadyNow), m_recorder(new RunRecorder(project, this)),
+    : QWidget(parent), m_project(project), m_readOnly(readOnly), m_cameras(project, std::move(access)),
+      m_control(steadyNow), m_recorder(new RunRecorder(project.file(), this)),
       m_measuring(new RunMeasuring(project, this)), m_troubleBar(new TroubleBar), m_start(new StartCard),
       m_run(new RunCard), m_result(new RunResultCard),
       m_empty(new EmptyState(QStringLiteral("camera"), tr("No camera is connected"),
@@ -75,8 +66,8 @@ RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWi
     contentLayout->setSpacing(0);
     contentLayout->addWidget(m_troubleBar);
     contentLayout->addLayout(row, 1);
-    connect(m_empty->addButton(QStringLiteral("search"), tr("Look again")), &QPushButton::clicked,
-            &m_connected, &LiveCameras::look);
+    connect(m_empty->addButton(QStringLiteral("search"), tr("Look again")), &QPushButton::clicked, &m_cameras,
+            &ChosenCameras::look);
     connect(m_empty->addButton(QStringLiteral("doctor"), tr("Set-up doctor…")), &QPushButton::clicked, this,
             &RecordPage::examine);
     m_stack->addWidget(content);
@@ -85,8 +76,6 @@ RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWi
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_stack);
     m_timer.setInterval(tickMs);
-    m_retry.setInterval(retryMs);
-    m_retry.setSingleShot(true);
     connectAll();
     showStart();
 }
@@ -133,30 +122,32 @@ QWidget *RecordPage::makeColumn()
     return scroll;
 }
 
+void RecordPage::connectCameras()
+{
+    RunningCameras *running = &m_cameras.running();
+    connect(&m_cameras, &ChosenCameras::failed, this, &RecordPage::failed);
+    connect(&m_cameras, &ChosenCameras::noneConnected, this, [this] { m_stack->setCurrentIndex(1); });
+    connect(&m_cameras, &ChosenCameras::starting, this, [this] {
+        m_stack->setCurrentIndex(0);
+        m_before = {};
+        showCameras();
+    });
+    connect(running, &RunningCameras::started, this, &RecordPage::showCameras);
+    connect(running, &RunningCameras::failed, this, &RecordPage::failed);
+    connect(running, &RunningCameras::pictureReady, m_board, &LiveBoard::setPicture);
+    connect(running, &RunningCameras::moved, this, &RecordPage::takeMoment);
+    connect(m_board, &LiveBoard::shownSizeChanged, running, &RunningCameras::setShownSize);
+}
+
 void RecordPage::connectAll()
 {
     connect(&m_timer, &QTimer::timeout, this, &RecordPage::tick);
-    connect(&m_retry, &QTimer::timeout, this, &RecordPage::startCameras);
-    connect(&m_connected, &LiveCameras::changed, this, [this] {
-        if (isVisible() && !m_connected.isLooking() && !m_cameras.session() && !m_cameras.isOpening())
-            startCameras();
-    });
-    connect(&m_cameras, &RunningCameras::started, this, &RecordPage::showCameras);
-    connect(&m_cameras, &RunningCameras::failed, this, [this](const Error &error) {
-        m_cameraFailure = error;
-        if (!m_cameras.session())
-            m_retry.start();
-        showTrouble({});
-        showStart();
-    });
-    connect(&m_cameras, &RunningCameras::pictureReady, m_board, &LiveBoard::setPicture);
-    connect(m_board, &LiveBoard::shownSizeChanged, this,
-            [this](std::size_t view, const QSize &pixels) { m_cameras.setShownSize(view, pixels); });
-    connect(&m_cameras, &RunningCameras::moved, this, &RecordPage::takeMoment);
+    connectCameras();
     connect(m_start, &StartCard::pressed, this, &RecordPage::press);
     connect(m_run, &RunCard::changed, this, &RecordPage::showFloor);
     connect(m_run, &RunCard::robotsChanged, this, &RecordPage::followRobots);
     connect(m_recorder, &RunRecorder::recorded, this, &RecordPage::takeRecorded);
+    connect(m_recorder, &RunRecorder::gaveUp, this, &RecordPage::takeGivenUp);
     connect(m_recorder, &RunRecorder::failed, this, &RecordPage::failed);
     connect(m_measuring, &RunMeasuring::measuredLive, this,
             [this](const QString &trial, const auto &results) {
@@ -198,14 +189,13 @@ void RecordPage::refresh()
     if (!std::exchange(m_isLineUpRead, true))
         m_run->setRun(lineUp->first());
     if (m_cameras.session() && m_control.phase() == RunPhase::Ready && !m_recorder->isEnding())
-        startCameras(); // a registration may be a new one
+        m_cameras.restart(); // a registration may be a new one
 }
 
 void RecordPage::showEvent(QShowEvent *)
 {
     m_timer.start();
-    if (!m_cameras.session() && !m_cameras.isOpening())
-        m_connected.look();
+    m_cameras.want();
     showTrouble({});
 }
 
@@ -214,39 +204,14 @@ void RecordPage::hideEvent(QHideEvent *)
 {
     if (isRecording() || m_control.phase() != RunPhase::Ready)
         return;
-    m_retry.stop();
     m_timer.stop();
     m_cameras.stop();
     showStart(); // nothing can be recorded by its key now
 }
 
-void RecordPage::startCameras()
-{
-    m_cameraFailure.reset();
-    const auto cameras = m_project.cameras().all();
-    if (!cameras) {
-        Q_EMIT failed(cameras.error());
-        return;
-    }
-    if (m_chosen.empty() ||
-        std::ranges::all_of(m_chosen, [](const ChosenCamera &camera) { return camera.second.empty(); }))
-        m_chosen = proposeCameras(*cameras, m_connected.cameras(), rememberedCameras());
-    auto wanted = wantedCameras(m_project, m_chosen);
-    if (!wanted) {
-        Q_EMIT failed(wanted.error());
-        return;
-    }
-    m_stack->setCurrentIndex(wanted->empty() ? 1 : 0);
-    if (wanted->empty())
-        return;
-    m_before = {};
-    m_cameras.start(std::move(*wanted), m_run->robots());
-    showCameras();
-}
-
 void RecordPage::showCameras()
 {
-    m_board->setCameras(m_cameras);
+    m_board->setCameras(m_cameras.running());
     followRobots();
     showFloor();
     showHealth();
@@ -271,7 +236,7 @@ void RecordPage::followRobots()
     m_board->setRobots(robots);
     if (m_control.phase() == RunPhase::Ready)
         m_control.prepare(m_run->settings(), m_run->task(), robots.size());
-    if (const Result<void> following = m_cameras.follow(robots); !following)
+    if (const Result<void> following = m_cameras.running().follow(robots); !following)
         Q_EMIT failed(following.error());
     m_run->setEnabled(m_control.phase() == RunPhase::Ready);
 }
@@ -310,13 +275,7 @@ void RecordPage::begin(Nanoseconds from)
     std::vector<std::string> names;
     for (const WantedCamera &camera : m_cameras.cameras())
         names.push_back(camera.name);
-    const auto begun = m_recorder->begin(m_run->run(), names, m_cameras.session(),
-                                         std::max(Nanoseconds{0}, steadyNow() - from));
-    if (!begun) {
-        m_control.hasEnded();
-        Q_EMIT failed(begun.error());
-        return;
-    }
+    m_recorder->begin(m_run->run(), names, m_cameras.session(), from);
     m_before = m_cameras.session()->health();
     m_cameras.tracker()->beginRun(from);
     m_board->forgetWays();
@@ -328,13 +287,8 @@ void RecordPage::end()
     const QString trial = QString::fromStdString(run.trial);
     m_result->setWorking(trial);
     const TaskRecord *task = m_run->lineUp().task(run.task);
-    std::vector<LiveRun> runs = m_cameras.tracker()->endRun();
-    m_seen.clear();
-    for (const LiveRun &each : runs) {
-        if (wasSeen(each))
-            m_seen.push_back(each.robot.name);
-    }
-    m_measuring->measureLive(trial, std::move(runs), task ? std::optional(*task) : std::nullopt);
+    m_measuring->measureLive(trial, m_cameras.tracker()->endRun(),
+                             task ? std::optional(*task) : std::nullopt);
     m_recorder->end();
     if (!isVisible())
         hideEvent(nullptr);
@@ -347,11 +301,25 @@ void RecordPage::takeRecorded(const QString &trial, const QStringList &warnings)
         m_run->setLineUp(*lineUp);
         m_run->setRun(lineUp->next(driven));
     }
-    m_measuring->track(trial, m_seen); // one that never came must not spoil the others' figures
+    m_measuring->track(trial);
     QStringList sentences{tr("%1 is recorded.").arg(trial)};
     for (const QString &warning : warnings)
         sentences << sentence(warning);
     Q_EMIT changed(sentences.join(u' '));
+    showStart();
+    if (!isVisible())
+        hideEvent(nullptr);
+}
+
+void RecordPage::takeGivenUp(const QString &trial, const Error &error)
+{
+    m_control.hasEnded();
+    m_measuring->setRecording(false);
+    m_run->setEnabled(true);
+    if (m_result->trial() == trial)
+        m_result->setFailure(
+            trial, tr("It could not be recorded: %1").arg(sentence(QString::fromStdString(error.message()))));
+    Q_EMIT failed(error);
     showStart();
     if (!isVisible())
         hideEvent(nullptr);
@@ -370,10 +338,14 @@ void RecordPage::showHealth()
 {
     if (!m_cameras.session())
         return;
-    const CaptureHealth health = m_cameras.session()->health();
+    CaptureHealth health = m_cameras.session()->health();
+    if (!health.disk.recording)
+        health.disk.secondsLeft = m_cameras.session()->secondsOfRoom(m_project.file().parent_path());
     const LiveFigures live = m_cameras.tracker() ? m_cameras.tracker()->figures() : LiveFigures{};
     m_board->setHealth(health, m_cameras.cameras(), live, m_before);
     m_room = QString::fromStdString(roomWords(health.disk));
+    m_anyDelivers = std::ranges::any_of(
+        health.views, [](const ViewHealth &view) { return view.state == ViewHealth::State::Delivering; });
     showTrouble(health);
     const bool allEnded = std::ranges::all_of(
         health.views, [](const ViewHealth &view) { return view.state == ViewHealth::State::Ended; });
@@ -386,9 +358,6 @@ void RecordPage::showTrouble(const CaptureHealth &health)
 {
     const auto &cameras = m_cameras.cameras();
     QString words = troubleWords(health, cameras);
-    if (words.isEmpty() && m_cameraFailure)
-        words = tr("%1 It is tried again every few seconds.")
-                    .arg(sentence(QString::fromStdString(m_cameraFailure->message())));
     if (m_readOnly)
         words = tr("This project can only be read: nothing can be recorded into it.");
     const QString unregistered = m_cameras.session() ? unregisteredWords(cameras) : QString();
@@ -409,37 +378,24 @@ void RecordPage::showStart()
     if (m_readOnly)
         state.blocked = tr("The project can only be read");
     else if (!m_cameras.session())
-        state.blocked = m_cameras.isOpening() || m_connected.isLooking() ? tr("Opening the cameras…")
-                                                                         : tr("No camera runs");
+        state.blocked = m_cameras.isPreparing() ? tr("Opening the cameras…") : tr("No camera runs");
+    else if (!m_anyDelivers)
+        state.blocked = tr("No camera sends pictures");
     else if (m_run->run().trial.empty())
         state.blocked = tr("Give the trial a name");
     state.gate = QString::fromStdString(m_control.startGate());
     m_start->setState(state);
 }
 
-void RecordPage::useChoice(const std::vector<ChosenCamera> &chosen)
-{
-    m_chosen = chosen;
-    rememberCameras(chosen);
-    startCameras();
-}
-
 void RecordPage::chooseCameras()
 {
-    if (isRecording())
-        return;
-    std::vector<ChosenCamera> now = m_chosen;
-    if (now.empty())
-        now = proposeCameras(m_project.cameras().all().value_or(std::vector<CameraRecord>()),
-                             m_connected.cameras(), rememberedCameras());
-    CameraChoiceDialog dialog(now, m_connected, this);
-    if (dialog.exec() == QDialog::Accepted)
-        useChoice(dialog.cameras());
+    if (!isRecording())
+        m_cameras.choose(this);
 }
 
 void RecordPage::examine()
 {
-    DoctorDialog(m_cameras, this).exec();
+    DoctorDialog(m_cameras.running(), this).exec();
 }
 
 void RecordPage::keyPressEvent(QKeyEvent *event)

@@ -2,9 +2,7 @@
 #pragma once
 
 #include "core/workflow/run_control.h"
-#include "ui/models/live_cameras.h"
-#include "ui/record/camera_choice.h"
-#include "ui/record/running_cameras.h"
+#include "ui/record/chosen_cameras.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -24,13 +22,6 @@ class RunRecorder;
 class RunResultCard;
 class StartCard;
 class TroubleBar;
-
-/// Where cameras come from; tests bring their own. Both are called on threads of their own.
-struct CameraAccess
-{
-    RunningCameras::Open open = openCamera;
-    LiveCameras::List list = listCameras;
-};
 
 /// Record: the cameras live, where the robots are, who is up, one big button, and what the run gave. The
 /// cameras run while the page is shown or something is recorded. Uses the project on its own thread. The
@@ -63,9 +54,8 @@ private:
     QWidget *makeColumn();
     void makeActions();
     void connectAll();
-    void startCameras();
+    void connectCameras();
     void showCameras();
-    void useChoice(const std::vector<ChosenCamera> &chosen);
     void chooseCameras();
     void examine();
     void showFloor();
@@ -76,6 +66,7 @@ private:
     void begin(Nanoseconds from);
     void end();
     void takeRecorded(const QString &trial, const QStringList &warnings);
+    void takeGivenUp(const QString &trial, const Error &error);
     void tick();
     void showHealth();
     void showStart();
@@ -83,19 +74,15 @@ private:
 
     Project &m_project;
     const bool m_readOnly;
-    LiveCameras m_connected;
-    RunningCameras m_cameras;
+    ChosenCameras m_cameras;
     RunControl m_control;
     RunRecorder *m_recorder;
     RunMeasuring *m_measuring;
-    std::vector<ChosenCamera> m_chosen;
-    std::optional<Error> m_cameraFailure;
     QString m_room;
-    std::vector<std::string> m_seen; ///< robots that were seen in the run
     CaptureHealth m_before;          ///< losses are counted since then: of the run, or of the cameras
-    bool m_isLineUpRead = false;
+    bool m_isLineUpRead = false, m_anyDelivers = false;
     int m_ticks = 0;
-    QTimer m_timer, m_retry;
+    QTimer m_timer;
 
     QList<QAction *> m_actions;
     TroubleBar *m_troubleBar;

@@ -3,8 +3,19 @@
 
 #include "core/workflow/track_job.h"
 
+#include <algorithm>
+
 namespace odo {
 namespace {
+
+constexpr std::ptrdiff_t leastSightings = 10;
+
+bool wasSeen(const LiveRun &run)
+{
+    return std::ranges::any_of(run.views, [](const ViewTrack &view) {
+        return std::ranges::count_if(view.observations, &Observation::found) >= leastSightings;
+    });
+}
 
 RunResultCard::Result resultOf(const std::string &robot, const Profile &profile)
 {
@@ -24,6 +35,11 @@ RunMeasuring::~RunMeasuring() = default;
 void RunMeasuring::measureLive(const QString &trial, std::vector<LiveRun> runs,
                                const std::optional<TaskRecord> &task)
 {
+    m_seen = {trial, {}};
+    for (const LiveRun &run : runs) {
+        if (wasSeen(run))
+            m_seen.robots.push_back(run.robot.name);
+    }
     const auto results = std::make_shared<std::vector<RunResultCard::Result>>();
     const auto answered = std::make_shared<QMetaObject::Connection>();
     *answered = connect(&m_live, &BackgroundTask::finished, this, [this, trial, results, answered] {
@@ -43,9 +59,9 @@ void RunMeasuring::measureLive(const QString &trial, std::vector<LiveRun> runs,
         disconnect(*answered);
 }
 
-void RunMeasuring::track(const QString &trial, const std::vector<std::string> &robots)
+void RunMeasuring::track(const QString &trial)
 {
-    m_waiting.push_back({trial, robots});
+    m_waiting.push_back(m_seen.trial == trial ? m_seen : Waiting{trial, {}});
     goOn();
 }
 

@@ -26,9 +26,10 @@ public:
 
     /// Of runs that have just ended; measuredLive() follows.
     void measureLive(const QString &trial, std::vector<LiveRun> runs, const std::optional<TaskRecord> &task);
-    /// The trial is complete in the project; measured() or failed() follows. robots: that are to be looked
-    /// for; empty: all of the trial.
-    void track(const QString &trial, const std::vector<std::string> &robots = {});
+    /// The trial is complete in the project; measured() or failed() follows. Of the run that was measured
+    /// live last, only robots that were seen are looked for: one that never came must not spoil the others'
+    /// figures.
+    void track(const QString &trial);
     /// Tracking takes what the machine has, and recording comes first.
     void setRecording(bool recording);
     bool isIdle() const { return m_waiting.empty() && !m_jobs.isRunning() && !m_live.isRunning(); }
@@ -50,6 +51,7 @@ private:
         QString trial;
         std::vector<std::string> robots;
     };
+    Waiting m_seen;                ///< of the run that was measured live last: the robots that were seen
     std::deque<Waiting> m_waiting; ///< the first one is being tracked, if any is
     bool m_recording = false, m_stepsBack = false;
     std::shared_ptr<class TrackJob> m_job;

@@ -1,90 +1,143 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/run_recorder.h"
 
+#include "core/base/steady_now.h"
 #include "core/project/project.h"
+#include "core/workflow/hash_job.h"
+#include "core/workflow/live_trial.h"
 
 #include <QMetaObject>
 
 namespace odo {
 namespace {
 
-constexpr int appendEachMs = 1000;
+constexpr auto storeEach = std::chrono::seconds(1);
+
+QStringList wordsOf(const std::vector<std::string> &sentences)
+{
+    QStringList words;
+    for (const std::string &sentence : sentences)
+        words << QString::fromStdString(sentence);
+    return words;
+}
 
 } // namespace
 
-RunRecorder::RunRecorder(Project &project, QObject *parent) : QObject(parent), m_project(project)
+/// What is to be recorded, for the thread that does it.
+struct RunRecorder::Order
 {
-    m_timer.setInterval(appendEachMs);
-    connect(&m_timer, &QTimer::timeout, this, &RunRecorder::append);
+    NextRun run;
+    std::vector<std::string> cameras;
+    std::shared_ptr<CaptureSession> session;
+    Nanoseconds from;
+};
+
+RunRecorder::RunRecorder(std::filesystem::path project, QObject *parent)
+    : QObject(parent), m_project(std::move(project))
+{
 }
 
 RunRecorder::~RunRecorder()
 {
-    if (!m_trial)
-        return;
     end();
-    m_thread.join();
-    complete(m_ended);
+    awaitThread();
 }
 
-Result<void> RunRecorder::begin(const NextRun &run, const std::vector<std::string> &cameras,
-                                std::shared_ptr<CaptureSession> session, Nanoseconds preRoll)
+void RunRecorder::awaitThread()
 {
-    Q_ASSERT(!m_trial && session);
-    auto record = trialOf(m_project, run);
-    if (!record)
-        return tl::unexpected(record.error());
-    auto trial = LiveTrial::begin(m_project, std::move(*record), cameras, *session, preRoll);
-    if (!trial)
-        return tl::unexpected(trial.error());
-    m_session = std::move(session);
-    m_trial = std::move(*trial);
-    m_timer.start();
-    return {};
+    m_stopHashing.cancel();
+    if (m_thread.joinable())
+        m_thread.join();
 }
 
-/// What cannot be stored now is stored with the next, or at the end.
-void RunRecorder::append()
+void RunRecorder::begin(const NextRun &run, const std::vector<std::string> &cameras,
+                        std::shared_ptr<CaptureSession> session, Nanoseconds from)
 {
-    if (const Result<void> stored = m_trial->append(m_project); !stored)
-        Q_EMIT failed(stored.error());
+    Q_ASSERT(m_state == State::Idle && session);
+    awaitThread();
+    m_stopHashing = CancelToken();
+    m_endWanted = false; // nobody else is there just now
+    m_state = State::Recording;
+    m_thread = std::thread(
+        [this, order = Order{run, cameras, std::move(session), from}]() mutable { work(std::move(order)); });
 }
 
 void RunRecorder::end()
 {
-    if (!isRecording())
+    if (m_state != State::Recording)
         return;
-    m_timer.stop();
-    m_ending = true;
-    m_ended = m_trial->prepare(m_project);
-    m_thread = std::thread([this] {
-        if (m_ended)
-            m_ended = m_trial->run({});
-        QMetaObject::invokeMethod(
-            this,
-            [this] {
-                m_thread.join();
-                complete(m_ended);
-            },
-            Qt::QueuedConnection);
-    });
+    m_state = State::Ending;
+    const std::lock_guard lock(m_mutex);
+    m_endWanted = true;
+    m_wake.notify_all();
 }
 
-void RunRecorder::complete(const Result<void> &ended)
+void RunRecorder::tell(const Error &error)
 {
-    const std::shared_ptr<LiveTrial> trial = std::move(m_trial);
-    m_trial.reset();
-    const Result<void> committed = ended ? trial->commit(m_project) : ended;
-    m_session.reset();
-    m_ending = false;
-    if (!committed) {
-        Q_EMIT failed(committed.error());
-        return;
+    QMetaObject::invokeMethod(
+        this, [this, error] { Q_EMIT failed(error); }, Qt::QueuedConnection);
+}
+
+/// From now on another one may begin.
+void RunRecorder::tellEnd(const QString &trial, const Result<QStringList> &warnings)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [this, trial, warnings] {
+            m_state = State::Idle;
+            if (warnings)
+                Q_EMIT recorded(trial, *warnings);
+            else
+                Q_EMIT gaveUp(trial, warnings.error());
+        },
+        Qt::QueuedConnection);
+}
+
+/// Waits for it, until it is time to store.
+bool RunRecorder::isEndWanted()
+{
+    std::unique_lock lock(m_mutex);
+    return m_wake.wait_for(lock, storeEach, [this] { return m_endWanted; });
+}
+
+/// The recording thread.
+void RunRecorder::work(Order order)
+{
+    const QString trial = QString::fromStdString(order.run.trial);
+    const auto project = Project::openAgain(m_project);
+    if (!project)
+        return tellEnd(trial, tl::unexpected(project.error()));
+    const Result<QStringList> warnings = record(order, **project);
+    order.session.reset(); // others may need the cameras
+    tellEnd(trial, warnings);
+    makeHashes(**project);
+}
+
+/// Gives the warnings.
+Result<QStringList> RunRecorder::record(const Order &order, Project &project)
+{
+    auto trial = trialOf(project, order.run);
+    if (!trial)
+        return tl::unexpected(trial.error());
+    const auto live = LiveTrial::begin(project, std::move(*trial), order.cameras, *order.session,
+                                       std::max(Nanoseconds{0}, steadyNow() - order.from));
+    if (!live)
+        return tl::unexpected(live.error());
+    while (!isEndWanted()) {
+        if (const Result<void> stored = (*live)->append(project); !stored)
+            tell(stored.error());
     }
-    QStringList warnings;
-    for (const std::string &warning : trial->warnings())
-        warnings << QString::fromStdString(warning);
-    Q_EMIT recorded(QString::fromStdString(trial->trial().name), warnings);
+    if (const Result<void> done = runToEnd(**live, project, {}); !done)
+        return tl::unexpected(done.error());
+    return wordsOf((*live)->warnings());
+}
+
+void RunRecorder::makeHashes(Project &project)
+{
+    HashJob hashes;
+    if (const Result<void> done = runToEnd(hashes, project, {m_stopHashing, {}});
+        !done && done.error().code != ErrorCode::Cancelled)
+        tell(done.error());
 }
 
 } // namespace odo

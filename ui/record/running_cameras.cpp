@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/running_cameras.h"
 
+#include "core/capture/awaited_source.h"
 #include "core/video/picture.h"
 #include "ui/views/screen_image.h"
 
-#include <QCoreApplication>
 #include <QMetaObject>
 
 namespace odo {
@@ -30,61 +30,49 @@ void RunningCameras::onWorker(std::function<void()> work)
     QMetaObject::invokeMethod(&m_worker, std::move(work), Qt::QueuedConnection);
 }
 
-void RunningCameras::start(std::vector<WantedCamera> cameras, std::vector<RobotRecord> robots)
+void RunningCameras::start(std::vector<WantedCamera> cameras)
 {
     stop();
     m_cameras = std::move(cameras);
     m_cameras.resize(std::min(m_cameras.size(), mostViews));
-    m_robots = std::move(robots);
     m_opening = true;
     onWorker([this, wanted = m_cameras, generation = m_generation] {
-        const auto opened = std::make_shared<Result<Sources>>(openAll(wanted));
+        const auto opened = std::make_shared<Sources>(openAll(wanted));
         QMetaObject::invokeMethod(
             this, [this, generation, opened] { adopt(generation, opened); }, Qt::QueuedConnection);
     });
 }
 
-Result<RunningCameras::Sources> RunningCameras::openAll(const std::vector<WantedCamera> &cameras) const
+RunningCameras::Sources RunningCameras::openAll(const std::vector<WantedCamera> &cameras) const
 {
     Sources sources;
     for (const WantedCamera &camera : cameras) {
         auto source = m_open(camera.uri);
-        if (!source) {
-            Error error = source.error();
-            error.what = QCoreApplication::translate("odo::RunningCameras", "camera %1")
-                             .arg(QString::fromStdString(camera.name))
-                             .toStdString() +
-                         " (" + error.what + ")";
-            return tl::unexpected(error);
-        }
-        sources.push_back(std::move(*source));
+        if (source)
+            sources.push_back(std::move(*source));
+        else
+            sources.push_back(awaitCamera(camera.uri, source.error(),
+                                          [open = m_open, uri = camera.uri] { return open(uri); }));
     }
     return sources;
 }
 
-void RunningCameras::adopt(quint64 generation, const std::shared_ptr<Result<Sources>> &opened)
+void RunningCameras::adopt(quint64 generation, const std::shared_ptr<Sources> &opened)
 {
     if (generation != m_generation) {
-        onWorker([opened] { // closing a camera may take its time
-            if (*opened)
-                (*opened)->clear();
-        });
+        onWorker([opened] { opened->clear(); }); // closing a camera may take its time
         return;
     }
     m_opening = false;
-    if (!*opened) {
-        Q_EMIT failed(opened->error());
-        return;
-    }
     for (std::size_t v = 0; v < m_cameras.size(); ++v) {
-        const CameraDescription &is = (**opened)[v]->description();
+        const CameraDescription &is = (*opened)[v]->description();
         if (!m_cameras[v].floorView)
             continue;
         const Intrinsics &lens = m_cameras[v].floorView->camera().intrinsics();
         if (is.widthPx > 0 && (is.widthPx != lens.widthPx || is.heightPx != lens.heightPx))
             m_cameras[v].floorView.reset();
     }
-    m_session = std::make_shared<CaptureSession>(std::move(**opened));
+    m_session = std::make_shared<CaptureSession>(std::move(*opened));
     const Result<void> following = follow(std::move(m_robots));
     Q_EMIT started();
     if (!following)

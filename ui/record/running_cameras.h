@@ -47,9 +47,11 @@ public:
     explicit RunningCameras(Open open = openCamera, QObject *parent = nullptr);
     ~RunningCameras() override;
 
-    /// Ends those that run and opens these, one after the other; started() or failed() follows.
-    void start(std::vector<WantedCamera> cameras, std::vector<RobotRecord> robots);
-    /// Follows other robots from now on. The Error is ColourTracker's; then none is followed.
+    /// Ends those that run and opens these, one after the other; started() follows. One that cannot be opened
+    /// runs all the same, without pictures, until it can.
+    void start(std::vector<WantedCamera> cameras);
+    /// Follows these robots from now on, and when others are started. The Error is ColourTracker's; then none
+    /// is followed.
     Result<void> follow(std::vector<RobotRecord> robots);
     void stop();
 
@@ -63,14 +65,14 @@ public:
 
 Q_SIGNALS:
     void started();
-    void failed(const odo::Error &error);
+    void failed(const odo::Error &error); ///< of follow()
     void pictureReady(const odo::LivePicture &picture);
     void moved(const odo::LiveMoment &moment);
 
 private:
     using Sources = std::vector<std::unique_ptr<CameraSource>>;
-    Result<Sources> openAll(const std::vector<WantedCamera> &cameras) const;
-    void adopt(quint64 generation, const std::shared_ptr<Result<Sources>> &opened);
+    Sources openAll(const std::vector<WantedCamera> &cameras) const;
+    void adopt(quint64 generation, const std::shared_ptr<Sources> &opened);
     void onWorker(std::function<void()> work);
     void showPictures();
     void deliver(LivePicture picture);

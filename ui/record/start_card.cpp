@@ -61,9 +61,10 @@ void StartCard::setState(const State &state)
     bool able = state.blocked.isEmpty() && !state.ending;
     switch (state.phase) {
     case RunPhase::Ready:
-        words = state.ending              ? tr("Writing the last pictures…")
-                : state.blocked.isEmpty() ? tr("F9 records, F9 stops")
-                                          : state.blocked;
+        words = state.ending               ? tr("Writing the last pictures…")
+                : !state.blocked.isEmpty() ? state.blocked
+                : state.room.isEmpty()     ? tr("F9 records, F9 stops")
+                                           : tr("F9 records, F9 stops; %1").arg(state.room);
         break;
     case RunPhase::CountingDown:
         text = tr("Call off");

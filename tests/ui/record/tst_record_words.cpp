@@ -50,7 +50,9 @@ void TestRecordWords::proposesCameras()
     const std::vector<CameraRecord> ab{{1, "A", ""}, {2, "B", ""}};
     QCOMPARE(proposeCameras(ab, simulated, {}), (Chosen{{"A", "sim:A"}, {"B", "sim:B"}}));
     QCOMPARE(proposeCameras(ab, real, {}), (Chosen{{"A", "v4l2:/dev/video0"}, {"B", "aravis:x"}}));
-    // What was chosen before comes first, then what the project tells; no device is two cameras.
+    // What the project tells comes first, then what was chosen before on this machine; no device is two cameras.
+    QCOMPARE(proposeCameras({{1, "A", "aravis:x?rate=60"}, {2, "B", ""}}, real, {{"A", "v4l2:/dev/video0"}}),
+             (Chosen{{"A", "aravis:x?rate=60"}, {"B", "v4l2:/dev/video0"}}));
     QCOMPARE(proposeCameras(ab, real, {{"A", "aravis:x"}, {"B", "gone"}}),
              (Chosen{{"A", "aravis:x"}, {"B", "v4l2:/dev/video0"}}));
     QCOMPARE(proposeCameras({{1, "A", "sim:B"}, {2, "B", ""}}, simulated, {}),

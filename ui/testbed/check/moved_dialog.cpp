@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/check/moved_dialog.h"
 
+#include "core/capture/camera_uri.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/live_cameras.h"
 #include "ui/views/badge_delegate.h"
@@ -28,7 +29,7 @@ constexpr int fileRole = Qt::UserRole, uriRole = Qt::UserRole + 1;
 /// "sim:A" is camera A, as is the one whose address the project knows.
 bool isTheCamera(const QString &uri, const CheckCamera &camera)
 {
-    return uri == QString::fromStdString(camera.deviceUri) || uri.section(QLatin1Char(':'), 1) == camera.name;
+    return uri == QString::fromStdString(withoutWishes(camera.deviceUri)) || uri.section(QLatin1Char(':'), 1) == camera.name;
 }
 
 Badge badgeOf(const MovedCheck &check)

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which device is which camera, how it is set, and the set-up doctor: all by keys.
+#include "tests/ui/support/person.h"
+#include "ui/models/live_cameras.h"
+#include "ui/record/camera_choice_dialog.h"
+#include "ui/record/camera_wishes_dialog.h"
+#include "ui/record/doctor_dialog.h"
+#include "ui/record/running_cameras.h"
+#include "ui/views/fact_list.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace odo;
+
+namespace {
+
+const CameraDescription webcam{.uri = "v4l2:/dev/video0",
+                               .kind = "v4l2",
+                               .name = "Webcam",
+                               .formats = {"MJPG 1280×720 at 30 frames/s", "YUYV 640×480 at 30 frames/s"}};
+const CameraDescription industrial{.uri = "aravis:S1", .kind = "aravis", .name = "Vendor Model"};
+
+QPushButton *buttonOf(const QDialog &dialog, const QString &text)
+{
+    for (QPushButton *button : dialog.findChildren<QPushButton *>()) {
+        if (button->text() == text)
+            return button;
+    }
+    return nullptr;
+}
+
+template <class Widget>
+Widget *named(const QDialog &dialog, const QString &accessibleName)
+{
+    for (Widget *widget : dialog.findChildren<Widget *>()) {
+        if (widget->accessibleName() == accessibleName)
+            return widget;
+    }
+    return nullptr;
+}
+
+/// Walks there by the tabulator, as somebody without a mouse does.
+bool walkTo(QDialog &dialog, const QWidget *wanted)
+{
+    for (int i = 0; i < 30 && dialog.focusWidget() != wanted; ++i)
+        QTest::keyClick(&dialog, Qt::Key_Tab);
+    return dialog.focusWidget() == wanted;
+}
+
+void show(QDialog &dialog)
+{
+    dialog.show();
+    dialog.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&dialog));
+}
+
+} // namespace
+
+class TestRecordDialogs : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void devicesAreChosenByKeys();
+    void oneDeviceIsNotTwoCameras();
+    void settingsGoIntoTheAddress();
+    void settingsOfAnAddressAreShownAndKept();
+    void settingsAreAskedForFromTheChoice();
+    void theDoctorLooksAndLooksAgain();
+};
+
+void TestRecordDialogs::devicesAreChosenByKeys()
+{
+    LiveCameras connected([] { return std::vector<CameraDescription>{webcam, industrial}; });
+    CameraChoiceDialog dialog({{"A", ""}, {"B", ""}}, connected);
+    show(dialog);
+    auto *a = named<QComboBox>(dialog, QStringLiteral("Device that is camera A"));
+    auto *b = named<QComboBox>(dialog, QStringLiteral("Device that is camera B"));
+    QTRY_COMPARE(a->count(), 3);
+    QPushButton *use = buttonOf(dialog, QStringLiteral("Use these"));
+    QTRY_VERIFY(!connected.isLooking());
+    QVERIFY(!use->isEnabled()); // none is used
+    QVERIFY(walkTo(dialog, a));
+    QTest::keyClick(a, Qt::Key_Down);
+    QVERIFY(walkTo(dialog, b));
+    QTest::keyClick(b, Qt::Key_End);
+    QVERIFY(use->isEnabled());
+    QTest::keyClick(b, Qt::Key_Return);
+    QCOMPARE(dialog.result(), int(QDialog::Accepted));
+    QCOMPARE(dialog.cameras(), (std::vector<ChosenCamera>{{"A", "v4l2:/dev/video0"}, {"B", "aravis:S1"}}));
+}
+
+void TestRecordDialogs::oneDeviceIsNotTwoCameras()
+{
+    LiveCameras connected([] { return std::vector<CameraDescription>{webcam}; });
+    CameraChoiceDialog dialog({{"A", "v4l2:/dev/video0?rate=15"}, {"B", "v4l2:/dev/video0"}}, connected);
+    show(dialog);
+    QTRY_VERIFY(dialog.findChild<QLabel *>(QStringLiteral("quiet"))->text() ==
+                QStringLiteral("One device cannot be two cameras."));
+    QVERIFY(!buttonOf(dialog, QStringLiteral("Use these"))->isEnabled());
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    QCOMPARE(dialog.result(), int(QDialog::Rejected));
+}
+
+void TestRecordDialogs::settingsGoIntoTheAddress()
+{
+    CameraWishesDialog usb(webcam, webcam.uri);
+    QCOMPARE(usb.uri(), webcam.uri); // nothing is wanted
+    auto *picture = named<QComboBox>(usb, QStringLiteral("Picture"));
+    picture->setCurrentIndex(2);
+    named<QDoubleSpinBox>(usb, QStringLiteral("Rate"))->setValue(15);
+    QCOMPARE(usb.uri(), std::string("v4l2:/dev/video0?format=YUYV&size=640x480&rate=15"));
+
+    CameraWishesDialog gige(industrial, industrial.uri);
+    show(gige);
+    auto *rate = named<QDoubleSpinBox>(gige, QStringLiteral("Rate"));
+    auto *exposure = named<QDoubleSpinBox>(gige, QStringLiteral("Exposure"));
+    auto *trigger = named<QCheckBox>(gige, QStringLiteral("Software trigger"));
+    QVERIFY(walkTo(gige, rate));
+    QTest::keyClick(rate, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(rate, QStringLiteral("60"));
+    QVERIFY(walkTo(gige, exposure));
+    QTest::keyClick(exposure, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(exposure, QLocale().toString(2.5));
+    QVERIFY(walkTo(gige, trigger));
+    QTest::keyClick(trigger, Qt::Key_Space);
+    QTest::keyClick(trigger, Qt::Key_Return);
+    QCOMPARE(gige.result(), int(QDialog::Accepted));
+    QCOMPARE(gige.uri(), std::string("aravis:S1?rate=60&exposure_ms=2.5&trigger=software"));
+}
+
+void TestRecordDialogs::settingsOfAnAddressAreShownAndKept()
+{
+    const std::string uri =
+        "aravis:S1?format=BayerGB8&rate=60&exposure_ms=4&trigger=software&size=640x480&packet_delay_us=12";
+    CameraWishesDialog dialog(industrial, uri);
+    QCOMPARE(named<QComboBox>(dialog, QStringLiteral("Picture"))->currentText(), QStringLiteral("BayerGB8"));
+    QCOMPARE(dialog.uri(), uri);
+    named<QDoubleSpinBox>(dialog, QStringLiteral("Exposure"))->setValue(0);
+    named<QCheckBox>(dialog, QStringLiteral("Software trigger"))->setChecked(false);
+    QCOMPARE(dialog.uri(), std::string("aravis:S1?format=BayerGB8&rate=60&size=640x480&packet_delay_us=12"));
+    // A picture that the camera is not known to have stays as it was asked for.
+    const std::string other = "v4l2:/dev/video0?format=MJPG&size=800x600";
+    QCOMPARE(CameraWishesDialog(webcam, other).uri(), other);
+}
+
+void TestRecordDialogs::settingsAreAskedForFromTheChoice()
+{
+    LiveCameras connected([] { return std::vector<CameraDescription>{webcam}; });
+    CameraChoiceDialog dialog({{"A", "v4l2:/dev/video0"}, {"B", ""}}, connected);
+    show(dialog);
+    QTRY_VERIFY(!connected.isLooking());
+    auto *settings = named<QPushButton>(dialog, QStringLiteral("Settings of camera A"));
+    QVERIFY(settings->isEnabled());
+    QVERIFY(!named<QPushButton>(dialog, QStringLiteral("Settings of camera B"))->isEnabled());
+    Person person({[](QDialog &asked) {
+        named<QDoubleSpinBox>(asked, QStringLiteral("Rate"))->setValue(10);
+        press(asked);
+    }});
+    QVERIFY(walkTo(dialog, settings));
+    QTest::keyClick(settings, Qt::Key_Space);
+    QTRY_VERIFY(person.isDone());
+    QCOMPARE(dialog.cameras().front().second, std::string("v4l2:/dev/video0?rate=10"));
+}
+
+void TestRecordDialogs::theDoctorLooksAndLooksAgain()
+{
+    RunningCameras none;
+    DoctorDialog dialog(none);
+    show(dialog);
+    QPushButton *again = buttonOf(dialog, QStringLiteral("&Look again"));
+    QTRY_VERIFY(again->isEnabled());
+    QVERIFY(walkTo(dialog, again));
+    QTest::keyClick(again, Qt::Key_Space);
+    QVERIFY(!again->isEnabled());
+    QTRY_VERIFY(again->isEnabled());
+    QVERIFY(dialog.findChild<FactList *>());
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    QVERIFY(!dialog.isVisible());
+}
+
+QTEST_MAIN(TestRecordDialogs)
+#include "tst_record_dialogs.moc"
