@@ -34,7 +34,10 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
         return shown;
     if (mode == QStringLiteral("history"))
         window.showMode(MainWindow::Mode::History);
-    else if (mode == QStringLiteral("testbed"))
+    else if (mode == QStringLiteral("compare")) {
+        if (auto compared = window.compareTrials({QString::fromStdString(trial)}); !compared)
+            return compared;
+    } else if (mode == QStringLiteral("testbed"))
         window.showMode(MainWindow::Mode::Testbed);
     else
         window.showMode(MainWindow::Mode::Review);

@@ -15,7 +15,7 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
 {
     const QString output = QStringLiteral("output"), mode = QStringLiteral("mode"), size = QStringLiteral("size");
     CommandCall call({QStringLiteral("snapshot"),
-                      QStringLiteral("P.odo TRIAL -o picture.png [--mode review|history|testbed] [--size 1600x1000]"), 2, 2,
+                      QStringLiteral("P.odo TRIAL -o picture.png [--mode review|compare|history|testbed] [--size 1600x1000]"), 2, 2,
                       {{{QStringLiteral("o"), output}, QStringLiteral("The picture to write."), QStringLiteral("FILE")},
                        {mode, QStringLiteral("What the window shows."), QStringLiteral("MODE"), QStringLiteral("review")},
                        {size, QStringLiteral("Of the window, in pixels."), QStringLiteral("WxH"), QStringLiteral("1600x1000")}}},
@@ -30,9 +30,9 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
     const auto inRange = [](double px) { return px >= smallestPx && px <= largestPx; };
     if (!inRange(wanted->first) || !inRange(wanted->second))
         return call.wrongCall(QStringLiteral("--size is from 200x200 to 8000x8000"));
-    if (!QStringList{QStringLiteral("review"), QStringLiteral("history"), QStringLiteral("testbed")}.contains(
+    if (!QStringList{QStringLiteral("review"), QStringLiteral("compare"), QStringLiteral("history"), QStringLiteral("testbed")}.contains(
             QString::fromStdString(call.value(mode))))
-        return call.wrongCall(QStringLiteral("--mode is review, history or testbed"));
+        return call.wrongCall(QStringLiteral("--mode is review, compare, history or testbed"));
     const auto painted =
         paintWorkbench(call.text(0), call.text(1), QString::fromStdString(call.value(mode)),
                        QSize(int(wanted->first), int(wanted->second)), call.value(output));

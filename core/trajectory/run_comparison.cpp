@@ -39,21 +39,6 @@ Difference differenceOf(const StationTime &a, const AlignedMoment &zeroA, const 
     return {b.timeS - a.timeS, std::hypot(own, common)};
 }
 
-/// The way at a time, straight between places; that of the first or last one before or after them.
-double wayAt(const std::vector<PathProgress> &progress, double timeS)
-{
-    const auto after =
-        std::lower_bound(progress.begin(), progress.end(), timeS,
-                         [](const PathProgress &each, double wanted) { return each.timeS < wanted; });
-    if (after == progress.begin())
-        return progress.front().wayM;
-    if (after == progress.end())
-        return progress.back().wayM;
-    const PathProgress &before = *(after - 1);
-    const double part = (timeS - before.timeS) / (after->timeS - before.timeS);
-    return before.wayM + part * (after->wayM - before.wayM);
-}
-
 /// Whether a run goes further along the path than back.
 bool goesForward(const std::vector<PathProgress> &progress)
 {
@@ -235,7 +220,7 @@ private:
         double firstM = 0;
         for (std::size_t run = 0; run < m_runs.size(); ++run) {
             RunOnPath &on = m_comparison.runs[run];
-            const double atM = wayAt(on.progress, byMoment ? on.aligned.timeS : m_beginsS[run]);
+            const double atM = on.wayAt(byMoment ? on.aligned.timeS : m_beginsS[run]);
             if (run == 0)
                 firstM = m_comparison.path.closed ? std::remainder(atM, m_lengthM) : atM;
             if (m_comparison.path.closed)
@@ -251,9 +236,9 @@ private:
     {
         double beginM = -std::numeric_limits<double>::infinity();
         for (const RunOnPath &run : m_comparison.runs)
-            beginM = std::max(beginM, m_comparison.alignedBy == AlignBy::StartGate
-                                          ? wayAt(run.progress, run.aligned.timeS)
-                                          : run.arrivals.firstM());
+            beginM =
+                std::max(beginM, m_comparison.alignedBy == AlignBy::StartGate ? run.wayAt(run.aligned.timeS)
+                                                                              : run.arrivals.firstM());
         // What a robot drives before the path begins is not along it.
         return m_comparison.path.closed ? beginM : std::max(0.0, beginM);
     }
@@ -340,6 +325,20 @@ private:
 };
 
 } // namespace
+
+double RunOnPath::wayAt(double timeS) const
+{
+    const auto after =
+        std::lower_bound(progress.begin(), progress.end(), timeS,
+                         [](const PathProgress &each, double wanted) { return each.timeS < wanted; });
+    if (after == progress.begin())
+        return progress.front().wayM;
+    if (after == progress.end())
+        return progress.back().wayM;
+    const PathProgress &before = *(after - 1);
+    const double part = (timeS - before.timeS) / (after->timeS - before.timeS);
+    return before.wayM + part * (after->wayM - before.wayM);
+}
 
 bool Difference::isSignificant() const
 {

@@ -48,6 +48,10 @@ struct RunOnPath
     std::vector<PathProgress> progress; ///< lapShiftM added
     FirstArrivals arrivals;
     std::vector<std::optional<StationTime>> stations; ///< one for each of RunComparison::waysM
+
+    /// The way at a time of the run's own, straight between places; that of the first or last one outside of
+    /// them.
+    double wayAt(double timeS) const;
 };
 
 /// A difference with its σ.

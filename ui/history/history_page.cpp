@@ -12,15 +12,18 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
 #include <QTableView>
+#include <algorithm>
 
 namespace odo {
 
 HistoryPage::HistoryPage(Project &project, QWidget *parent)
     : QWidget(parent), m_project(project), m_trials(new TrialModel(this)),
-      m_sorted(new QSortFilterProxyModel(this)), m_search(new QLineEdit(this)), m_table(new QTableView(this)),
+      m_sorted(new QSortFilterProxyModel(this)), m_search(new QLineEdit(this)),
+      m_compare(new QPushButton(tr("&Compare"), this)), m_table(new QTableView(this)),
       m_detail(new TrialDetail(project, this))
 {
     setObjectName(QStringLiteral("page"));
@@ -54,7 +57,7 @@ QWidget *HistoryPage::makeTable()
     m_table->setModel(m_sorted);
     m_table->setAccessibleName(tr("Trials"));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setTabKeyNavigation(false);
     m_table->setShowGrid(false);
@@ -85,8 +88,14 @@ QWidget *HistoryPage::makeTable()
 
     m_tableCard = new Card(tr("Trials"), this);
     m_tableCard->setContent(m_table);
+    m_tableCard->addToHeader(m_compare);
     m_tableCard->addToHeader(m_search);
-    setTabOrder(m_search, m_table);
+    m_compare->setIcon(themeIcon(QStringLiteral("compare")));
+    connect(m_compare, &QPushButton::clicked, this, [this] { Q_EMIT compareRequested(selectedTrials()); });
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &HistoryPage::showSelection);
+    setTabOrder(m_search, m_compare);
+    setTabOrder(m_compare, m_table);
+    showSelection();
     return m_tableCard;
 }
 
@@ -119,6 +128,23 @@ QString HistoryPage::currentTrial() const
 {
     const QModelIndex current = m_table->currentIndex();
     return current.isValid() ? current.siblingAtColumn(0).data(TrialModel::NameRole).toString() : QString();
+}
+
+QStringList HistoryPage::selectedTrials() const
+{
+    QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    std::ranges::sort(rows, {}, &QModelIndex::row);
+    QStringList trials;
+    for (const QModelIndex &row : rows)
+        trials << row.data(TrialModel::NameRole).toString();
+    return trials;
+}
+
+void HistoryPage::showSelection()
+{
+    const bool isEnough = m_table->selectionModel()->selectedRows().size() >= 2;
+    m_compare->setEnabled(isEnough);
+    m_compare->setToolTip(isEnough ? tr("Compare the selected trials") : tr("Select two trials or more (Ctrl or Shift and a click)"));
 }
 
 void HistoryPage::filter(const QString &text)

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 class QLineEdit;
+class QPushButton;
 class QSortFilterProxyModel;
 class QTableView;
 
@@ -31,6 +32,7 @@ public:
 
 Q_SIGNALS:
     void trialChosen(const QString &name); ///< to be opened in Review
+    void compareRequested(const QStringList &trials); ///< two or more
     void notesChanged(const QString &trial);
     void failed(const odo::Error &error);
 
@@ -40,6 +42,8 @@ protected:
 private:
     QWidget *makeTable();
     QString currentTrial() const;
+    QStringList selectedTrials() const; ///< from top to bottom
+    void showSelection();
     void filter(const QString &text);
     void showCurrent();
     void showCount();
@@ -48,6 +52,7 @@ private:
     TrialModel *m_trials;
     QSortFilterProxyModel *m_sorted;
     QLineEdit *m_search;
+    QPushButton *m_compare;
     QTableView *m_table;
     Card *m_tableCard = nullptr;
     TrialDetail *m_detail;

@@ -2,6 +2,9 @@
 #include "ui/main_window/main_window.h"
 
 #include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/file_actions.h"
 #include "ui/main_window/help_dialogs.h"
@@ -69,6 +72,7 @@ void MainWindow::makeCentre()
     m_modeBar->addMode(QStringLiteral("testbed"), tr("Testbed"));
     m_modeBar->addMode(QStringLiteral("record"), tr("Record"));
     m_modeBar->addMode(QStringLiteral("review"), tr("Review"));
+    m_modeBar->addMode(QStringLiteral("compare"), tr("Compare"));
     m_modeBar->addMode(QStringLiteral("history"), tr("History"));
     m_modeBar->setModesEnabled(false);
     m_stack->addWidget(m_welcome);
@@ -167,11 +171,12 @@ void MainWindow::closePages()
     m_trials->setCurrentTrial({});
     // What is being recorded is completed before anything else goes.
     for (QWidget *page : {static_cast<QWidget *>(m_record), static_cast<QWidget *>(m_testbed), static_cast<QWidget *>(m_review),
-                          static_cast<QWidget *>(m_history)})
+                          static_cast<QWidget *>(m_compare), static_cast<QWidget *>(m_history)})
         delete page;
     m_testbed = nullptr;
     m_record = nullptr;
     m_review = nullptr;
+    m_compare = nullptr;
     m_history = nullptr;
 }
 
@@ -181,10 +186,12 @@ void MainWindow::makePages()
     m_testbed = new TestbedPage(project);
     m_record = new RecordPage(project, m_workspace->isReadOnly());
     m_review = new ReviewPage(project);
+    m_compare = new ComparePage(project);
     m_history = new HistoryPage(project);
     m_stack->addWidget(m_testbed);
     m_stack->addWidget(m_record);
     m_stack->addWidget(m_review);
+    m_stack->addWidget(m_compare);
     m_stack->addWidget(m_history);
     connectPages();
     connectRecording();
@@ -222,6 +229,16 @@ void MainWindow::connectPages()
         if (isSettled())
             Q_EMIT settled();
     });
+    connect(m_compare, &ComparePage::importRequested, m_trials, [this] { m_trials->askImport(); });
+    connect(m_compare, &ComparePage::failed, this, &MainWindow::tellFailure);
+    connect(m_compare, &ComparePage::settled, this, [this] {
+        if (isSettled())
+            Q_EMIT settled();
+    });
+    connect(m_history, &HistoryPage::compareRequested, this, [this](const QStringList &trials) {
+        if (const Result<void> shown = compareTrials(trials); !shown)
+            tellFailure(shown.error());
+    });
     connect(m_history, &HistoryPage::trialChosen, this, [this](const QString &trial) {
         if (const Result<void> shown = showTrial(trial.toStdString()); !shown)
             tellFailure(shown.error());
@@ -237,6 +254,7 @@ void MainWindow::connectRecording()
     connect(m_record, &RecordPage::changed, this, [this](const QString &words) {
         m_messages->showDone(words);
         m_review->refresh();
+        m_compare->refresh();
         m_history->refresh();
         showState();
     });
@@ -255,6 +273,7 @@ void MainWindow::refreshPages()
     m_testbed->refresh();
     m_record->refresh();
     m_review->refresh();
+    m_compare->refresh();
     m_history->refresh();
     showState();
 }
@@ -268,7 +287,9 @@ void MainWindow::showMode(Mode mode)
 {
     if (!m_review)
         return;
-    QWidget *const pages[] = {m_testbed, m_record, m_review, m_history};
+    QWidget *const pages[] = {m_testbed, m_record, m_review, m_compare, m_history};
+    if (mode == Mode::Compare && m_review->scene())
+        m_compare->suggestTrial(QString::fromStdString(m_review->scene()->trial.name));
     m_modeBar->setCurrent(static_cast<int>(mode));
     QWidget *page = pages[static_cast<int>(mode)];
     m_stack->setCurrentWidget(page);
@@ -288,11 +309,26 @@ Result<void> MainWindow::showTrial(const std::string &name)
     return shown;
 }
 
+Result<void> MainWindow::compareTrials(const QStringList &names)
+{
+    if (!m_compare)
+        return fail(ErrorCode::NotFound, "comparison", tr("no project is open").toStdString(),
+                    tr("open the project that the trials belong to").toStdString());
+    for (const QString &name : names)
+        if (const auto trial = m_workspace->project()->trials().find(name.toStdString()); !trial)
+            return tl::unexpected(trial.error());
+    m_compare->showTrials(names);
+    showMode(Mode::Compare);
+    return {};
+}
+
 bool MainWindow::isSettled() const
 {
     const QWidget *page = m_stack->currentWidget();
     if (page == m_review)
         return m_review->isSettled();
+    if (page == m_compare)
+        return m_compare->isSettled();
     return page != m_testbed || m_testbed->isSettled();
 }
 
@@ -358,6 +394,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
     QSettings().setValue(geometryKey, saveGeometry());
     if (m_review)
         m_review->desk().saveLayout();
+    if (m_compare)
+        m_compare->desk().saveLayout();
     QMainWindow::closeEvent(event);
 }
 

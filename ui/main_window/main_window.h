@@ -13,6 +13,7 @@ class QStackedWidget;
 
 namespace odo {
 
+class ComparePage;
 class FileActions;
 class HistoryPage;
 class JobIndicator;
@@ -33,7 +34,7 @@ class MainWindow : public QMainWindow
 {
     Q_OBJECT
 public:
-    enum class Mode { Testbed, Record, Review, History };
+    enum class Mode { Testbed, Record, Review, Compare, History };
 
     MainWindow();
     ~MainWindow() override;
@@ -44,6 +45,8 @@ public:
     void showMode(Mode mode);
     /// Shows a trial in Review. NotFound with the names there are.
     Result<void> showTrial(const std::string &name);
+    /// Compares trials in Compare; a single one with another that suits it. NotFound where one of them does not exist.
+    Result<void> compareTrials(const QStringList &names);
     /// Every picture that belongs to what is shown is on screen, or cannot be had.
     bool isSettled() const;
 
@@ -85,6 +88,7 @@ private:
     TestbedPage *m_testbed = nullptr;
     RecordPage *m_record = nullptr;
     ReviewPage *m_review = nullptr;
+    ComparePage *m_compare = nullptr;
     HistoryPage *m_history = nullptr;
     QMenu *m_toolsMenu = nullptr, *m_trialMenu = nullptr, *m_recordMenu = nullptr, *m_playMenu = nullptr;
     QLabel *m_saved, *m_analysis;

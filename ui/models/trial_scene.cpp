@@ -128,6 +128,12 @@ std::optional<std::int64_t> TrialScene::frameAt(std::size_t view, Nanoseconds ti
     return after - times.begin();
 }
 
+Nanoseconds TrialScene::timeOf(std::size_t view, std::int64_t frame) const
+{
+    const SceneView &seen = views.at(view);
+    return clockOf(seen).commonTime(seen.recording.frameTimes.at(static_cast<std::size_t>(frame)));
+}
+
 const Observation *TrialScene::observationAt(std::size_t view, std::size_t robot, std::int64_t frame) const
 {
     const auto &all = robots.at(robot).observations;

@@ -51,6 +51,8 @@ struct TrialScene
     /// The frame of a view nearest to a time of the first view; nullopt before its first or after its last
     /// frame by more than an interval (cameras that started together are still a part of one apart).
     std::optional<std::int64_t> frameAt(std::size_t view, Nanoseconds time) const;
+    /// When a frame of a view was taken, on the first view's clock.
+    Nanoseconds timeOf(std::size_t view, std::int64_t frame) const;
     /// What a view saw of a robot in a frame; nullptr when nothing.
     const Observation *observationAt(std::size_t view, std::size_t robot, std::int64_t frame) const;
     /// The robot's height over the floor that was used for its positions; 0 before an analysis.

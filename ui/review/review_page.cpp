@@ -8,15 +8,12 @@
 #include "ui/review/review_desk.h"
 #include "ui/review/trial_chooser.h"
 #include "ui/views/empty_state.h"
+#include "ui/views/page_keys.h"
 #include "ui/views/theme_icon.h"
 #include "ui/views/timeline_bar.h"
 
-#include <QAbstractButton>
 #include <QAction>
-#include <QApplication>
-#include <QComboBox>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QPushButton>
 #include <QStackedWidget>
 
@@ -127,16 +124,7 @@ void ReviewPage::showSettled()
 
 bool ReviewPage::event(QEvent *event)
 {
-    // Space belongs to the button that has the focus before it plays.
-    if (event->type() == QEvent::ShortcutOverride &&
-        static_cast<QKeyEvent *>(event)->key() == Qt::Key_Space) {
-        QWidget *focus = QApplication::focusWidget();
-        if (qobject_cast<QAbstractButton *>(focus) || qobject_cast<QComboBox *>(focus)) {
-            event->accept();
-            return true;
-        }
-    }
-    return QWidget::event(event);
+    return keepSpaceForFocus(*event) || QWidget::event(event);
 }
 
 } // namespace odo

@@ -57,6 +57,16 @@ void CameraView::setScene(TrialScenePtr scene, std::size_t view)
     m_area->setScene(std::move(scene), view);
 }
 
+void CameraView::setOverlay(PictureOverlay overlay)
+{
+    m_area->setOverlay(std::move(overlay));
+}
+
+void CameraView::setTrailColour(const QColor &colour)
+{
+    m_area->setTrailColour(colour);
+}
+
 bool CameraView::isSettled() const
 {
     return m_area->isSettled();

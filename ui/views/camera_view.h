@@ -3,6 +3,7 @@
 
 #include "ui/models/trial_scene.h"
 #include "ui/views/card.h"
+#include "ui/views/picture_overlay.h"
 
 namespace odo {
 
@@ -20,6 +21,10 @@ public:
 
     /// The view of this index of the scene; a null scene or an index beyond its views clears.
     void setScene(TrialScenePtr scene, std::size_t view);
+    /// Painted over the picture, within it; empty: nothing.
+    void setOverlay(PictureOverlay overlay);
+    /// Of the robots' own ways.
+    void setTrailColour(const QColor &colour);
     /// True when the picture that belongs to the current time is shown (or cannot be had).
     bool isSettled() const;
 

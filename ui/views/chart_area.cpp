@@ -19,13 +19,6 @@
 
 namespace odo {
 
-namespace {
-
-// All charts have the same margins, so that their times stand below one another.
-constexpr double leftMargin = 52, rightMargin = 14, topMargin = 10, bottomMargin = 26;
-
-} // namespace
-
 ChartArea::ChartArea(Timeline &timeline, Quantity quantity, QWidget *parent)
     : QChartView(parent), m_timeline(timeline), m_quantity(quantity), m_timeAxis(new QValueAxis(this)),
       m_valueAxis(new QValueAxis(this))
@@ -197,15 +190,17 @@ void ChartArea::applyColours()
 
 QRectF ChartArea::plotRect() const
 {
-    return QRectF(rect()).adjusted(leftMargin, topMargin, -rightMargin, -bottomMargin);
+    return ChartPlot::rectIn(QRectF(rect()));
+}
+
+ChartPlot ChartArea::plot() const
+{
+    return {plotRect(), m_startS, m_endS, m_valueTicks};
 }
 
 QPointF ChartArea::positionOf(Nanoseconds time, double value) const
 {
-    const QRectF plot = plotRect();
-    const double span = m_valueTicks.last() - m_valueTicks.first;
-    return {plot.left() + (toSeconds(time) - m_startS) / (m_endS - m_startS) * plot.width(),
-            plot.bottom() - (value - m_valueTicks.first) / span * plot.height()};
+    return plot().at(toSeconds(time), value);
 }
 
 void ChartArea::drawPoints(QPainter &painter) const
@@ -224,36 +219,12 @@ void ChartArea::drawPoints(QPainter &painter) const
     painter.setClipping(false);
 }
 
-void ChartArea::drawAxes(QPainter &painter) const
-{
-    const ThemeColours colours = ThemeColours::of(palette());
-    const QRectF plot = plotRect();
-    const QFontMetricsF metrics(font());
-    painter.setRenderHint(QPainter::Antialiasing, false);
-    for (const double value : m_valueTicks.values()) {
-        const double y = positionOf({}, value).y();
-        painter.setPen(QPen(colours.grid, 1));
-        painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
-        painter.setPen(colours.muted);
-        painter.drawText(QRectF(0, y - metrics.height() / 2, leftMargin - 8, metrics.height()),
-                         Qt::AlignRight | Qt::AlignVCenter, m_valueTicks.label(value));
-    }
-    const double labelWidth = metrics.horizontalAdvance(QStringLiteral("0000 s"));
-    const AxisTicks seconds =
-        niceTicks(m_startS, m_endS, std::max(2, int(plot.width() / (1.6 * labelWidth))));
-    for (const double second : seconds.values()) {
-        const double x = positionOf(fromSeconds(second), 0).x();
-        painter.drawText(QRectF(x - labelWidth, plot.bottom() + 5, 2 * labelWidth, metrics.height()),
-                         Qt::AlignHCenter, tr("%1 s").arg(seconds.label(second)));
-    }
-}
-
 void ChartArea::drawBackground(QPainter *painter, const QRectF &rect)
 {
     QChartView::drawBackground(painter, rect);
     painter->save();
     painter->setFont(font());
-    drawAxes(*painter);
+    drawChartAxes(*painter, plot(), tr("%1 s"), font(), palette());
     drawPoints(*painter);
     if (m_scene && m_runs.empty()) {
         painter->setPen(ThemeColours::of(palette()).muted);
@@ -266,15 +237,10 @@ void ChartArea::drawCursor(QPainter &painter) const
 {
     if (m_timeline.frameCount() == 0)
         return;
-    const ThemeColours colours = ThemeColours::of(palette());
-    const QRectF plot = plotRect();
-    const double x = positionOf(m_timeline.currentTime(), 0).x();
-    painter.setPen(QPen(colours.text, 1.4, Qt::DotLine));
-    painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+    const double seconds = toSeconds(m_timeline.currentTime());
+    drawChartCursor(painter, plot(), seconds, palette());
     const QString unit = curveUnit(m_quantity);
-    const QFontMetricsF metrics(font());
-    const double height = metrics.height() + 6;
-    double top = plot.top();
+    double top = plotRect().top();
     for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
         const auto &analysis = m_scene->robots[robot].analysis;
         const auto value =
@@ -284,19 +250,8 @@ void ChartArea::drawCursor(QPainter &painter) const
         QString text = figureText(value->value, value->sigma, unit).text();
         if (m_scene->robots.size() > 1)
             text.prepend(QString::fromStdString(m_scene->robots[robot].robot.name) + QStringLiteral(": "));
-        const double width = metrics.horizontalAdvance(text) + 14;
-        const bool fits = x + 6 + width <= plot.right();
-        const QRectF bubble(fits ? x + 6 : x - 6 - width, top, width, height);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(colours.bubble);
-        painter.drawRoundedRect(bubble, 3, 3);
-        painter.setPen(colours.bubbleText);
-        painter.drawText(bubble, Qt::AlignCenter, text);
-        const QPointF at = positionOf(m_timeline.currentTime(), value->value);
-        painter.setPen(QPen(colours.card, 1.5));
-        painter.setBrush(seriesColour(int(robot), palette()));
-        painter.drawEllipse(at, 4, 4);
-        top += height + 3;
+        top = drawChartBubble(painter, plot(), {seconds, value->value}, top, text, seriesColour(int(robot), palette()),
+                              palette());
     }
 }
 
@@ -335,9 +290,7 @@ void ChartArea::changeEvent(QEvent *event)
 
 void ChartArea::goTo(double x)
 {
-    const QRectF plot = plotRect();
-    const double part = std::clamp((x - plot.left()) / std::max(1.0, plot.width()), 0.0, 1.0);
-    m_timeline.setCurrentTime(fromSeconds(m_startS + part * (m_endS - m_startS)));
+    m_timeline.setCurrentTime(fromSeconds(plot().xAt(x)));
 }
 
 void ChartArea::mousePressEvent(QMouseEvent *event)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/views/axis_ticks.h"
+#include "ui/views/chart_painting.h"
 #include "ui/views/profile_chart.h"
 #include "ui/views/profile_curve.h"
 
@@ -60,8 +60,8 @@ private:
     void applyColours();
     void forget();
     QRectF plotRect() const;
+    ChartPlot plot() const;
     void drawPoints(QPainter &painter) const;
-    void drawAxes(QPainter &painter) const;
     void drawCursor(QPainter &painter) const;
     void goTo(double x);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/map_area.h"
 
+#include "ui/models/profile_place.h"
 #include "ui/models/timeline.h"
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
@@ -31,28 +32,6 @@ double topSpeed(const TrialScene &scene)
         }
     }
     return top;
-}
-
-/// The last time at or before which the profile has a valid point; -1 before the first.
-std::ptrdiff_t pointAt(const Profile &profile, Nanoseconds time)
-{
-    const auto after =
-        std::upper_bound(profile.samples.begin(), profile.samples.end(), time,
-                         [](Nanoseconds wanted, const Sample &sample) { return wanted < sample.time; });
-    const std::ptrdiff_t index = (after - profile.samples.begin()) - 1;
-    return index >= 0 && profile.points[static_cast<std::size_t>(index)].valid ? index : -1;
-}
-
-/// Direction of motion; while it stands, the one it had last.
-std::optional<double> headingAt(const Profile &profile, std::ptrdiff_t index)
-{
-    constexpr double standingMps = 0.05;
-    for (; index >= 0; --index) {
-        const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
-        if (point.valid && point.speedMps > std::max(standingMps, 2 * point.sigmaSpeedMps))
-            return std::atan2(point.velocity.y(), point.velocity.x());
-    }
-    return std::nullopt;
 }
 
 } // namespace
@@ -211,12 +190,12 @@ void MapArea::paintRobot(QPainter &painter, std::size_t robot) const
     if (!shown.analysis)
         return;
     const Profile &profile = shown.analysis->profile;
-    const std::ptrdiff_t index = pointAt(profile, m_timeline.currentTime());
+    const std::ptrdiff_t index = pointIndexAt(profile, m_timeline.currentTime());
     if (index < 0)
         return;
     const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
     const bool alone = m_scene->robots.size() == 1;
-    MapRobot sign{&shown.robot, point.position, point.sigmaXM, point.sigmaYM, headingAt(profile, index),
+    MapRobot sign{&shown.robot, point.position, point.sigmaXM, point.sigmaYM, drivenHeadingAt(profile, index),
                   alone ? ThemeColours::of(palette()).spike : seriesColour(int(robot), palette()), {}};
     if (!alone)
         sign.label = QString::fromStdString(shown.robot.name);

@@ -57,6 +57,12 @@ QPointF MapPlan::fromWorld(const Eigen::Vector2d &point) const
             topMargin + (size.height() - topMargin - footHeight - sideMargin) / 2.0 - apart.y()};
 }
 
+Eigen::Vector2d MapPlan::toWorld(const QPointF &place) const
+{
+    const QPointF apart = place - fromWorld(bounds.center());
+    return bounds.center() + Eigen::Vector2d(apart.x(), -apart.y()) / scalePx();
+}
+
 void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette, bool overPicture)
 {
     const ThemeColours colours = ThemeColours::of(palette);

@@ -26,6 +26,7 @@ struct MapPlan
 
     double scalePx() const; ///< logical pixels a metre
     QPointF fromWorld(const Eigen::Vector2d &point) const;
+    Eigen::Vector2d toWorld(const QPointF &place) const;
 };
 
 /// A line every round distance, and the distance at the foot.

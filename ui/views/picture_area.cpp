@@ -45,6 +45,19 @@ void PictureArea::setScene(TrialScenePtr scene, std::size_t view)
     update();
 }
 
+void PictureArea::setOverlay(PictureOverlay overlay)
+{
+    m_overlay = std::move(overlay);
+    update();
+}
+
+void PictureArea::setTrailColour(const QColor &colour)
+{
+    m_trailColour = colour;
+    m_floorLayer = {};
+    update();
+}
+
 std::optional<qint64> PictureArea::wantedFrame() const
 {
     if (!sceneView())
@@ -121,7 +134,7 @@ void PictureArea::renderFloorLayer()
     const PictureMap toWidget = [this](const QPointF &pixel) { return fromPicture(pixel); };
     paintFloorGrid(painter, *m_scene, *view->floorView, toWidget);
     for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
-        paintTrail(painter, *m_scene, robot, *view->floorView, toWidget);
+        paintTrail(painter, *m_scene, robot, *view->floorView, toWidget, m_trailColour);
     paintAxes(painter, *m_scene, *view->floorView, toWidget);
 }
 
@@ -133,6 +146,8 @@ void PictureArea::paintRobots(QPainter &painter, qint64 frame) const
     const PictureMap toWidget = [this](const QPointF &pixel) { return fromPicture(pixel); };
     for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
         paintRobot(painter, *m_scene, m_view, robot, frame, toWidget);
+    if (m_overlay)
+        m_overlay(painter, m_view, frame, toWidget);
     painter.restore();
 }
 

@@ -3,6 +3,7 @@
 
 #include "ui/models/trial_scene.h"
 #include "ui/views/frame_fetcher.h"
+#include "ui/views/picture_overlay.h"
 
 #include <QPixmap>
 #include <QWidget>
@@ -19,6 +20,8 @@ public:
     explicit PictureArea(Timeline &timeline, QWidget *parent = nullptr);
 
     void setScene(TrialScenePtr scene, std::size_t view);
+    void setOverlay(PictureOverlay overlay);
+    void setTrailColour(const QColor &colour);
     bool isSettled() const;
     QPointF fromPicture(const QPointF &pixel) const;
 
@@ -49,6 +52,8 @@ private:
     Timeline &m_timeline;
     FrameFetcher m_fetcher;
     TrialScenePtr m_scene;
+    PictureOverlay m_overlay;
+    QColor m_trailColour = trailColour;
     std::size_t m_view = 0;
     QImage m_picture;
     qint64 m_shownFrame = -1; ///< that m_picture is of

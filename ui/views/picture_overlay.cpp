@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/picture_overlay.h"
 
-#include "core/trajectory/view_clock.h"
 #include "ui/views/axis_ticks.h"
 #include "ui/views/halo_text.h"
 
@@ -14,10 +13,12 @@
 
 namespace odo {
 
+const QColor trailColour(0xff56b4e9);
+
 namespace {
 
 // On pictures the colours do not follow the palette: the ground is whatever the camera saw.
-const QColor ellipseColour(0xfff0e442), trailColour(0xff56b4e9), spikeColour(0xfff0803c), rim(0, 0, 0, 120);
+const QColor ellipseColour(0xfff0e442), spikeColour(0xfff0803c), rim(0, 0, 0, 120);
 
 std::optional<QPointF> seen(const FloorView &view, const Eigen::Vector2d &point, double heightM,
                             const PictureMap &map)
@@ -128,7 +129,7 @@ void paintAxes(QPainter &painter, const TrialScene &scene, const FloorView &view
 }
 
 void paintWay(QPainter &painter, const std::vector<std::optional<Eigen::Vector2d>> &places, double heightM,
-              const FloorView &view, const PictureMap &map)
+              const FloorView &view, const PictureMap &map, const QColor &colour)
 {
     constexpr double closestPx = 0.7; // nearer points change nothing that can be seen
     QPainterPath path;
@@ -149,11 +150,11 @@ void paintWay(QPainter &painter, const std::vector<std::optional<Eigen::Vector2d
         penDown = true;
         last = *at;
     }
-    strokeWithRim(painter, path, trailColour, 1.8);
+    strokeWithRim(painter, path, colour, 1.8);
 }
 
 void paintTrail(QPainter &painter, const TrialScene &scene, std::size_t robot, const FloorView &view,
-                const PictureMap &map)
+                const PictureMap &map, const QColor &colour)
 {
     const auto &analysis = scene.robots[robot].analysis;
     if (!analysis)
@@ -161,7 +162,43 @@ void paintTrail(QPainter &painter, const TrialScene &scene, std::size_t robot, c
     std::vector<std::optional<Eigen::Vector2d>> places;
     for (const ProfilePoint &point : analysis->profile.points)
         places.push_back(point.valid ? std::optional(point.position) : std::nullopt);
-    paintWay(painter, places, analysis->profile.heightM, view, map);
+    paintWay(painter, places, analysis->profile.heightM, view, map, colour);
+}
+
+void paintGhost(QPainter &painter, const GhostRobot &ghost, const FloorView &view, const PictureMap &map)
+{
+    constexpr double usualM = 0.2, usualHeightM = 0.1;
+    const double halfLength = ghost.robot->lengthM.value_or(usualM) / 2, halfWidth = ghost.robot->widthM.value_or(usualM) / 2;
+    const Eigen::Rotation2Dd turn(ghost.headingRad);
+    const double heights[] = {0, ghost.heightM > 0 ? ghost.heightM : usualHeightM};
+    QPolygonF faces[2];
+    for (std::size_t face = 0; face < 2; ++face)
+        for (const Eigen::Vector2d &corner : {Eigen::Vector2d(halfLength, halfWidth), Eigen::Vector2d(-halfLength, halfWidth),
+                                              Eigen::Vector2d(-halfLength, -halfWidth), Eigen::Vector2d(halfLength, -halfWidth)}) {
+            const auto at = seen(view, ghost.position + turn * corner, heights[face], map);
+            if (!at)
+                return;
+            faces[face].append(*at);
+        }
+    QColor haze = ghost.colour;
+    haze.setAlpha(80);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(haze);
+    for (const QPolygonF &face : faces)
+        painter.drawPolygon(face);
+    QPainterPath edges;
+    for (const QPolygonF &face : faces) {
+        edges.addPolygon(face);
+        edges.closeSubpath();
+    }
+    for (qsizetype i = 0; i < 4; ++i) {
+        edges.moveTo(faces[0][i]);
+        edges.lineTo(faces[1][i]);
+    }
+    painter.strokePath(edges, QPen(rim, 3.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.strokePath(edges, QPen(ghost.colour, 1.6, Qt::DashLine, Qt::RoundCap, Qt::RoundJoin));
+    const QRectF box = faces[0].boundingRect().united(faces[1].boundingRect());
+    drawTag(painter, QPointF(box.left(), box.bottom() + 14), ghost.name, ghost.colour, painter.clipBoundingRect());
 }
 
 QPointF paintEllipse(QPainter &painter, const Ellipse &ellipse, const QString &name, const PictureMap &map)
@@ -196,8 +233,7 @@ void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, st
     const auto &analysis = scene.robots[robot].analysis;
     if (!analysis)
         return;
-    const Nanoseconds time = clockOf(scene.views[view])
-                                 .commonTime(scene.views[view].recording.frameTimes.at(static_cast<std::size_t>(frame)));
+    const Nanoseconds time = scene.timeOf(view, frame);
     const auto first = scene.frameAt(0, time);
     const Nanoseconds sampleTime = first ? scene.frameTimes()[static_cast<std::size_t>(*first)] : time;
     if (const Spike *spike = spikeAt(analysis->profile, sampleTime))

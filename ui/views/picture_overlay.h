@@ -3,7 +3,9 @@
 
 #include "ui/models/trial_scene.h"
 
+#include <QColor>
 #include <QPointF>
+#include <QString>
 #include <functional>
 
 class QPainter;
@@ -13,18 +15,36 @@ namespace odo {
 /// From a recording's picture (pixel centres) to where it is painted.
 using PictureMap = std::function<QPointF(const QPointF &pixel)>;
 
+/// What a mode adds to the picture of a view in a frame.
+using PictureOverlay =
+    std::function<void(QPainter &painter, std::size_t view, std::int64_t frame, const PictureMap &map)>;
+
 /// The rectangle of the markers with a line every round distance, seen by the camera.
 void paintFloorGrid(QPainter &painter, const TrialScene &scene, const FloorView &view, const PictureMap &map);
 /// O→U and O→V as lines and the markers' labels.
 void paintAxes(QPainter &painter, const TrialScene &scene, const FloorView &view, const PictureMap &map);
+/// The colour of a robot's own way in a picture.
+extern const QColor trailColour;
 /// A way on the floor at a height; broken where a place is missing.
 void paintWay(QPainter &painter, const std::vector<std::optional<Eigen::Vector2d>> &places, double heightM,
-              const FloorView &view, const PictureMap &map);
+              const FloorView &view, const PictureMap &map, const QColor &colour = trailColour);
+/// A robot that was not there: its box on the floor, where it would be seen, dashed, with a name. A robot whose size is not known
+/// is a box of 200 mm.
+struct GhostRobot
+{
+    const RobotRecord *robot = nullptr;
+    double heightM = 0; ///< 0: not known
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();
+    double headingRad = 0;
+    QColor colour;
+    QString name;
+};
+void paintGhost(QPainter &painter, const GhostRobot &ghost, const FloorView &view, const PictureMap &map);
 /// What the tracker found, with the robot's name beside it; gives the middle of its upper side.
 QPointF paintEllipse(QPainter &painter, const Ellipse &ellipse, const QString &name, const PictureMap &map);
 /// A robot's smoothed track at the height that its positions were computed for.
 void paintTrail(QPainter &painter, const TrialScene &scene, std::size_t robot, const FloorView &view,
-                const PictureMap &map);
+                const PictureMap &map, const QColor &colour = trailColour);
 /// The ellipse that the tracker found in a frame of this view, the robot's name, and the reason when it is a
 /// spike.
 void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, std::size_t robot,

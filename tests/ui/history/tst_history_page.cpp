@@ -7,6 +7,7 @@
 
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -22,6 +23,7 @@ private Q_SLOTS:
     void searchesAsYouType();
     void opensByEnterAndDoubleClick();
     void savesNotesAtOnce();
+    void comparesWhatIsSelected();
     void saysWhenThereIsNothing();
 
 private:
@@ -84,6 +86,25 @@ void TestHistoryPage::savesNotesAtOnce()
     QTRY_COMPARE(changed.count(), 2);
     QVERIFY(
         QString::fromStdString(m_project->trials().find("Trial 1")->notes).endsWith(QLatin1String("motor.")));
+}
+
+void TestHistoryPage::comparesWhatIsSelected()
+{
+    HistoryPage page(*m_project);
+    page.refresh();
+    page.selectTrial(QStringLiteral("Trial 2"));
+    QPushButton *compare = nullptr;
+    for (QPushButton *button : page.findChildren<QPushButton *>())
+        if (button->text() == QLatin1String("&Compare"))
+            compare = button;
+    QVERIFY(compare && !compare->isEnabled()); // one trial is not enough
+    QSignalSpy wanted(&page, &HistoryPage::compareRequested);
+    page.findChild<QTableView *>()->selectAll();
+    QVERIFY(compare->isEnabled());
+    compare->click();
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted.front().front().toStringList(), // the newest on top
+             QStringList({QStringLiteral("Trial 1"), QStringLiteral("Trial 2"), QStringLiteral("Trial 3")}));
 }
 
 void TestHistoryPage::saysWhenThereIsNothing()

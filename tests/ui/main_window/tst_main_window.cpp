@@ -3,6 +3,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/job.h"
 #include "tests/ui/support/stored_example.h"
+#include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/job_indicator.h"
@@ -181,6 +182,8 @@ void TestMainWindow::switchesModesByKeys()
     QVERIFY(QTest::qWaitForWindowActive(&window));
     auto *stack = window.findChild<QStackedWidget *>();
     QTest::keyClick(&window, Qt::Key_4, Qt::ControlModifier);
+    QVERIFY(qobject_cast<ComparePage *>(stack->currentWidget()));
+    QTest::keyClick(&window, Qt::Key_5, Qt::ControlModifier);
     QVERIFY(qobject_cast<HistoryPage *>(stack->currentWidget()));
     QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
     QVERIFY(qobject_cast<TestbedPage *>(stack->currentWidget()));
@@ -286,6 +289,7 @@ void TestMainWindow::paintsThePicture_data()
     QTest::addColumn<int>("mode");
     QTest::newRow("testbed") << static_cast<int>(MainWindow::Mode::Testbed);
     QTest::newRow("review") << static_cast<int>(MainWindow::Mode::Review);
+    QTest::newRow("compare") << static_cast<int>(MainWindow::Mode::Compare);
     QTest::newRow("history") << static_cast<int>(MainWindow::Mode::History);
 }
 

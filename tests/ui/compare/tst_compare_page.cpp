@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "tests/ui/support/busy_watch.h"
+#include "tests/ui/support/example_scene.h"
+#include "tests/ui/support/stored_example.h"
+#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_map.h"
+#include "ui/compare/compare_page.h"
+#include "ui/compare/comparison_curves.h"
+#include "ui/compare/distance_chart.h"
+#include "ui/compare/run_chooser.h"
+#include "ui/models/difference_model.h"
+#include "ui/models/timeline.h"
+#include "ui/views/empty_state.h"
+
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+using namespace odo;
+
+namespace {
+
+constexpr int longestMs = 20000; // on a busy machine
+
+/// The words of the empty state, if one is shown.
+QString emptyWords(const ComparePage &page)
+{
+    const auto *none = page.findChild<EmptyState *>();
+    if (!none || !none->isVisibleTo(&page))
+        return {};
+    QStringList words;
+    for (const QLabel *label : none->findChildren<QLabel *>())
+        words << label->text();
+    return words.join(u' ');
+}
+
+} // namespace
+
+/// The page of Compare with stored trials whose robots drive the same course.
+class TestComparePage : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<Project> m_project;
+
+    struct Shown
+    {
+        std::unique_ptr<ComparePage> page;
+        CompareMap &map() const { return page->desk().map(); }
+    };
+    Shown shown(const QStringList &trials, QSize size = {1366, 768})
+    {
+        Shown result{std::make_unique<ComparePage>(*m_project)};
+        result.page->resize(size);
+        result.page->refresh();
+        result.page->showTrials(trials);
+        result.page->show();
+        if (!QTest::qWaitFor([&] { return result.page->isSettled(); }, longestMs))
+            qWarning("the page does not settle");
+        if (!result.page->scene())
+            qInfo("%s", qPrintable(emptyWords(*result.page)));
+        return result;
+    }
+    static QTableView *table(const ComparePage &page, const char *name)
+    {
+        for (QTableView *each : page.findChildren<QTableView *>())
+            if (each->accessibleName() == QLatin1String(name))
+                return each;
+        return nullptr;
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QSettings().clear();
+        const auto made = storeExample(m_folder.path().toStdString(), {90, 320, 180});
+        QVERIFY2(made, made ? "" : made.error().message().c_str());
+        m_project = std::move(*Project::open(*made, Project::Access::ReadWrite));
+    }
+
+    void showsTwoRunsInStep()
+    {
+        const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+        const ComparisonScenePtr scene = shown.page->scene();
+        QVERIFY(scene);
+        QCOMPARE(scene->runCount(), std::size_t(2));
+        QVERIFY(!scene->compared.comparison.isTasksPath);
+        // The same robot on the same course: nothing differs, and nothing is called a difference.
+        const QTableView *figures = table(*shown.page, "Figures of both runs");
+        QVERIFY(figures && figures->model()->rowCount() >= 1);
+        for (int row = 0; row < figures->model()->rowCount(); ++row) {
+            const QModelIndex difference = figures->model()->index(row, DifferenceModel::DifferenceColumn);
+            QVERIFY(!difference.data(DifferenceModel::SignificantRole).toBool());
+            QCOMPARE(difference.data(Qt::AccessibleDescriptionRole).toString(),
+                     QStringLiteral("within the error"));
+        }
+        for (const DistanceCurve &curve : differenceCurves(*scene))
+            for (const DistanceCurve::Stretch &stretch : curve.stretches)
+                QVERIFY(stretch.faint);
+        // Each picture follows the shared time by its own clock.
+        Timeline &shared = shown.page->timeline();
+        QVERIFY(shared.frameCount() >= 89); // laid from the aligned moment, so that one may lie beyond an end
+        shared.setCurrentTime(std::chrono::milliseconds(700));
+        const QList<Timeline *> clocks =
+            shown.page->desk().findChildren<Timeline *>(QString(), Qt::FindDirectChildrenOnly);
+        QCOMPARE(clocks.size(), 2);
+        for (std::size_t run = 0; run < 2; ++run) {
+            const double apartS =
+                toSeconds(clocks[qsizetype(run)]->currentTime() - scene->ownTime(run, shared.currentTime()));
+            QVERIFY(std::abs(apartS) < 0.017); // half a frame
+            QVERIFY(scene->pointAt(run, shared.currentTime()));
+        }
+        QVERIFY(QTest::qWaitFor([&] { return shown.page->isSettled(); }, longestMs));
+    }
+
+    void theTimeLineHoldsTheAlignedMoment()
+    {
+        const Shown shown = this->shown({QStringLiteral("Trial 2"), QStringLiteral("Trial 1")});
+        const auto times = shown.page->scene()->frameTimes();
+        QVERIFY(std::ranges::find(times, Nanoseconds(0)) != times.end());
+        QVERIFY(std::ranges::is_sorted(times));
+        QCOMPARE(shown.page->timeline().currentTime(), Nanoseconds(0));
+        const Nanoseconds some(123456789);
+        QCOMPARE(shown.page->scene()->commonTime(1, shown.page->scene()->ownTime(1, some)), some);
+    }
+
+    void aSingleTrialFindsAPartner()
+    {
+        const Shown shown = this->shown({QStringLiteral("Trial 1")});
+        QVERIFY(shown.page->scene());
+        QCOMPARE(shown.page->scene()->trials.runs[1].trial.name,
+                 std::string("Trial 2")); // Trial 3 was not tracked
+    }
+
+    void swapsTheRuns()
+    {
+        const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+        for (QToolButton *button : shown.page->findChildren<QToolButton *>())
+            if (button->accessibleName() == QLatin1String("Swap the two runs"))
+                button->click();
+        QVERIFY(QTest::qWaitFor([&] { return shown.page->isSettled(); }, longestMs));
+        QCOMPARE(shown.page->scene()->trials.runs[0].trial.name, std::string("Trial 2"));
+        QCOMPARE(shown.page->scene()->trials.runs[1].trial.name, std::string("Trial 1"));
+    }
+
+    void aShiftByHandIsATimeDifference()
+    {
+        const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+        QComboBox *align = nullptr;
+        for (QComboBox *list : shown.page->findChildren<QComboBox *>())
+            if (list->accessibleName() == QLatin1String("The moment that counts as the same"))
+                align = list;
+        auto *shift = shown.page->findChild<QDoubleSpinBox *>();
+        QVERIFY(align && shift && !shift->isVisible());
+        align->setCurrentIndex(align->count() - 1);
+        Q_EMIT align->activated(align->currentIndex());
+        QVERIFY(shift->isVisible());
+        shift->setValue(0.1);
+        QVERIFY(QTest::qWaitFor([&] { return shown.page->isSettled(); }, longestMs));
+        const RunComparison &comparison = shown.page->scene()->compared.comparison;
+        QVERIFY(comparison.alignedBy == AlignBy::ByHand);
+        const auto difference = comparison.timeDifferenceAt(1, comparison.originM + 0.2);
+        QVERIFY(difference &&
+                std::abs(difference->value + 0.1) < 1e-6); // its clock begins later: it is earlier by it
+    }
+
+    void gatesAreDraggedAndMovedByKeys()
+    {
+        const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+        CompareMap &map = shown.map();
+        QCOMPARE(map.gates().size(), std::size_t(2)); // without a task the way is parted into three
+        const QAbstractItemModel *sectors = table(*shown.page, "Times from gate to gate")->model();
+        QCOMPARE(sectors->rowCount(), 3);
+        const QString before = sectors->index(0, DifferenceModel::FirstColumn).data().toString();
+        const double stationM = map.gates()[0].stationM;
+        QSignalSpy moved(&map, &CompareMap::gatesMoved);
+
+        const ReferencePath &path = shown.page->scene()->compared.comparison.path;
+        const QPoint to = map.fromWorld(pointAt(path, stationM + 0.15).position).toPoint();
+        QTest::mousePress(&map, Qt::LeftButton, {}, map.gatePlace(0).toPoint());
+        QTest::mouseMove(&map, to);
+        QMouseEvent drag(QEvent::MouseMove, to, map.mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                         Qt::NoModifier);
+        QCoreApplication::sendEvent(&map, &drag);
+        QTest::mouseRelease(&map, Qt::LeftButton, {}, to);
+        QVERIFY(moved.count() >= 1);
+        // A pixel is some 10 mm here, and the gate stays a little behind the pointer.
+        QVERIFY2(std::abs(map.gates()[0].stationM - stationM - 0.15) < 0.04,
+                 qPrintable(QString::number(map.gates()[0].stationM - stationM)));
+        QVERIFY(sectors->index(0, DifferenceModel::FirstColumn).data().toString() != before);
+
+        const double draggedM = map.gates()[1].stationM;
+        map.setFocus();
+        const Nanoseconds time = shown.page->timeline().currentTime();
+        QTest::keyClick(&map, Qt::Key_Escape);
+        QTest::keyClick(&map, Qt::Key_Down);
+        QTest::keyClick(&map, Qt::Key_Down);
+        QTest::keyClick(&map, Qt::Key_Right, Qt::ShiftModifier);
+        QTest::keyClick(&map, Qt::Key_Left);
+        QVERIFY(std::abs(map.gates()[1].stationM - draggedM - 0.09) < 1e-9);
+        QCOMPARE(shown.page->timeline().currentTime(), time);
+    }
+
+    void aClickIntoAChartGoesThere()
+    {
+        const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+        DistanceArea &area = shown.page->desk().difference().area();
+        constexpr double wantedM = 0.5;
+        QTest::mouseClick(&area, Qt::LeftButton, {}, area.positionOf(wantedM, 0).toPoint());
+        const double reachedM = shown.page->scene()->distanceAt(0, shown.page->timeline().currentTime());
+        // Half a frame and half a pixel.
+        QVERIFY2(std::abs(reachedM - wantedM) < 0.04, qPrintable(QString::number(reachedM)));
+    }
+
+    void saysWhyRunsCannotBeCompared()
+    {
+        const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 3")});
+        QVERIFY(!shown.page->scene());
+        QVERIFY2(emptyWords(*shown.page)
+                     .contains(QLatin1String("it has not been tracked yet. What helps: track it first.")),
+                 qPrintable(emptyWords(*shown.page)));
+        shown.page->showTrials({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+        QVERIFY(QTest::qWaitFor([&] { return shown.page->isSettled(); }, longestMs));
+        QVERIFY(shown.page->scene());
+        QCOMPARE(emptyWords(*shown.page), QString());
+    }
+
+    void asksForTwoRunsWhereThereAreNone()
+    {
+        const auto empty =
+            Project::create(m_folder.filePath(QStringLiteral("empty.odo")).toStdString(), "Empty");
+        QVERIFY(empty);
+        ComparePage page(**empty);
+        page.refresh();
+        page.show();
+        QVERIFY(emptyWords(page).startsWith(QLatin1String("Two runs are needed")));
+        QSignalSpy wanted(&page, &ComparePage::importRequested);
+        page.findChild<EmptyState *>()->findChild<QPushButton *>()->click();
+        QCOMPARE(wanted.count(), 1);
+    }
+
+    void neverKeepsTheWindowWaiting()
+    {
+        const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+        BusyWatch watch;
+        shown.page->showTrials({QStringLiteral("Trial 2"), QStringLiteral("Trial 1")});
+        QVERIFY(QTest::qWaitFor([&] { return shown.page->isSettled(); }, longestMs));
+        shown.page->timeline().play();
+        QVERIFY(QTest::qWaitFor([&] { return !shown.page->timeline().isPlaying(); }, longestMs));
+        qInfo("longest: %.1f ms", watch.longestMs());
+        QVERIFY2(watch.longestMs() < 50, qPrintable(QString::number(watch.longestMs())));
+    }
+
+    void theTableKeepsTheRulesOfModels()
+    {
+        DifferenceModel model;
+        QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        model.setRunNames(QStringLiteral("One"), QStringLiteral("Two"));
+        model.setMetrics({{"max_speed", "m/s", 1.5, 1.75, 0.02, 0.02, Difference{0.25, 0.03}},
+                          {"duration", "s", 5.0, 5.01, 0.02, 0.02, Difference{0.01, 0.03}},
+                          {"circle_radius", "m", 0.5, std::nullopt, 0.01, std::nullopt, std::nullopt}});
+        const auto text = [&](int row, int column) { return model.index(row, column).data().toString(); };
+        QCOMPARE(text(0, DifferenceModel::NameColumn), QStringLiteral("Top speed, m/s"));
+        QCOMPARE(text(0, DifferenceModel::DifferenceColumn), QStringLiteral("+0.25 ±0.03"));
+        QVERIFY(model.index(0, 3).data(DifferenceModel::SignificantRole).toBool());
+        QVERIFY(!model.index(1, 3).data(DifferenceModel::SignificantRole).toBool());
+        QVERIFY(model.index(1, 3)
+                    .data(Qt::ToolTipRole)
+                    .toString()
+                    .contains(QLatin1String("no difference can be claimed")));
+        QCOMPARE(text(2, DifferenceModel::SecondColumn), QStringLiteral("–"));
+        QCOMPARE(model.index(2, 3).data(Qt::ToolTipRole).toString(),
+                 QStringLiteral("Only one of the two has it"));
+        QCOMPARE(model.headerData(DifferenceModel::SecondColumn, Qt::Horizontal).toString(),
+                 QStringLiteral("Two"));
+        model.setSectors(
+            {{"", "Left", 0, 1, {Difference{2.5, 0.01}, std::nullopt}, {std::nullopt, std::nullopt}}}, 1);
+        QCOMPARE(text(0, DifferenceModel::NameColumn), QStringLiteral("begin to Left"));
+        QCOMPARE(text(0, DifferenceModel::DifferenceColumn), QStringLiteral("–"));
+    }
+};
+
+QTEST_MAIN(TestComparePage)
+#include "tst_compare_page.moc"

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/compare/compare_column.h"
+
+#include "ui/compare/comparison_curves.h"
+#include "ui/compare/run_chooser.h"
+#include "ui/models/difference_model.h"
+#include "ui/models/timeline.h"
+#include "ui/views/card.h"
+#include "ui/views/figure_grid.h"
+#include "ui/views/table_list.h"
+#include "ui/views/theme.h"
+
+#include <QHeaderView>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr int columnWidth = 500, numberWidth = 112, differenceWidth = 126;
+constexpr std::size_t second = 1; ///< the run that is shown against the first
+
+/// Mutes a difference that is within the error; its sign ≈ says the same.
+class DifferenceDelegate : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        const bool isSignificant = index.data(DifferenceModel::SignificantRole).toBool();
+        if (index.column() != DifferenceModel::DifferenceColumn)
+            return;
+        if (!isSignificant)
+            for (const auto role : {QPalette::Text, QPalette::HighlightedText})
+                option->palette.setColor(role, ThemeColours::of(option->palette).muted);
+    }
+};
+
+/// A time difference of the second run in words; where it is within its error neither later nor earlier is
+/// said.
+NamedFigure timeFigure(const std::optional<CurveValue> &value, const QString &later, const QString &earlier,
+                       const QString &neither)
+{
+    const QString unit = QStringLiteral("s");
+    if (!value)
+        return {neither, {QStringLiteral("–"), {}, {}}};
+    if (!Difference{value->value, value->sigma}.isSignificant())
+        return {neither, figureText(value->value, value->sigma, unit)};
+    return {value->value > 0 ? later : earlier, figureText(std::abs(value->value), value->sigma, unit)};
+}
+
+QTableView *tableOf(DifferenceModel *model, const QString &name)
+{
+    auto *table = new QTableView;
+    table->setModel(model);
+    table->setItemDelegate(new DifferenceDelegate(table));
+    table->setAccessibleName(name);
+    showAsList(*table);
+    table->setProperty("dense", true);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->setWordWrap(false);
+    table->setTextElideMode(Qt::ElideRight);
+    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 9);
+    table->horizontalHeader()->setMinimumSectionSize(40);
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    table->horizontalHeader()->setSectionResizeMode(DifferenceModel::NameColumn, QHeaderView::Stretch);
+    for (int column = DifferenceModel::FirstColumn; column < DifferenceModel::ColumnCount; ++column)
+        table->setColumnWidth(column,
+                              column == DifferenceModel::DifferenceColumn ? differenceWidth : numberWidth);
+    return table;
+}
+
+} // namespace
+
+CompareColumn::CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *parent)
+    : QWidget(parent), m_timeline(timeline), m_result(new Card(tr("Time difference"))),
+      m_sectorCard(new Card(tr("Sectors"))), m_metricCard(new Card(tr("Figures"))), m_figures(new FigureGrid),
+      m_sectors(new DifferenceModel(this)), m_metrics(new DifferenceModel(this))
+{
+    auto *runs = new Card(tr("Runs"));
+    runs->setContent(chooser);
+    runs->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    m_result->setContent(m_figures);
+    m_result->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    m_sectorCard->setContent(tableOf(m_sectors, tr("Times from gate to gate")));
+    m_metricCard->setContent(tableOf(m_metrics, tr("Figures of both runs")));
+    m_sectorCard->setRemark(tr("s · drag the gates on the map"));
+    m_metricCard->setRemark(tr("grey: within the error"));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    layout->addWidget(runs);
+    layout->addWidget(m_result);
+    layout->addWidget(m_sectorCard, 2);
+    layout->addWidget(m_metricCard, 4);
+    setFixedWidth(columnWidth);
+    connect(&m_timeline, &Timeline::currentChanged, this, &CompareColumn::showFigures);
+}
+
+void CompareColumn::setScene(ComparisonScenePtr scene)
+{
+    m_scene = std::move(scene);
+    for (Card *card : {m_result, m_sectorCard, m_metricCard})
+        card->setVisible(m_scene != nullptr);
+    if (!m_scene)
+        return;
+    const QString first = QString::fromStdString(m_scene->name(0)),
+                  other = QString::fromStdString(m_scene->name(second));
+    // Names of trials often differ at their ends alone.
+    const auto fitted = [this](const QString &name) {
+        return fontMetrics().elidedText(name, Qt::ElideMiddle, numberWidth - 24);
+    };
+    for (DifferenceModel *model : {m_sectors, m_metrics})
+        model->setRunNames(fitted(first), fitted(other));
+    m_metrics->setMetrics(m_scene->compared.metrics.front());
+    m_result->setRemark(tr("of %1").arg(other));
+    const RunComparison &comparison = m_scene->compared.comparison;
+    m_end.reset();
+    for (std::size_t station = comparison.waysM.size(); station-- > 0 && !m_end;)
+        m_end = differenceAt(*m_scene, second, comparison.distanceM(station));
+    setGates(m_scene->compared.gates);
+    showFigures();
+}
+
+void CompareColumn::setGates(const std::vector<PathGate> &gates)
+{
+    m_sectors->setSectors(sectorTimes(m_scene->compared.comparison, gates), second);
+}
+
+void CompareColumn::showFigures()
+{
+    if (!m_scene || !isVisible())
+        return;
+    const auto here = differenceAt(*m_scene, second, m_scene->distanceAt(0, m_timeline.currentTime()));
+    m_figures->setFigures(
+        {timeFigure(m_end, tr("Later at the end"), tr("Earlier at the end"), tr("At the end")),
+         timeFigure(here, tr("Later here"), tr("Earlier here"), tr("Here"))});
+}
+
+} // namespace odo

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/compare/compare_desk.h"
+
+#include "ui/compare/compare_map.h"
+#include "ui/compare/distance_chart.h"
+#include "ui/models/profile_place.h"
+#include "ui/models/timeline.h"
+#include "ui/views/camera_view.h"
+#include "ui/views/theme.h"
+
+#include <QComboBox>
+#include <QPainter>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr std::size_t pictured = 2;
+constexpr int gap = 8;
+const QString upperKey = QStringLiteral("compare/pictures"), wholeKey = QStringLiteral("compare/layout");
+/// A run's colour on pictures, where it does not follow the palette.
+QColor onPicture(std::size_t run)
+{
+    return seriesColour(int(run), darkPalette());
+}
+
+/// Another run of the comparison as it would be seen by a view of this one: where it is, and the way it took
+/// in the last moments.
+void paintOtherRun(QPainter &painter, const ComparisonScene &scene, std::size_t other, Nanoseconds common,
+                   const FloorView &view, const PictureMap &map)
+{
+    constexpr std::ptrdiff_t trailPoints = 45;
+    const Profile &profile = scene.profile(other);
+    const std::ptrdiff_t index = pointIndexAt(profile, scene.ownTime(other, common));
+    if (index < 0)
+        return;
+    std::vector<std::optional<Eigen::Vector2d>> places;
+    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, index - trailPoints); i <= index; ++i) {
+        const ProfilePoint &point = profile.points[static_cast<std::size_t>(i)];
+        places.push_back(point.valid ? std::optional(point.position) : std::nullopt);
+    }
+    paintWay(painter, places, profile.heightM, view, map, onPicture(other));
+    paintGhost(painter,
+               {&scene.robot(other), profile.heightM,
+                profile.points[static_cast<std::size_t>(index)].position,
+                drivenHeadingAt(profile, index).value_or(0), onPicture(other),
+                QString::fromStdString(scene.name(other))},
+               view, map);
+}
+
+/// The others can be seen in a run's picture only where both mean the same floor.
+bool sameFloor(const ComparisonScene &scene, std::size_t a, std::size_t b)
+{
+    const auto &first = scene.scenes[a]->layout, &second = scene.scenes[b]->layout;
+    return first && second && first->name == second->name;
+}
+
+} // namespace
+
+CompareDesk::CompareDesk(Timeline &timeline, QWidget *parent)
+    : QWidget(parent), m_timeline(timeline), m_mapCard(new Card(tr("Top-down map"))),
+      m_map(new CompareMap(timeline)), m_speed(new DistanceChart(timeline, Compared::Speed)),
+      m_difference(new DistanceChart(timeline, Compared::TimeDifference)), m_upper(new QSplitter),
+      m_whole(new QSplitter(Qt::Vertical, this))
+{
+    m_map->setAccessibleName(tr("Map of the floor with the ways of the runs and the gates of the sectors"));
+    m_map->setToolTip(
+        tr("Drag a gate along the way; with the keys: Up and Down choose one, Left and Right move it"));
+    m_mapCard->setContent(m_map);
+    m_mapCard->setRemark(tr("both runs"));
+    for (std::size_t run = 0; run < pictured; ++run) {
+        auto *clock = new Timeline(this);
+        auto *picture = new CameraView(*clock);
+        auto *views = new QComboBox;
+        views->setAccessibleName(run == 0 ? tr("Camera of the first run") : tr("Camera of the second run"));
+        picture->addToHeader(views);
+        picture->setMinimumWidth(180);
+        m_upper->addWidget(picture);
+        connect(views, &QComboBox::activated, this, &CompareDesk::showViews);
+        connect(picture, &CameraView::settled, this, &CompareDesk::settled);
+        m_clocks.push_back(clock);
+        m_pictures.push_back(picture);
+        m_viewLists.push_back(views);
+    }
+    m_upper->addWidget(m_mapCard);
+    for (QWidget *part : {static_cast<QWidget *>(m_upper), static_cast<QWidget *>(m_speed),
+                          static_cast<QWidget *>(m_difference)})
+        m_whole->addWidget(part);
+    for (QSplitter *splitter : {m_upper, m_whole}) {
+        splitter->setHandleWidth(gap);
+        splitter->setChildrenCollapsible(false);
+    }
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_whole);
+    restoreLayout();
+    connect(&m_timeline, &Timeline::currentChanged, this, &CompareDesk::followTime);
+    connect(m_map, &CompareMap::gatesMoved, this, &CompareDesk::gatesMoved);
+    connect(m_map, &CompareMap::settled, this, &CompareDesk::settled);
+}
+
+CompareDesk::~CompareDesk() = default;
+
+void CompareDesk::restoreLayout()
+{
+    const QSettings settings;
+    if (!m_upper->restoreState(settings.value(upperKey).toByteArray()))
+        m_upper->setSizes({350, 350, 320});
+    if (!m_whole->restoreState(settings.value(wholeKey).toByteArray()))
+        m_whole->setSizes({300, 250, 250});
+}
+
+void CompareDesk::saveLayout() const
+{
+    QSettings settings;
+    settings.setValue(upperKey, m_upper->saveState());
+    settings.setValue(wholeKey, m_whole->saveState());
+}
+
+void CompareDesk::setScene(ComparisonScenePtr scene)
+{
+    m_scene = std::move(scene);
+    for (std::size_t run = 0; run < pictured; ++run) {
+        const TrialScenePtr shown = m_scene ? m_scene->scenes[run] : nullptr;
+        const QString before = m_viewLists[run]->currentText();
+        const QSignalBlocker quiet(m_viewLists[run]);
+        m_viewLists[run]->clear();
+        for (std::size_t view = 0; shown && view < shown->views.size(); ++view)
+            m_viewLists[run]->addItem(QString::fromStdString(shown->views[view].camera));
+        m_viewLists[run]->setCurrentIndex(std::max(0, m_viewLists[run]->findText(before)));
+        m_viewLists[run]->setVisible(m_viewLists[run]->count() > 1);
+        m_clocks[run]->setFrameTimes(shown ? shown->frameTimes() : std::vector<Nanoseconds>());
+    }
+    showViews();
+    m_map->setScene(m_scene);
+    m_map->setGates(m_scene ? m_scene->compared.gates : std::vector<PathGate>());
+    m_mapCard->setRemark(!m_scene || m_scene->compared.comparison.isTasksPath
+                             ? tr("dashed: the task's path")
+                             : tr("along the first run's way"));
+    m_speed->setScene(m_scene);
+    m_difference->setScene(m_scene);
+    followTime();
+}
+
+void CompareDesk::showViews()
+{
+    for (std::size_t run = 0; run < pictured; ++run) {
+        CameraView &picture = *m_pictures[run];
+        const auto view = static_cast<std::size_t>(std::max(0, m_viewLists[run]->currentIndex()));
+        picture.setScene(m_scene ? m_scene->scenes[run] : nullptr, view);
+        if (!m_scene) {
+            picture.setOverlay({});
+            continue;
+        }
+        picture.setTitle(run == 0 ? tr("First") : tr("Second"));
+        picture.setRemark(QString::fromStdString(m_scene->name(run)));
+        picture.setBadge({}); // how well it is registered stands in Review; the names need the room
+        picture.setTrailColour(onPicture(run));
+        picture.setOverlay([scene = m_scene, run](QPainter &painter, std::size_t shown, std::int64_t frame,
+                                                  const PictureMap &map) {
+            const TrialScene &own = *scene->scenes[run];
+            if (!own.views[shown].floorView)
+                return;
+            const Nanoseconds common = scene->commonTime(run, own.timeOf(shown, frame));
+            for (std::size_t other = 0; other < scene->runCount(); ++other)
+                if (other != run && sameFloor(*scene, run, other))
+                    paintOtherRun(painter, *scene, other, common, *own.views[shown].floorView, map);
+        });
+    }
+}
+
+void CompareDesk::followTime()
+{
+    for (std::size_t run = 0; m_scene && run < pictured; ++run)
+        m_clocks[run]->setCurrentTime(m_scene->ownTime(run, m_timeline.currentTime()));
+}
+
+bool CompareDesk::isSettled() const
+{
+    return m_map->isSettled() &&
+           std::ranges::all_of(m_pictures, [](const CameraView *picture) { return picture->isSettled(); });
+}
+
+} // namespace odo

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "ui/models/comparison_scene.h"
+
+#include <QWidget>
+
+class QStackedWidget;
+
+namespace odo {
+
+class CompareColumn;
+class CompareDesk;
+class ComparisonLoader;
+class EmptyState;
+class Project;
+class RunChooser;
+class Timeline;
+class TimelineBar;
+
+/// Compare: two runs or more at the same places of one path, their videos in step, each with the ghost of the
+/// other. What it shows is loaded on a thread of its own. The gates of the sectors belong to the comparison
+/// on screen: a task is not changed once it is stored, so that dragging them changes nothing that was
+/// measured. Uses the project on its own thread otherwise; the project must outlive the page.
+class ComparePage : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit ComparePage(Project &project, QWidget *parent = nullptr);
+    ~ComparePage() override;
+
+    /// Compares these trials; for a single one another that was tracked is found, of the same task if there
+    /// is one.
+    void showTrials(const QStringList &trials);
+    /// As showTrials, unless a comparison was chosen already.
+    void suggestTrial(const QString &trial);
+    /// Reads the project: the list of runs, and what is on screen, at once or when the page is shown. Call it
+    /// once the signals are connected, and after every change.
+    void refresh();
+    /// What is on screen; null where nothing can be compared.
+    ComparisonScenePtr scene() const { return m_scene; }
+    Timeline &timeline() const { return *m_timeline; }
+    RunChooser &chooser() const { return *m_chooser; }
+    CompareDesk &desk() const { return *m_desk; }
+    /// All is loaded, and every picture that belongs to the present time is on screen, or cannot be had.
+    bool isSettled() const;
+
+Q_SIGNALS:
+    void importRequested();
+    void failed(const odo::Error &error);
+    void settled();
+
+protected:
+    bool event(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+
+private:
+    std::vector<TrialRecord> readTrials();
+    std::optional<std::string> partnerOf(const std::string &trial);
+    void load();
+    void adopt(ComparisonScenePtr scene);
+    void showNone(const QString &headline, const QString &why, bool mayImport);
+    void showSettled();
+
+    Project &m_project;
+    ComparisonLoader *m_loader;
+    ComparisonScenePtr m_scene;
+    std::vector<double> m_handTimesS; ///< the moments that a shift by hand is counted from
+    bool m_isStale = false;           ///< to be loaded when the page is shown
+    Timeline *m_timeline;
+    RunChooser *m_chooser;
+    CompareDesk *m_desk;
+    TimelineBar *m_timelineBar;
+    CompareColumn *m_column;
+    QStackedWidget *m_stack;
+};
+
+} // namespace odo

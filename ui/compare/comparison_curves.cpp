@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/compare/comparison_curves.h"
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+/// A curve out of the values at the stations; where it turns faint or back, both stretches have the point
+/// between.
+template <class ValueAt>
+DistanceCurve curveOf(const ComparisonScene &scene, std::size_t run, bool isNeverNegative,
+                      const ValueAt &valueAt)
+{
+    DistanceCurve curve{run, {}};
+    const RunComparison &comparison = scene.compared.comparison;
+    bool isOpen = false;
+    for (std::size_t station = 0; station < comparison.waysM.size(); ++station) {
+        const std::optional<Difference> value = valueAt(station);
+        if (!value) {
+            isOpen = false;
+            continue;
+        }
+        const bool faint = !isNeverNegative && !value->isSignificant();
+        const double x = comparison.distanceM(station), reach = significanceFactor * value->sigma;
+        const double lower = value->value - reach;
+        const auto append = [&](CurveRun &to) {
+            to.line.append({x, value->value});
+            to.upper.append({x, value->value + reach});
+            to.lower.append({x, isNeverNegative ? std::max(0.0, lower) : lower});
+        };
+        if (isOpen && curve.stretches.back().faint != faint)
+            append(curve.stretches.back().curve);
+        if (!isOpen || curve.stretches.back().faint != faint)
+            curve.stretches.push_back({{}, faint});
+        append(curve.stretches.back().curve);
+        isOpen = true;
+    }
+    return curve;
+}
+
+} // namespace
+
+std::vector<DistanceCurve> speedCurves(const ComparisonScene &scene)
+{
+    std::vector<DistanceCurve> curves;
+    for (std::size_t run = 0; run < scene.runCount(); ++run)
+        curves.push_back(curveOf(scene, run, true, [&](std::size_t station) -> std::optional<Difference> {
+            const auto &at = scene.compared.comparison.runs[run].stations[station];
+            return at ? std::optional(Difference{at->speedMps, at->sigmaSpeedMps}) : std::nullopt;
+        }));
+    return curves;
+}
+
+std::vector<DistanceCurve> differenceCurves(const ComparisonScene &scene)
+{
+    std::vector<DistanceCurve> curves;
+    for (std::size_t run = 1; run < scene.runCount(); ++run)
+        curves.push_back(curveOf(scene, run, false, [&](std::size_t station) {
+            return scene.compared.comparison.timeDifference(run, station);
+        }));
+    return curves;
+}
+
+std::optional<CurveValue> speedAt(const ComparisonScene &scene, std::size_t run, double distanceM)
+{
+    const RunComparison &comparison = scene.compared.comparison;
+    const auto arrival = comparison.runs[run].arrivals.at(comparison.originM + distanceM);
+    return arrival ? std::optional(CurveValue{arrival->speedMps, arrival->sigmaSpeedMps}) : std::nullopt;
+}
+
+std::optional<CurveValue> differenceAt(const ComparisonScene &scene, std::size_t run, double distanceM)
+{
+    const RunComparison &comparison = scene.compared.comparison;
+    if (run == 0)
+        return std::nullopt;
+    const auto difference = comparison.timeDifferenceAt(run, comparison.originM + distanceM);
+    return difference ? std::optional(CurveValue{difference->value, difference->sigma}) : std::nullopt;
+}
+
+} // namespace odo

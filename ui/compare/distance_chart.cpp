@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/compare/distance_chart.h"
+
+#include "ui/models/figure_text.h"
+#include "ui/models/timeline.h"
+#include "ui/views/decimation.h"
+#include "ui/views/series_key.h"
+#include "ui/views/theme.h"
+
+#include <QEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+QString unitOf(Compared what)
+{
+    return what == Compared::Speed ? QStringLiteral("m/s") : QStringLiteral("s");
+}
+
+QPolygonF placed(const QList<QPointF> &points, const ChartPlot &plot)
+{
+    QPolygonF places;
+    for (const QPointF &point : decimated(points, plot.low, plot.high, std::max(1, int(plot.rect.width()))))
+        places.append(plot.at(point.x(), point.y()));
+    return places;
+}
+
+} // namespace
+
+DistanceArea::DistanceArea(Timeline &timeline, Compared what, QWidget *parent)
+    : QWidget(parent), m_timeline(timeline), m_what(what)
+{
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(&m_timeline, &Timeline::currentChanged, this, qOverload<>(&QWidget::update));
+    setRanges();
+}
+
+void DistanceArea::setScene(ComparisonScenePtr scene)
+{
+    m_scene = std::move(scene);
+    m_curves.clear();
+    if (m_scene)
+        m_curves = m_what == Compared::Speed ? speedCurves(*m_scene) : differenceCurves(*m_scene);
+    setRanges();
+}
+
+void DistanceArea::setRanges()
+{
+    double low = 0, high = 0;
+    for (const DistanceCurve &curve : m_curves)
+        for (const DistanceCurve::Stretch &stretch : curve.stretches)
+            for (const QPointF &point : stretch.curve.line) {
+                low = std::min(low, point.y());
+                high = std::max(high, point.y());
+            }
+    if (high - low < 1e-3)
+        high = low + (m_what == Compared::Speed ? 1 : 0.1);
+    m_values = coveringTicks(low, high, std::max(2, int(ChartPlot::rectIn(rect()).height() / 23)));
+    m_low = 0;
+    m_high = 1;
+    if (m_scene && !m_scene->compared.comparison.waysM.empty()) {
+        const RunComparison &comparison = m_scene->compared.comparison;
+        m_low = comparison.distanceM(0);
+        m_high = comparison.distanceM(comparison.waysM.size() - 1);
+    }
+    m_still = {};
+    update();
+}
+
+ChartPlot DistanceArea::plot() const
+{
+    return {ChartPlot::rectIn(QRectF(rect())), m_low, m_high, m_values};
+}
+
+void DistanceArea::paintCurve(QPainter &painter, const ChartPlot &plot, const DistanceCurve &curve) const
+{
+    const QColor colour = seriesColour(int(curve.run), palette());
+    QColor haze = colour, faint = ThemeColours::of(palette()).muted;
+    haze.setAlpha(60);
+    for (const DistanceCurve::Stretch &stretch : curve.stretches) {
+        QPolygonF band = placed(stretch.curve.upper, plot);
+        const QPolygonF lower = placed(stretch.curve.lower, plot);
+        for (auto point = lower.crbegin(); point != lower.crend(); ++point)
+            band.append(*point);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(haze);
+        painter.drawPolygon(band);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(stretch.faint ? faint : colour, 1.8, seriesDash(int(curve.run)), Qt::RoundCap,
+                            Qt::RoundJoin));
+        painter.drawPolyline(placed(stretch.curve.line, plot));
+    }
+}
+
+void DistanceArea::paintStill(QPainter &painter) const
+{
+    const ChartPlot shown = plot();
+    drawChartAxes(painter, shown, tr("%1 m"), font(), palette());
+    painter.setClipRect(shown.rect);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    if (m_what == Compared::TimeDifference) { // neither is ahead on this line
+        painter.setPen(QPen(ThemeColours::of(palette()).muted, 1));
+        painter.drawLine(shown.at(shown.low, 0), shown.at(shown.high, 0));
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const DistanceCurve &curve : m_curves)
+        paintCurve(painter, shown, curve);
+}
+
+void DistanceArea::paintCursor(QPainter &painter) const
+{
+    constexpr double rounding = 1e-3;
+    double distance = m_scene->distanceAt(0, m_timeline.currentTime());
+    if (distance < m_low - rounding || distance > m_high + rounding)
+        return;
+    distance = std::clamp(distance, m_low, m_high);
+    const ChartPlot shown = plot();
+    drawChartCursor(painter, shown, distance, palette());
+    double top = shown.rect.top();
+    for (const DistanceCurve &curve : m_curves) {
+        const auto value = m_what == Compared::Speed ? speedAt(*m_scene, curve.run, distance)
+                                                     : differenceAt(*m_scene, curve.run, distance);
+        if (!value)
+            continue;
+        QString text = figureText(value->value, value->sigma, unitOf(m_what)).text();
+        if (m_what == Compared::Speed || m_curves.size() > 1)
+            text.prepend(QString::fromStdString(m_scene->name(curve.run)) + QStringLiteral(": "));
+        top = drawChartBubble(painter, shown, {distance, value->value}, top, text,
+                              seriesColour(int(curve.run), palette()), palette());
+    }
+}
+
+void DistanceArea::paintEvent(QPaintEvent *)
+{
+    if (m_still.isNull()) {
+        m_still = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
+        m_still.setDevicePixelRatio(devicePixelRatioF());
+        m_still.fill(ThemeColours::of(palette()).card);
+        QPainter painter(&m_still);
+        painter.setFont(font());
+        paintStill(painter);
+    }
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, m_still);
+    if (!m_scene)
+        return;
+    painter.setFont(font());
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintCursor(painter);
+    if (hasFocus()) {
+        painter.setRenderHint(QPainter::Antialiasing, false);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(ThemeColours::of(palette()).accent, 1));
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+void DistanceArea::resizeEvent(QResizeEvent *)
+{
+    setRanges();
+}
+
+void DistanceArea::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        m_still = {};
+    QWidget::changeEvent(event);
+}
+
+void DistanceArea::goTo(double x)
+{
+    if (!m_scene)
+        return;
+    const RunComparison &comparison = m_scene->compared.comparison;
+    const auto arrival = comparison.runs.front().arrivals.at(comparison.originM + plot().xAt(x));
+    if (!arrival)
+        return;
+    m_timeline.pause();
+    m_timeline.setCurrentTime(m_scene->commonTime(0, fromSeconds(arrival->timeS)));
+}
+
+void DistanceArea::mousePressEvent(QMouseEvent *event)
+{
+    if (event->button() == Qt::LeftButton)
+        goTo(event->position().x());
+}
+
+void DistanceArea::mouseMoveEvent(QMouseEvent *event)
+{
+    if (event->buttons() & Qt::LeftButton)
+        goTo(event->position().x());
+}
+
+DistanceChart::DistanceChart(Timeline &timeline, Compared what, QWidget *parent)
+    : Card(what == Compared::Speed ? tr("Speed along the way") : tr("Time difference along the way"), parent),
+      m_what(what), m_area(new DistanceArea(timeline, what)), m_key(new SeriesKey)
+{
+    setContent(m_area);
+    m_area->setAccessibleName(title());
+    if (what == Compared::Speed)
+        addToHeader(m_key);
+}
+
+void DistanceChart::setScene(ComparisonScenePtr scene)
+{
+    QStringList names;
+    for (std::size_t run = 0; scene && run < scene->runCount(); ++run)
+        names << QString::fromStdString(scene->name(run));
+    m_key->setNames(names);
+    QString remark;
+    if (scene && m_what == Compared::Speed)
+        remark = tr("m/s \u00b7 smoothed \u00b195 %");
+    else if (scene)
+        remark =
+            scene->runCount() == 2
+                ? tr("s \u00b7 above 0: %2 is later than %1 \u00b7 \u00b195 % \u00b7 grey: within the error")
+                      .arg(names[0], names[1])
+                : tr("s \u00b7 above 0: later than %1 \u00b7 \u00b195 % \u00b7 grey: within the error")
+                      .arg(names[0]);
+    setRemark(remark);
+    m_area->setScene(std::move(scene));
+    m_area->setAccessibleDescription(remark);
+}
+
+} // namespace odo

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/compare/comparison_curves.h"
+#include "ui/views/card.h"
+#include "ui/views/chart_painting.h"
+
+#include <QPixmap>
+
+namespace odo {
+
+class SeriesKey;
+class Timeline;
+
+/// What is shown against the distance.
+enum class Compared { Speed, TimeDifference };
+
+/// The plot of one quantity of all runs against the distance; inside DistanceChart. The cursor stands where
+/// the first run is at the shared time; a click, a drag or the arrow keys move it.
+class DistanceArea : public QWidget
+{
+    Q_OBJECT
+public:
+    DistanceArea(Timeline &timeline, Compared what, QWidget *parent = nullptr);
+
+    void setScene(ComparisonScenePtr scene);
+    QPointF positionOf(double distanceM, double value) const { return plot().at(distanceM, value); }
+
+    QSize sizeHint() const override { return {640, 180}; }
+    QSize minimumSizeHint() const override { return {220, 90}; }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+
+private:
+    ChartPlot plot() const;
+    void setRanges();
+    void paintStill(QPainter &painter) const;
+    void paintCurve(QPainter &painter, const ChartPlot &plot, const DistanceCurve &curve) const;
+    void paintCursor(QPainter &painter) const;
+    void goTo(double x);
+
+    Timeline &m_timeline;
+    Compared m_what;
+    ComparisonScenePtr m_scene;
+    std::vector<DistanceCurve> m_curves;
+    AxisTicks m_values;
+    double m_low = 0, m_high = 1;
+    QPixmap m_still; ///< null: to be painted
+};
+
+/// One quantity of all runs against the distance along the common path, with 95 % bands.
+class DistanceChart : public Card
+{
+    Q_OBJECT
+public:
+    DistanceChart(Timeline &timeline, Compared what, QWidget *parent = nullptr);
+    void setScene(ComparisonScenePtr scene);
+    DistanceArea &area() const { return *m_area; }
+
+private:
+    Compared m_what;
+    DistanceArea *m_area;
+    SeriesKey *m_key;
+};
+
+} // namespace odo

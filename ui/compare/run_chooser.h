@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/workflow/compare_trials.h"
+
+#include <QList>
+#include <QWidget>
+#include <optional>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QMenu;
+class QToolButton;
+
+namespace odo {
+
+/// A run that can be compared, and what it is called in lists.
+struct RunChoice
+{
+    CompareSettings::Run run;
+    QString words;
+};
+
+/// Which runs are compared and how they are aligned: two lists and a button that swaps them, further runs
+/// from a menu, the alignment, and by hand the seconds by which the second run's moment is moved.
+class RunChooser : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit RunChooser(QWidget *parent = nullptr);
+
+    void setChoices(QList<RunChoice> choices);
+    /// Emits nothing. Runs that are not among the choices are left out.
+    void setRuns(const std::vector<CompareSettings::Run> &runs);
+    std::vector<CompareSettings::Run> runs() const;
+    std::optional<AlignBy> alignBy() const;
+    double shiftS() const;
+    /// Back to what the runs themselves give. Emits nothing.
+    void alignAutomatically();
+    /// What the automatic choice came to.
+    void setAlignedBy(AlignBy by);
+
+Q_SIGNALS:
+    void runsChanged();
+    void alignmentChanged();
+
+private:
+    void swap();
+    void toggleFurther(int choice, bool isWanted);
+    void fillMenu();
+    void showShift();
+
+    QList<RunChoice> m_choices;
+    QList<int> m_further; ///< indices of the runs beside the two
+    QComboBox *m_first, *m_second, *m_align;
+    QToolButton *m_swap, *m_more;
+    QMenu *m_menu;
+    QLabel *m_shiftName;
+    QDoubleSpinBox *m_shift;
+};
+
+/// The alignment in words: "start gate".
+QString alignmentWords(AlignBy by);
+
+} // namespace odo

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/chart_painting.h"
+
+#include "ui/views/theme.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+
+namespace odo {
+
+QPointF ChartPlot::at(double x, double value) const
+{
+    return {rect.left() + (x - low) / (high - low) * rect.width(),
+            rect.bottom() - (value - values.first) / (values.last() - values.first) * rect.height()};
+}
+
+double ChartPlot::xAt(double screenX) const
+{
+    const double part = std::clamp((screenX - rect.left()) / std::max(1.0, rect.width()), 0.0, 1.0);
+    return low + part * (high - low);
+}
+
+void drawChartAxes(QPainter &painter, const ChartPlot &plot, const QString &belowPattern, const QFont &font,
+                   const QPalette &palette)
+{
+    const ThemeColours colours = ThemeColours::of(palette);
+    const QFontMetricsF metrics(font);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    for (const double value : plot.values.values()) {
+        const double y = plot.at(plot.low, value).y();
+        painter.setPen(QPen(colours.grid, 1));
+        painter.drawLine(QPointF(plot.rect.left(), y), QPointF(plot.rect.right(), y));
+        painter.setPen(colours.muted);
+        painter.drawText(QRectF(0, y - metrics.height() / 2, ChartPlot::leftMargin - 8, metrics.height()),
+                         Qt::AlignRight | Qt::AlignVCenter, plot.values.label(value));
+    }
+    const double labelWidth = metrics.horizontalAdvance(belowPattern.arg(QStringLiteral("0000")));
+    const AxisTicks below =
+        niceTicks(plot.low, plot.high, std::max(2, int(plot.rect.width() / (1.6 * labelWidth))));
+    for (const double x : below.values())
+        painter.drawText(
+            QRectF(plot.at(x, 0).x() - labelWidth, plot.rect.bottom() + 5, 2 * labelWidth, metrics.height()),
+            Qt::AlignHCenter, belowPattern.arg(below.label(x)));
+}
+
+void drawChartCursor(QPainter &painter, const ChartPlot &plot, double x, const QPalette &palette)
+{
+    const double screenX = plot.at(x, 0).x();
+    painter.setPen(QPen(ThemeColours::of(palette).text, 1.4, Qt::DotLine));
+    painter.drawLine(QPointF(screenX, plot.rect.top()), QPointF(screenX, plot.rect.bottom()));
+}
+
+double drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &value, double top,
+                       const QString &text, const QColor &colour, const QPalette &palette)
+{
+    const ThemeColours colours = ThemeColours::of(palette);
+    const QFontMetricsF metrics(painter.font());
+    const QPointF at = plot.at(value.x(), value.y());
+    const double height = metrics.height() + 6, width = metrics.horizontalAdvance(text) + 14;
+    const bool fits = at.x() + 6 + width <= plot.rect.right();
+    const QRectF bubble(fits ? at.x() + 6 : at.x() - 6 - width, top, width, height);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colours.bubble);
+    painter.drawRoundedRect(bubble, 3, 3);
+    painter.setPen(colours.bubbleText);
+    painter.drawText(bubble, Qt::AlignCenter, text);
+    painter.setPen(QPen(colours.card, 1.5));
+    painter.setBrush(colour);
+    painter.drawEllipse(at, 4, 4);
+    return top + height + 3;
+}
+
+} // namespace odo

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/views/axis_ticks.h"
+
+#include <QColor>
+#include <QPointF>
+#include <QRectF>
+#include <QString>
+
+class QFont;
+class QPainter;
+class QPalette;
+
+namespace odo {
+
+/// Where the values of a chart lie on the screen.
+struct ChartPlot
+{
+    /// All charts have the same margins, so that their times or distances stand below one another.
+    static constexpr double leftMargin = 52, rightMargin = 14, topMargin = 10, bottomMargin = 26;
+    static QRectF rectIn(const QRectF &widget)
+    {
+        return widget.adjusted(leftMargin, topMargin, -rightMargin, -bottomMargin);
+    }
+
+    QRectF rect;
+    double low = 0, high = 1; ///< of the axis below
+    AxisTicks values;         ///< of the axis at the left
+
+    QPointF at(double x, double value) const;
+    double xAt(double screenX) const; ///< kept within low and high
+};
+
+/// A line for each value with its number, and the numbers below: belowPattern is "%1 s" or "%1 m".
+void drawChartAxes(QPainter &painter, const ChartPlot &plot, const QString &belowPattern, const QFont &font,
+                   const QPalette &palette);
+
+/// The dotted line at the present place.
+void drawChartCursor(QPainter &painter, const ChartPlot &plot, double x, const QPalette &palette);
+
+/// A value beside the cursor, `top` from the upper end of the widget, and a dot on its curve. Gives where the
+/// next one goes.
+double drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &value, double top,
+                       const QString &text, const QColor &colour, const QPalette &palette);
+
+} // namespace odo
