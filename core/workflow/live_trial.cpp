@@ -148,6 +148,7 @@ Result<void> LiveTrial::prepare(Project &project)
 Result<void> LiveTrial::run(const JobControl &control)
 {
     control.report(0, "writing the last pictures");
+    const std::vector<ViewHealth> health = m_session.health().views;
     m_outcome = m_session.stopRecording();
     m_recording = false;
     std::vector<EndedView> ended;
@@ -155,6 +156,8 @@ Result<void> LiveTrial::run(const JobControl &control)
         View &view = m_views[i];
         const ViewRecording &outcome = m_outcome.views[i];
         warnOf(outcome, view.record.cameraName, comesByWire(m_session.description(i).kind));
+        if (health[i].slow)
+            m_warnings.push_back("view '" + view.record.cameraName + "': " + health[i].slow->error.message());
         const auto added = [](const auto &all, std::size_t stored) {
             using Times = std::decay_t<decltype(all)>;
             return Times(all.begin() + static_cast<std::ptrdiff_t>(std::min(stored, all.size())), all.end());

@@ -45,11 +45,19 @@ function(odograph_test name)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
+  if(ODOGRAPH_SANITIZE) # some ten times slower
+    math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 10")
+  endif()
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/tests ${CMAKE_CURRENT_SOURCE_DIR})
   add_executable(${name} ${name}.cpp ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES AUTOMOC ON)
   target_link_libraries(${name} PRIVATE odograph_options Qt6::Test ${ARG_LINKS})
   odograph_precompile(${name} ON)
+  string(REGEX MATCH "^[a-z0-9]+" part ${folder})
+  if(NOT TARGET ${part}_tests)
+    add_custom_target(${part}_tests) # all of a folder and those below it
+  endif()
+  add_dependencies(${part}_tests ${name})
   add_test(NAME ${folder}/${name} COMMAND ${name})
   set_tests_properties(${folder}/${name} PROPERTIES
     TIMEOUT ${ARG_TIMEOUT}

@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 namespace {
 
 std::atomic<Nanoseconds::rep> slept = 0;
-constexpr Nanoseconds told = 1s;
+constexpr Nanoseconds told = 1s * slowness;
 
 void sleepFor(Nanoseconds howLong)
 {
@@ -78,9 +78,9 @@ private Q_SLOTS:
     /// up.
     void aGigeCameraGoesOnAfterAShortSleep()
     {
-        SimulatedGigeCamera a({.address = "127.31.4.2", .serial = "A", .clockPpm = 50}, codedPainter()),
-            b({.address = "127.31.4.3", .serial = "B", .clockPpm = -50}, codedPainter());
-        begin(opened("aravis:127.31.4.2"), opened("aravis:127.31.4.3"));
+        SimulatedGigeCamera a({.address = "127.31.6.2", .serial = "A", .clockPpm = 50}, codedPainter()),
+            b({.address = "127.31.6.3", .serial = "B", .clockPpm = -50}, codedPainter());
+        begin(opened("aravis:127.31.6.2"), opened("aravis:127.31.6.3"));
         QTRY_VERIFY(delivered(0) > 30 && delivered(1) > 30);
         sleepFor(1500ms);
         isTold("it slept for 2 s");
@@ -89,21 +89,21 @@ private Q_SLOTS:
         const RecordingOutcome outcome = m_session->stopRecording();
         // By how long a busy machine may hold up the pictures beside the sleep.
         for (const ViewRecording &recording : outcome.views)
-            hasOneGap(recording, 1500ms, 500ms);
+            hasOneGap(recording, 1500ms, 500ms * slowness);
         QCOMPARE(view(0).source.reconnections + view(1).source.reconnections, 0u);
     }
 
     /// It has heard nothing for longer than it keeps a connection, and is taken up anew.
     void aGigeCameraIsTakenUpAfterALongSleep()
     {
-        SimulatedGigeCamera camera({.address = "127.31.4.4", .clockPpm = 50}, codedPainter());
-        const auto source = opened("aravis:127.31.4.4");
+        SimulatedGigeCamera camera({.address = "127.31.6.4", .clockPpm = 50}, codedPainter());
+        const auto source = opened("aravis:127.31.6.4");
         QVERIFY(source);
         FrameTaker taker(*source);
         QTRY_VERIFY(taker.count() > 30);
         sleepFor(1h);
         const Nanoseconds woken = steadyNow();
-        QTRY_VERIFY_WITH_TIMEOUT(taker.countSince(woken) > 30, 15000);
+        QTRY_VERIFY_WITH_TIMEOUT(taker.countSince(woken) > 30, 15000 * slowness);
         QVERIFY(source->counts().reconnections == 1);
         const auto frames = taker.frames();
         const auto &first = frames.front(), &last = frames.back();
@@ -111,7 +111,7 @@ private Q_SLOTS:
         const double errorMs =
             1e3 * toSeconds((last.time - first.time) - (last.code.begin - first.code.begin));
         // 50 ppm of an hour: the camera's clock is right by its own measure.
-        QVERIFY2(std::abs(errorMs) < 200, qPrintable(QString::number(errorMs)));
+        QVERIFY2(std::abs(errorMs) < 200 * slowness, qPrintable(QString::number(errorMs)));
         for (std::size_t i = 1; i < frames.size(); ++i)
             QVERIFY(frames[i].time > frames[i - 1].time && frames[i].sequence > frames[i - 1].sequence);
     }
@@ -126,7 +126,7 @@ private Q_SLOTS:
         isTold("it slept for 90 s");
         goesOn(0);
         const RecordingOutcome outcome = m_session->stopRecording();
-        hasOneGap(outcome.views[0], 90s, 500ms);
+        hasOneGap(outcome.views[0], 90s, 500ms * slowness);
         QVERIFY(outcome.views[0].clockSigmaS < 0.001); // its stamps are still believed
         QCOMPARE(view(0).source.reconnections, 0u);
     }
@@ -153,26 +153,26 @@ private:
     void isTold(const std::string &words) const
     {
         const Nanoseconds woken = steadyNow();
-        QTRY_VERIFY(m_session->health().sleep);
-        const Trouble sleep = *m_session->health().sleep;
-        QVERIFY(sleep.since - woken < told);
-        QVERIFY2(sleep.error.message().find(words) != std::string::npos, sleep.error.message().c_str());
+        std::optional<Trouble> sleep;
+        QTRY_VERIFY((sleep = m_session->health().sleep));
+        QVERIFY(sleep->since - woken < told);
+        QVERIFY2(sleep->error.message().find(words) != std::string::npos, sleep->error.message().c_str());
     }
     void goesOn(std::size_t number) const
     {
         const std::uint64_t before = delivered(number);
         QTRY_VERIFY(delivered(number) > before + 30);
-        QCOMPARE(view(number).state, ViewHealth::State::Delivering);
-        QVERIFY(!view(number).trouble);
+        QTRY_VERIFY(view(number).state == ViewHealth::State::Delivering && !view(number).trouble);
     }
     /// That is as long as the sleep, by when the pictures are said to have been taken, and in the file. One
     /// may have been under way when the machine fell asleep, and come thereafter.
     static void hasOneGap(const ViewRecording &recording, Nanoseconds length, Nanoseconds tolerance)
     {
         QVERIFY(!recording.problem);
-        QCOMPARE(recording.gaps.size(), std::size_t(1));
-        const RecordingGap &gap = recording.gaps.front();
-        QVERIFY2(gap.why.message().starts_with("this computer: it slept for "), gap.why.message().c_str());
+        const auto isOfTheSleep = [](const RecordingGap &gap) { return gap.why.what == "this computer"; };
+        // A machine that stalls may make others.
+        QCOMPARE(std::ranges::count_if(recording.gaps, isOfTheSleep), 1);
+        const RecordingGap &gap = *std::ranges::find_if(recording.gaps, isOfTheSleep);
         const auto reader = VideoReader::open(recording.file);
         QVERIFY(reader);
         const std::vector<Nanoseconds> &inFile = (*reader)->info().frameTimes;

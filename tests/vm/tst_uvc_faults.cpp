@@ -168,8 +168,9 @@ private:
     void isToldSoon(std::size_t view, const char *words)
     {
         const Nanoseconds from = steadyNow();
-        QTRY_VERIFY(m_session->health().views.at(view).trouble);
-        const Nanoseconds after = m_session->health().views[view].trouble->since - from;
+        std::optional<Trouble> trouble;
+        QTRY_VERIFY((trouble = m_session->health().views.at(view).trouble));
+        const Nanoseconds after = trouble->since - from;
         qInfo("told after %.2f s", toSeconds(after));
         QVERIFY2(after < told, QByteArray::number(toSeconds(after)));
         QVERIFY(isWaiting(*m_session, view));

@@ -77,6 +77,7 @@ class TestLiveTrial : public QObject
     Q_OBJECT
 private Q_SLOTS:
     void standsInTheProjectFromItsBeginning();
+    void aCameraThatTookTooFewPicturesIsTold();
     void oneThatIsGivenUpLeavesNothingBehind();
     void aViewWithoutPicturesIsLeftOut();
     void withoutAnyPictureItFails();
@@ -112,6 +113,20 @@ void TestLiveTrial::standsInTheProjectFromItsBeginning()
     QVERIFY(sitting.project->check(true)->empty());
     QCOMPARE((*live)->commit(*sitting.project).error().why, std::string("its recording has ended already"));
     QVERIFY(!sitting.project->trials().removeUnfinished(trial.id));
+}
+
+void TestLiveTrial::aCameraThatTookTooFewPicturesIsTold()
+{
+    Sitting sitting;
+    const auto live = sitting.begin();
+    QVERIFY(live);
+    sitting.b->pace(100ms);
+    sitting.record(**live, 1);
+    QVERIFY(runToEnd(**live, *sitting.project, {}));
+    QCOMPARE((*live)->warnings(),
+             std::vector<std::string>{
+                 "view 'B': camera play:: it takes only 10 pictures a second of the 30 it was asked "
+                 "for; give it more light or a shorter exposure, or ask for a lower rate"});
 }
 
 void TestLiveTrial::oneThatIsGivenUpLeavesNothingBehind()

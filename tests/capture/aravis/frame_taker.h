@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/capture/camera_source.h"
+#include "tests/support/patience.h"
 #include "tests/support/gige/raw_painters.h"
 
 #include <QTest>

@@ -15,8 +15,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-// This machine stalls for some tenths of a second now and then; all bounds leave room for that.
-constexpr Nanoseconds told = 1500ms;
+// Half a second, and this machine stalls for some tenths of one now and then.
+constexpr Nanoseconds told = 1s * slowness, toldOfRate = 1500ms * slowness;
 
 /// A program that has crashed: it took a camera and does nothing more.
 class CrashedProgram
@@ -80,13 +80,14 @@ void TestAravisFaults::anUnpluggedCameraIsToldAndComesBackAsItWas()
     camera.reset();
     QTRY_VERIFY(taker.said("it does not answer; check its power and cable"));
     const Nanoseconds silent = *taker.said("it does not answer") - pulled;
+    qInfo("unplugged: told after %.2f s", toSeconds(silent));
     QVERIFY2(silent < told, qPrintable(QString::number(toSeconds(silent))));
     QTRY_VERIFY(steadyNow() - pulled > 1500ms);
 
     const Nanoseconds plugged = steadyNow();
     settings.clockOffsetS = 3; // it has lost its power
     camera = std::make_unique<SimulatedGigeCamera>(settings, codedPainter());
-    QTRY_VERIFY_WITH_TIMEOUT(taker.countSince(plugged) > 30, 15000);
+    QTRY_VERIFY_WITH_TIMEOUT(taker.countSince(plugged) > 30, 15000 * slowness);
     QVERIFY(source->counts().reconnections == 1);
     QCOMPARE(camera->readFloat(reg::Gain), 7.f);
     QCOMPARE(camera->readFloat(reg::ExposureTime), 4000.f);
@@ -96,19 +97,20 @@ void TestAravisFaults::anUnpluggedCameraIsToldAndComesBackAsItWas()
     const auto frames = taker.frames();
     const auto &first = frames.front(), &last = frames.back();
     const double errorMs = 1e3 * toSeconds((last.time - first.time) - (last.code.begin - first.code.begin));
-    QVERIFY2(std::abs(errorMs) < 2, qPrintable(QString::number(errorMs)));
+    QVERIFY2(std::abs(errorMs) < 2 * slowness, qPrintable(QString::number(errorMs)));
     for (std::size_t i = 1; i < frames.size(); ++i)
         QVERIFY(frames[i].time > frames[i - 1].time && frames[i].sequence > frames[i - 1].sequence);
-    // What it would have taken meanwhile is a gap.
+    // What it would have taken meanwhile is a gap. A played camera that falls behind by a second leaves
+    // pictures out.
     const double expected = toSeconds(last.code.begin - first.code.begin) * 25;
-    QVERIFY2(std::abs(static_cast<double>(last.sequence - first.sequence) - expected) < 6,
+    QVERIFY2(slowness > 1 || std::abs(static_cast<double>(last.sequence - first.sequence) - expected) < 6,
              qPrintable(QString::number(expected)));
 
     // The other one has noticed nothing.
     const auto others = otherTaker.frames();
     const auto span = static_cast<double>(others.back().sequence - others.front().sequence + 1);
-    QVERIFY2(static_cast<double>(others.size()) > 0.95 * span, qPrintable(QString::number(span)));
-    QVERIFY(span > 0.9 * 30 * toSeconds(others.back().code.begin - others.front().code.begin));
+    QVERIFY2(static_cast<double>(others.size()) > 0.95 / slowness * span, qPrintable(QString::number(span)));
+    QVERIFY(span > 0.9 / slowness * 30 * toSeconds(others.back().code.begin - others.front().code.begin));
     QCOMPARE(otherSource->counts().reconnections, 0u);
 }
 
@@ -122,10 +124,12 @@ void TestAravisFaults::aFrozenCameraIsToldAndGoesOn()
     const Nanoseconds frozen = steadyNow();
     camera.muteStream = true;
     QTRY_VERIFY(taker.said("it answers, but sends no pictures; check its trigger"));
-    QVERIFY(*taker.said("it answers, but sends no pictures") - frozen < told);
+    const Nanoseconds silent = *taker.said("it answers, but sends no pictures") - frozen;
+    qInfo("frozen: told after %.2f s", toSeconds(silent));
+    QVERIFY(silent < told);
     const Nanoseconds thawed = steadyNow();
     camera.muteStream = false;
-    QTRY_VERIFY_WITH_TIMEOUT(taker.countSince(thawed) > 10, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(taker.countSince(thawed) > 10, 10000 * slowness);
 }
 
 /// Its control channel is silent: as long as pictures come, they are taken.
@@ -138,7 +142,7 @@ void TestAravisFaults::aCameraThatOnlyDoesNotAnswerIsLeftToStream()
     QTRY_VERIFY(taker.count() > 10);
     camera.muteControl = true;
     const Nanoseconds silent = steadyNow();
-    QTRY_VERIFY(taker.countSince(silent) > 45);
+    QTRY_VERIFY(taker.countSince(silent) > 45 / slowness);
     QCOMPARE(taker.failures().size(), std::size_t(0));
     camera.muteControl = false;
     QCOMPARE(source->counts().reconnections, 0u);
@@ -156,7 +160,7 @@ void TestAravisFaults::whatComesWhileItIsNotTakenIsLostByUs()
     QCOMPARE(source->set("Gain", 3).error().code, ErrorCode::Unavailable);
     camera.muteControl = false;
     const Nanoseconds thawed = steadyNow();
-    QTRY_VERIFY_WITH_TIMEOUT(taker.countSince(thawed) > 10, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(taker.countSince(thawed) > 10, 10000 * slowness);
     std::uint64_t gaps = 0, lostHere = 0;
     const auto frames = taker.frames();
     for (std::size_t i = 1; i < frames.size(); ++i) {
@@ -182,13 +186,14 @@ void TestAravisFaults::anExchangedCameraIsRefused()
     camera.reset();
     const Nanoseconds exchanged = steadyNow();
     camera = std::make_unique<SimulatedGigeCamera>(others, codedPainter());
-    QTRY_VERIFY_WITH_TIMEOUT(taker.said("another camera (WRONG) is in the place of camera RIGHT; "), 15000);
+    QTRY_VERIFY_WITH_TIMEOUT(taker.said("another camera (WRONG) is in the place of camera RIGHT; "),
+                             15000 * slowness);
     QCOMPARE(taker.countSince(exchanged), std::size_t(0)); // none of the wrong one
     QVERIFY(!camera->isControlled());
     camera.reset();
     camera = std::make_unique<SimulatedGigeCamera>(settings, codedPainter());
     const Nanoseconds back = steadyNow();
-    QTRY_VERIFY_WITH_TIMEOUT(taker.countSince(back) > 5, 15000);
+    QTRY_VERIFY_WITH_TIMEOUT(taker.countSince(back) > 5, 15000 * slowness);
 }
 
 void TestAravisFaults::aSlowCameraIsNotGivenUp()
@@ -197,7 +202,7 @@ void TestAravisFaults::aSlowCameraIsNotGivenUp()
     const auto source = opened("aravis:127.31.2.7");
     QVERIFY(source);
     FrameTaker taker(*source);
-    QTRY_VERIFY_WITH_TIMEOUT(taker.count() >= 3, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(taker.count() >= 3, 10000 * slowness);
     QVERIFY(taker.said("no picture came for half a second"));
     QVERIFY(!taker.said("does not answer") && !taker.said("sends no pictures"));
     QCOMPARE(source->counts().reconnections, 0u);
@@ -222,14 +227,19 @@ void TestAravisFaults::fewerPicturesThanAskedForAreTold()
     QVERIFY(camera.set("ExposureTime", 83333)); // 12 a second
     const Nanoseconds slowed = steadyNow();
     QTRY_VERIFY(views()[0].slow);
-    const Nanoseconds after = views()[0].slow->since - slowed;
-    QVERIFY2(after < told, qPrintable(QString::number(toSeconds(after))));
-    QTRY_VERIFY(
-        views()[0].slow->error.message().ends_with("it takes only 12 pictures a second of the 30 it was "
-                                                   "asked for; give it more light or a shorter exposure, or "
-                                                   "ask for a lower rate"));
-    QVERIFY(!views()[0].trouble && !views()[1].trouble && !views()[1].slow);
-    QCOMPARE(views()[0].state, ViewHealth::State::Delivering);
+    const Nanoseconds after = steadyNow() - slowed;
+    qInfo("fewer pictures: told after %.2f s", toSeconds(after));
+    QVERIFY2(after < toldOfRate, qPrintable(QString::number(toSeconds(after))));
+    const auto slowWords = [&] {
+        const auto slow = views()[0].slow;
+        return slow ? slow->error.message() : std::string();
+    };
+    QTRY_VERIFY(slowWords().ends_with(
+        "it takes only 12 pictures a second of the 30 it was asked for; give it more light "
+        "or a shorter exposure, or ask for a lower rate"));
+    QTRY_VERIFY(!views()[0].trouble && !views()[1].trouble);
+    QVERIFY(slowness > 1 || !views()[1].slow);
+    QTRY_VERIFY(views()[0].state == ViewHealth::State::Delivering);
     QVERIFY(camera.set("ExposureTime", 5000));
     QTRY_VERIFY(!views()[0].slow);
 }
@@ -304,10 +314,10 @@ void TestAravisFaults::closingACameraThatIsGoneTakesNoTime()
     Nanoseconds begin = steadyNow();
     QCOMPARE(source->set("Gain", 1).error().code, ErrorCode::Unavailable);
     QVERIFY(!source->controls());
-    QVERIFY(toSeconds(steadyNow() - begin) < 6);
+    QVERIFY(toSeconds(steadyNow() - begin) < 6 * slowness);
     begin = steadyNow();
     source.reset();
-    QVERIFY(toSeconds(steadyNow() - begin) < 1.5);
+    QVERIFY(toSeconds(steadyNow() - begin) < 1.5 * slowness);
 }
 
 void TestAravisFaults::openedAgainAndAgainNothingIsLeftBehind()
@@ -315,7 +325,7 @@ void TestAravisFaults::openedAgainAndAgainNothingIsLeftBehind()
     SimulatedGigeCamera camera({.address = "127.31.2.12", .framesPerSecond = 100}, codedPainter());
     const auto once = [&] {
         auto source = opened("aravis:127.31.2.12");
-        return source && source->next().has_value();
+        return source && QTest::qWaitFor([&] { return source->next().has_value(); }, 5000 * slowness);
     };
     QVERIFY(once());
     const auto files = openFiles();
