@@ -4,6 +4,7 @@
 #include "core/base/steady_now.h"
 #include "core/capture/capture_session.h"
 #include "core/capture/v4l2/v4l2_device.h"
+#include "machine_stalls.h"
 #include "vivid_cameras.h"
 
 #include <QTest>
@@ -227,11 +228,13 @@ private Q_SLOTS:
         const auto views = [&] { return session.health().views; };
         QTRY_VERIFY(views()[0].delivered > 100 && views()[1].delivered > 100);
         setRate(10);
+        const MachineStalls stalls;
         const Nanoseconds slowed = steadyNow();
         QTRY_VERIFY(views()[0].slow);
-        const Nanoseconds after = steadyNow() - slowed;
-        qInfo("told after %.2f s", toSeconds(after));
-        QVERIFY2(after < std::chrono::seconds(2), QByteArray::number(toSeconds(after)));
+        const Nanoseconds after = steadyNow() - slowed, stalled = stalls.total();
+        qInfo("told after %.2f s, of which the machine stood still for %.2f", toSeconds(after),
+              toSeconds(stalled));
+        QVERIFY2(after - stalled < std::chrono::seconds(2), QByteArray::number(toSeconds(after)));
         const auto words = [&] {
             const auto slow = views()[0].slow;
             return slow ? slow->error.message() : std::string();
@@ -277,13 +280,15 @@ private Q_SLOTS:
         const auto state = [&] { return session.health().views.at(0).state; };
         QTRY_COMPARE(state(), ViewHealth::State::Delivering);
         QVERIFY(shell("echo vivid.0 >/sys/bus/platform/drivers/vivid/unbind"));
+        const MachineStalls stalls;
         const Nanoseconds gone = steadyNow();
         std::optional<Trouble> trouble;
         QTRY_VERIFY((trouble = session.health().views[0].trouble));
         QCOMPARE(state(), ViewHealth::State::Waiting);
-        const Nanoseconds after = trouble->since - gone;
-        qInfo("told after %.2f s", toSeconds(after));
-        QVERIFY2(after < std::chrono::seconds(1), QByteArray::number(toSeconds(after)));
+        const Nanoseconds after = trouble->since - gone, stalled = stalls.total();
+        qInfo("told after %.2f s, of which the machine stood still for %.2f", toSeconds(after),
+              toSeconds(stalled));
+        QVERIFY2(after - stalled < std::chrono::seconds(1), QByteArray::number(toSeconds(after)));
         QVERIFY2(session.health().views[0].trouble->error.message().ends_with(
                      "it was unplugged; plug it in again"),
                  session.health().views[0].trouble->error.message().c_str());
