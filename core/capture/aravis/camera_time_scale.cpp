@@ -24,9 +24,12 @@ bool CameraTimeScale::follows(const Picture &picture) const
     if (step <= 0ns)
         return false;
     const Nanoseconds drift = fromSeconds(fastestClock * toSeconds(step)), early = step - passed;
-    const bool mayBeLate = !m_interrupted && !picture.isRead;
     const Nanoseconds tolerance = m_interrupted ? earliestAfterInterruption : earliest;
-    return early <= tolerance + drift && (mayBeLate || -early <= tolerance + drift);
+    // A clock that began anew shows some late picture's time by chance only.
+    const Nanoseconds latest = picture.isRead  ? tolerance
+                               : m_interrupted ? usuallyLatest
+                                               : Nanoseconds::max() / 2;
+    return early <= tolerance + drift && -early <= latest + drift;
 }
 
 /// nullopt where the reading may be of before the clock was set anew, or the picture. Where nothing seems to

@@ -95,6 +95,9 @@ private Q_SLOTS:
         scale.place(1000s, 50s, {});
         scale.interrupt();
         QCOMPARE(scale.place(1007s + 1ms, 57s + 9ms, {}), Nanoseconds(7s + 1ms));
+        scale.interrupt(); // and the first picture comes late
+        QCOMPARE(scale.place(1009s, 59s + 800ms, {}), Nanoseconds(9s));
+        QCOMPARE(scale.place(1009s + 33ms, 59s + 801ms, {}), Nanoseconds(9s + 33ms));
     }
 
     /// A clock that is set while pictures come; the last reading is then of the clock before.
