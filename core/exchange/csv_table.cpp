@@ -108,20 +108,25 @@ std::string joined(const std::vector<std::string> &columns)
 
 } // namespace
 
-Result<std::vector<CsvRow>> readCsvTable(const std::filesystem::path &file,
-                                         const std::vector<std::string> &columns)
+Result<std::vector<CsvRow>> readCsvRows(const std::filesystem::path &file)
 {
     const auto text = readTextFile(file, maxBytes);
     if (!text)
         return tl::unexpected(text.error());
-    auto rows = CsvParser(file, *text).parse();
+    return CsvParser(file, *text).parse();
+}
+
+Result<std::vector<CsvRow>> readCsvTable(const std::filesystem::path &file,
+                                         const std::vector<std::string> &columns)
+{
+    auto rows = readCsvRows(file);
     if (!rows)
         return rows;
     const std::string advice = "begin the file with the line " + joined(columns);
     if (rows->empty())
         return fail(ErrorCode::InvalidInput, atLine(file, 1), "the file is empty", advice);
     if (rows->front().cells != columns) {
-        const bool semicolons = rows->front().cells.size() == 1 && text->find(';') < text->find('\n');
+        const bool semicolons = rows->front().cells.size() == 1 && rows->front().cells.front().find(';') != std::string::npos;
         return fail(ErrorCode::InvalidInput, atLine(file, rows->front().line),
                     semicolons ? "its columns are separated by semicolons"
                                : "it lacks the expected header line",

@@ -16,6 +16,10 @@ struct CsvRow
     std::vector<std::string> cells;
 };
 
+/// Reads the rows of a CSV file as they are (RFC 4180: commas, quoted cells, LF or CRLF; a byte order mark is allowed), with the
+/// header. Blank lines are skipped. At most 1 MiB.
+Result<std::vector<CsvRow>> readCsvRows(const std::filesystem::path &file);
+
 /// Reads a CSV file (RFC 4180: commas, quoted cells, LF or CRLF; a byte order mark is allowed) whose header
 /// line holds exactly these columns, in this order. Blank lines are skipped. At most 1 MiB, each row as wide
 /// as the header. Errors name file and line.

@@ -285,6 +285,39 @@ Result<std::map<RecordId, std::vector<std::string>>> AnalysisRepository::trialsB
     return trials;
 }
 
+Result<std::vector<TrialFigure>> AnalysisRepository::figures(const std::string &metric, Instant from, Instant to) const
+{
+    std::vector<TrialFigure> figures;
+    Statement select(m_connection,
+                     QStringLiteral("SELECT trial.id, robot_id, unit, value, sigma FROM trial "
+                                    "JOIN analysis ON analysis.trial_id=trial.id JOIN metric ON analysis_id=analysis.id "
+                                    "WHERE date_ms>=? AND date_ms<=? AND metric.name=? AND analysis.id="
+                                    "(SELECT MAX(newer.id) FROM analysis AS newer WHERE newer.trial_id=trial.id "
+                                    "AND newer.robot_id=analysis.robot_id) ORDER BY date_ms, trial.id, robot_id"));
+    select.bind(static_cast<std::int64_t>(from.time_since_epoch().count()));
+    select.bind(static_cast<std::int64_t>(to.time_since_epoch().count()));
+    auto read = select.bind(metric).eachRow([&](const Statement &row) -> Result<void> {
+        figures.push_back({row.integer(0), row.integer(1), {metric, row.text(2), row.real(3), row.optionalReal(4)}});
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return figures;
+}
+
+Result<std::vector<std::string>> AnalysisRepository::metricNames() const
+{
+    std::vector<std::string> names;
+    Statement select(m_connection, QStringLiteral("SELECT DISTINCT name FROM metric ORDER BY name"));
+    auto read = select.eachRow([&names](const Statement &row) -> Result<void> {
+        names.push_back(row.text(0));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return names;
+}
+
 Result<std::vector<AnalysisRecord>> AnalysisRepository::currentMetrics(RecordId trial) const
 {
     std::vector<AnalysisRecord> analyses;

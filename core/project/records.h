@@ -117,6 +117,7 @@ struct TrialRecord
     std::string name;
     RecordId team = 0; ///< 0: none
     std::string teamName, className; ///< read only, joined
+    std::string teamPseudonym;       ///< read only, joined; may be empty
     std::string task; ///< its name; empty: none
     Instant date;
     std::string notes;
@@ -136,6 +137,14 @@ struct TrialRecord
     std::optional<Instant> archived; ///< since when it is out of the way; it counts as before
     std::optional<Instant> binned;   ///< since when it lies in the bin: it counts nowhere, and can be taken out again
     bool unfinished = false;      ///< read only: it is being recorded, or was when that was cut off; its recordings have raw times only
+};
+
+/// What a list to choose from needs of a trial.
+struct TrialName
+{
+    RecordId id = 0;
+    std::string name, teamName;
+    bool unfinished = false, binned = false;
 };
 
 /// A video of one view of a trial. Frame times are kept here, whatever becomes of the file.
@@ -187,6 +196,13 @@ struct AnalysisRecord
     std::vector<RecordId> registrations; ///< one a view, in the views' order; 0 where unregistered
     std::vector<std::string> views;      ///< names of the views, bit i of Sample::views
     Profile profile;
+};
+
+/// One figure of a trial's newest analysis.
+struct TrialFigure
+{
+    RecordId trial = 0, robot = 0;
+    Metric metric;
 };
 
 /// That something was changed by a person, or that the change was taken back.

@@ -84,6 +84,10 @@ public:
     Result<TeamRecord> add(const TeamRecord &team);
     Result<std::vector<TeamRecord>> all() const;
     Result<TeamRecord> find(const std::string &name) const;
+    /// Gives the team of that id another name, class (empty: none) or pseudonym. AlreadyExists for a name that another team has.
+    Result<void> set(const TeamRecord &team);
+    /// Every class, in alphabetical order.
+    Result<std::vector<std::string>> classes() const;
 
 private:
     ProjectConnection &m_connection;
@@ -127,6 +131,10 @@ public:
     /// Removes an unfinished trial: of one that was given up, or that no picture was recorded of.
     Result<void> removeUnfinished(RecordId trial);
     Result<std::vector<TrialRecord>> all() const; ///< newest first
+    /// The next of them, after the last one of the page before (nullptr: the first page): count, and those of the same moment as
+    /// the last. Empty at the end. For lists of thousands, which are read piece by piece.
+    Result<std::vector<TrialRecord>> page(const TrialRecord *after, int count) const;
+    Result<std::vector<TrialName>> names() const; ///< of all trials, newest first; cheap
     Result<TrialRecord> find(const std::string &name) const;
     Result<TrialRecord> get(RecordId id) const;
     Result<void> setNotes(RecordId trial, const std::string &notes);
@@ -144,6 +152,8 @@ public:
     /// Removes a trial that lies in the bin for good, with its recordings' rows, observations and analyses; gives the paths of its
     /// recordings' files, which are for the caller to delete. It cannot be undone. InvalidInput outside of the bin.
     Result<std::vector<std::string>> removeForGood(RecordId trial);
+    /// Whether any trial has a recording in a file, by its path as recordings have it.
+    Result<bool> isFileUsed(const std::string &path) const;
     Result<std::vector<RecordingRecord>> recordings(RecordId trial) const; ///< in the order of the views
     /// Replaces the offset of a view against the first one.
     Result<void> setSync(const TrialRecord &trial);
@@ -170,6 +180,10 @@ public:
     Result<std::vector<AnalysisRecord>> current(RecordId trial) const;
     /// Metrics alone, for lists: the newest of each robot, cheap.
     Result<std::vector<AnalysisRecord>> currentMetrics(RecordId trial) const;
+    /// One metric of the newest analysis of each robot, of the trials from one moment to another (both belong to them), by its name.
+    Result<std::vector<TrialFigure>> figures(const std::string &metric, Instant from, Instant to) const;
+    /// The names of the metrics that there are, in alphabetical order.
+    Result<std::vector<std::string>> metricNames() const;
     /// Names of the trials whose newest analyses were made with a registration, by its id.
     Result<std::map<RecordId, std::vector<std::string>>> trialsByRegistration() const;
 

@@ -16,6 +16,13 @@ TeamRecord teamOf(const Statement &row)
     return {row.integer(0), row.text(1), row.text(2), row.text(3)};
 }
 
+Result<void> checkTeam(const TeamRecord &team)
+{
+    if (auto valid = checkName("team", team.name); !valid)
+        return valid;
+    return team.pseudonym.empty() ? Result<void>() : checkName("pseudonym", team.pseudonym);
+}
+
 } // namespace
 
 TeamRepository::TeamRepository(ProjectConnection &connection) : m_connection(connection) {}
@@ -23,7 +30,7 @@ TeamRepository::TeamRepository(ProjectConnection &connection) : m_connection(con
 Result<TeamRecord> TeamRepository::add(const TeamRecord &team)
 {
     return transact(m_connection, [&]() -> Result<TeamRecord> {
-        if (auto valid = checkName("team", team.name); !valid)
+        if (auto valid = checkTeam(team); !valid)
             return tl::unexpected(valid.error());
         if (auto isFree = checkNameIsFree(m_connection, "team", "team", team.name); !isFree)
             return tl::unexpected(isFree.error());
@@ -61,6 +68,39 @@ Result<TeamRecord> TeamRepository::find(const std::string &name) const
     if (!*found)
         return noSuchName(m_connection, "team", "team", name);
     return teamOf(select);
+}
+
+Result<void> TeamRepository::set(const TeamRecord &team)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        if (auto valid = checkTeam(team); !valid)
+            return valid;
+        Statement known(m_connection, QStringLiteral("SELECT name FROM team WHERE id=?"));
+        const auto found = known.bind(team.id).firstRow();
+        if (!found || !*found)
+            return found ? noSuchId(m_connection, "team", team.id) : tl::unexpected(found.error());
+        if (known.text(0) != team.name)
+            if (auto isFree = checkNameIsFree(m_connection, "team", "team", team.name); !isFree)
+                return isFree;
+        const auto classId = idOfName(m_connection, "class", team.className);
+        if (!classId)
+            return tl::unexpected(classId.error());
+        Statement update(m_connection, QStringLiteral("UPDATE team SET name=?, class_id=?, pseudonym=? WHERE id=?"));
+        return update.bind(team.name).bindReference(*classId).bind(team.pseudonym).bind(team.id).run();
+    });
+}
+
+Result<std::vector<std::string>> TeamRepository::classes() const
+{
+    std::vector<std::string> classes;
+    Statement select(m_connection, QStringLiteral("SELECT name FROM class ORDER BY name"));
+    auto read = select.eachRow([&classes](const Statement &row) -> Result<void> {
+        classes.push_back(row.text(0));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return classes;
 }
 
 } // namespace odo

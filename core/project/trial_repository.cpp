@@ -5,6 +5,8 @@
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 
+#include <unordered_map>
+
 namespace odo {
 
 namespace {
@@ -14,7 +16,7 @@ const QString trialColumns = QStringLiteral(
     "sync_method, "
     "sync_offset_s, sync_offset_sigma_s, sync_score, duration_s, sync_rate, sync_rate_sigma, "
     "(SELECT COUNT(*) FROM recording WHERE recording.trial_id=trial.id), trial.state, starred, "
-    "trial.archived_ms, binned_ms "
+    "trial.archived_ms, binned_ms, team.pseudonym "
     "FROM trial LEFT JOIN team ON team.id=trial.team_id LEFT JOIN class ON class.id=team.class_id "
     "LEFT JOIN task ON task.id=trial.task_id ");
 
@@ -25,18 +27,7 @@ std::optional<Instant> instantOf(const Statement &row, int column)
     return Instant(std::chrono::milliseconds(row.integer(column)));
 }
 
-/// Calls take with each row's id and text.
-template <class Take>
-Result<void> readList(const ProjectConnection &connection, const char *sql, RecordId trial, const Take &take)
-{
-    Statement select(connection, QString::fromLatin1(sql));
-    return select.bind(trial).eachRow([&take](const Statement &row) -> Result<void> {
-        take(row.integer(0), row.text(1));
-        return {};
-    });
-}
-
-Result<TrialRecord> readTrial(const ProjectConnection &connection, const Statement &row)
+TrialRecord trialOf(const Statement &row)
 {
     TrialRecord trial;
     trial.id = row.integer(0);
@@ -59,20 +50,63 @@ Result<TrialRecord> readTrial(const ProjectConnection &connection, const Stateme
     trial.starred = row.integer(17) != 0;
     trial.archived = instantOf(row, 18);
     trial.binned = instantOf(row, 19);
-    auto robots = readList(connection,
-                           "SELECT robot.id, robot.name FROM trial_robot JOIN robot ON robot.id=trial_robot.robot_id "
-                           "WHERE trial_id=? ORDER BY trial_robot.position",
-                           trial.id, [&trial](RecordId id, std::string name) {
-                               trial.robots.push_back(id);
-                               trial.robotNames.push_back(std::move(name));
-                           });
-    if (!robots)
-        return tl::unexpected(robots.error());
-    auto tags = readList(connection, "SELECT 0, tag FROM trial_tag WHERE trial_id=? ORDER BY tag", trial.id,
-                         [&trial](RecordId, std::string tag) { trial.tags.push_back(std::move(tag)); });
-    if (!tags)
-        return tl::unexpected(tags.error());
+    trial.teamPseudonym = row.text(20);
     return trial;
+}
+
+/// Which trials are meant: a condition on their rows, with its parameters.
+struct Choice
+{
+    QString condition;
+    std::vector<std::int64_t> parameters;
+};
+
+/// Adds what a trial has several of; trials that were not read are passed over. One query for each kind, however many trials.
+Result<void> addLists(const ProjectConnection &connection, const Choice &choice, std::vector<TrialRecord> &trials)
+{
+    std::unordered_map<RecordId, TrialRecord *> byId;
+    for (TrialRecord &trial : trials)
+        byId.emplace(trial.id, &trial);
+    const auto read = [&](const QString &sql, const auto &take) {
+        Statement select(connection, sql.arg(choice.condition));
+        for (const std::int64_t parameter : choice.parameters)
+            select.bind(parameter);
+        return select.eachRow([&](const Statement &row) -> Result<void> {
+            if (const auto trial = byId.find(row.integer(0)); trial != byId.end())
+                take(*trial->second, row);
+            return {};
+        });
+    };
+    auto robots = read(QStringLiteral("SELECT trial_id, robot.id, robot.name FROM trial "
+                                      "JOIN trial_robot ON trial_id=trial.id JOIN robot ON robot.id=robot_id "
+                                      "WHERE %1 ORDER BY trial_id, trial_robot.position"),
+                       [](TrialRecord &trial, const Statement &row) {
+                           trial.robots.push_back(row.integer(1));
+                           trial.robotNames.push_back(row.text(2));
+                       });
+    if (!robots)
+        return robots;
+    return read(QStringLiteral("SELECT trial_id, tag FROM trial JOIN trial_tag ON trial_id=trial.id "
+                               "WHERE %1 ORDER BY trial_id, tag"),
+                [](TrialRecord &trial, const Statement &row) { trial.tags.push_back(row.text(1)); });
+}
+
+Result<std::vector<TrialRecord>> readTrials(const ProjectConnection &connection, const Choice &choice)
+{
+    std::vector<TrialRecord> trials;
+    Statement select(connection, trialColumns + QStringLiteral("WHERE %1 ORDER BY date_ms DESC, trial.id DESC")
+                                                    .arg(choice.condition));
+    for (const std::int64_t parameter : choice.parameters)
+        select.bind(parameter);
+    auto read = select.eachRow([&trials](const Statement &row) -> Result<void> {
+        trials.push_back(trialOf(row));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    if (auto added = addLists(connection, choice, trials); !added)
+        return tl::unexpected(added.error());
+    return trials;
 }
 
 Result<RecordId> addRow(ProjectConnection &connection, const TrialRecord &trial)
@@ -135,40 +169,64 @@ Result<TrialRecord> TrialRepository::add(const TrialRecord &trial,
 
 Result<std::vector<TrialRecord>> TrialRepository::all() const
 {
-    std::vector<TrialRecord> trials;
-    Statement select(m_connection, trialColumns + QStringLiteral("ORDER BY date_ms DESC, trial.id DESC"));
-    auto read = select.eachRow([&](const Statement &row) -> Result<void> {
-        auto trial = readTrial(m_connection, row);
-        if (!trial)
-            return tl::unexpected(trial.error());
-        trials.push_back(std::move(*trial));
+    return readTrials(m_connection, {QStringLiteral("1=1"), {}});
+}
+
+Result<std::vector<TrialRecord>> TrialRepository::page(const TrialRecord *after, int count) const
+{
+    // The oldest date of the page, so that the lists are asked for by the same dates.
+    Statement oldest(m_connection, QStringLiteral("SELECT MIN(date_ms), COUNT(*) FROM (SELECT date_ms FROM trial WHERE %1 "
+                                                  "ORDER BY date_ms DESC LIMIT ?)")
+                                       .arg(after ? QStringLiteral("date_ms<?") : QStringLiteral("1=1")));
+    const auto dateMs = [](Instant instant) { return static_cast<std::int64_t>(instant.time_since_epoch().count()); };
+    if (after)
+        oldest.bind(dateMs(after->date));
+    const auto found = oldest.bind(count).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found || oldest.integer(1) == 0)
+        return std::vector<TrialRecord>();
+    Choice choice{QStringLiteral("date_ms>=?"), {oldest.integer(0)}};
+    if (after) {
+        choice.condition += QStringLiteral(" AND date_ms<?");
+        choice.parameters.push_back(dateMs(after->date));
+    }
+    return readTrials(m_connection, choice);
+}
+
+Result<std::vector<TrialName>> TrialRepository::names() const
+{
+    std::vector<TrialName> names;
+    Statement select(m_connection, QStringLiteral("SELECT trial.id, trial.name, team.name, trial.state, binned_ms FROM trial "
+                                                  "LEFT JOIN team ON team.id=team_id ORDER BY date_ms DESC, trial.id DESC"));
+    auto read = select.eachRow([&names](const Statement &row) -> Result<void> {
+        names.push_back({row.integer(0), row.text(1), row.text(2), row.text(3) == "recording", instantOf(row, 4).has_value()});
         return {};
     });
     if (!read)
         return tl::unexpected(read.error());
-    return trials;
+    return names;
 }
 
 Result<TrialRecord> TrialRepository::find(const std::string &name) const
 {
-    Statement select(m_connection, trialColumns + QStringLiteral("WHERE trial.name=?"));
+    Statement select(m_connection, QStringLiteral("SELECT id FROM trial WHERE name=?"));
     const auto found = select.bind(name).firstRow();
     if (!found)
         return tl::unexpected(found.error());
     if (!*found)
         return noSuchName(m_connection, "trial", "trial", name);
-    return readTrial(m_connection, select);
+    return get(select.integer(0));
 }
 
 Result<TrialRecord> TrialRepository::get(RecordId id) const
 {
-    Statement select(m_connection, trialColumns + QStringLiteral("WHERE trial.id=?"));
-    const auto found = select.bind(id).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
+    auto trials = readTrials(m_connection, {QStringLiteral("trial.id=?"), {id}});
+    if (!trials)
+        return tl::unexpected(trials.error());
+    if (trials->empty())
         return noSuchId(m_connection, "trial", id);
-    return readTrial(m_connection, select);
+    return std::move(trials->front());
 }
 
 Result<void> TrialRepository::setNotes(RecordId trial, const std::string &notes)
@@ -204,6 +262,12 @@ Result<void> TrialRepository::setTask(RecordId trial, const std::string &task)
         Statement update(m_connection, QStringLiteral("UPDATE trial SET task_id=? WHERE id=?"));
         return update.bindReference(*id).bind(trial).run();
     });
+}
+
+Result<bool> TrialRepository::isFileUsed(const std::string &path) const
+{
+    Statement select(m_connection, QStringLiteral("SELECT 1 FROM recording WHERE path=?"));
+    return select.bind(path).firstRow();
 }
 
 Result<std::vector<RecordingRecord>> TrialRepository::recordings(RecordId trial) const

@@ -106,6 +106,31 @@ private Q_SLOTS:
         QCOMPARE(m_project->teams().find("Anna and Ben")->pseudonym, std::string("Team 4"));
     }
 
+    void teamsAreChanged()
+    {
+        TeamRepository &teams = m_project->teams();
+        TeamRecord team = *teams.add({0, "Falcon", "9B", ""});
+        QVERIFY(teams.add({0, "Heron", "9B", ""}));
+        team.className = "9C";
+        team.pseudonym = "Team 4";
+        team.name = "Kestrel";
+        QVERIFY(teams.set(team));
+        QVERIFY(!teams.find("Falcon"));
+        QVERIFY(teams.find("Kestrel")->className == "9C" && teams.find("Kestrel")->pseudonym == "Team 4");
+        QCOMPARE(teams.classes().value(), (std::vector<std::string>{"9B", "9C"}));
+        team.name = "Heron";
+        QCOMPARE(teams.set(team).error().code, ErrorCode::AlreadyExists);
+        QCOMPARE(teams.set({99, "Owl", "", ""}).error().code, ErrorCode::NotFound);
+        QCOMPARE(teams.add({0, "Owl", "", "two\nlines"}).error().code, ErrorCode::InvalidInput);
+    }
+
+    void aFileIsUsedByItsRecordings()
+    {
+        const std::string path = m_project->trials().recordings(m_filled.trial)->front().path;
+        QVERIFY(m_project->trials().isFileUsed(path).value());
+        QVERIFY(!m_project->trials().isFileUsed("other.mkv").value());
+    }
+
 private:
     TrialRecord trial() const { return *m_project->trials().get(m_filled.trial); }
 

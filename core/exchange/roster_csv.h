@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// A team of a class, as a roster tells it.
+struct RosterEntry
+{
+    int line = 0; ///< of the file
+    std::string className, team;
+    std::string pseudonym; ///< may be empty
+};
+
+/// Reads a roster: a CSV file whose header names the columns class and team, and perhaps pseudonym, in any order; others (members,
+/// addresses) are not kept. Errors with the file: no such columns, no teams; and every bad line in one sentence with its number: no
+/// class, no team, a team that is there twice. Any thread.
+Result<std::vector<RosterEntry>> readRosterCsv(const std::filesystem::path &file);
+
+/// Sentences of many lines in one: the first ones, and how many there are beside.
+std::string joinedLines(const std::vector<std::string> &sentences);
+
+} // namespace odo

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/import_roster.h"
+
+#include "core/exchange/roster_csv.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+
+#include <map>
+
+namespace odo {
+
+namespace {
+
+Result<void> store(Project &project, const RosterEntry &entry, const std::map<std::string, TeamRecord> &known, RosterOutcome &outcome)
+{
+    const auto same = known.find(entry.team);
+    if (same == known.end()) {
+        ++outcome.added;
+        const auto added = project.teams().add({0, entry.team, entry.className, entry.pseudonym});
+        return added ? Result<void>() : tl::unexpected(added.error());
+    }
+    TeamRecord team = same->second;
+    const std::string pseudonym = entry.pseudonym.empty() ? team.pseudonym : entry.pseudonym;
+    const bool isSame = team.className == entry.className && team.pseudonym == pseudonym;
+    ++(isSame ? outcome.unchanged : outcome.changed);
+    if (isSame)
+        return {};
+    team.className = entry.className;
+    team.pseudonym = pseudonym;
+    return project.teams().set(team);
+}
+
+} // namespace
+
+Result<RosterOutcome> importRoster(Project &project, const std::filesystem::path &file)
+{
+    const auto entries = readRosterCsv(file);
+    if (!entries)
+        return tl::unexpected(entries.error());
+    const auto teams = project.teams().all();
+    if (!teams)
+        return tl::unexpected(teams.error());
+    std::map<std::string, TeamRecord> known;
+    for (const TeamRecord &team : *teams)
+        known.emplace(team.name, team);
+    RosterOutcome outcome;
+    const std::string name = file.filename().string();
+    const auto done = project.change("import the roster " + name, [&]() -> Result<void> {
+        std::vector<std::string> bad;
+        for (const RosterEntry &entry : *entries)
+            if (const auto stored = store(project, entry, known, outcome); !stored)
+                bad.push_back("line " + std::to_string(entry.line) + ": " + stored.error().what + ": " + stored.error().why);
+        if (bad.empty())
+            return {};
+        return fail(ErrorCode::InvalidInput, "roster '" + name + "'", joinedLines(bad), "mend these lines; nothing was imported");
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return outcome;
+}
+
+} // namespace odo

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <filesystem>
+
+namespace odo {
+
+class Project;
+
+/// What a roster brought.
+struct RosterOutcome
+{
+    int added = 0;     ///< teams that are new
+    int changed = 0;   ///< teams that have another class or pseudonym now
+    int unchanged = 0; ///< teams that were as the roster says
+};
+
+/// Takes the teams of a roster (readRosterCsv) over: new ones are added, those of the same name get the roster's class, and its
+/// pseudonym where it tells one. One change, which can be undone. InvalidInput, and nothing imported, with every bad line in one sentence
+/// with its number. On the project's thread; rosters are short.
+Result<RosterOutcome> importRoster(Project &project, const std::filesystem::path &file);
+
+} // namespace odo
