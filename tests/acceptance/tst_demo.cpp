@@ -292,7 +292,7 @@ private Q_SLOTS:
 
     void snapshotsHaveTheSizeAskedFor()
     {
-        for (const QString &mode : {QStringLiteral("review"), QStringLiteral("history"), QStringLiteral("testbed")}) {
+        for (const QString &mode : {QStringLiteral("review"), QStringLiteral("compare"), QStringLiteral("history"), QStringLiteral("testbed")}) {
             const QString file = m_folder.filePath(mode + QStringLiteral(".png"));
             const ProgramRun run = runProgram({QStringLiteral("snapshot"), m_project, m_trials.first(), QStringLiteral("-o"), file,
                                                QStringLiteral("--mode"), mode, QStringLiteral("--size"),
