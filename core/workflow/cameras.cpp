@@ -57,10 +57,10 @@ Result<void> exportIntrinsics(Project &project, const std::string &camera, const
 
 Result<std::optional<RecordingRecord>> newestRecording(Project &project, RecordId camera)
 {
-    const auto trials = project.trials().all();
+    const auto trials = project.trials().names();
     if (!trials)
         return tl::unexpected(trials.error());
-    for (const TrialRecord &trial : *trials) {
+    for (const TrialName &trial : *trials) {
         const auto recordings = project.trials().recordings(trial.id);
         if (!recordings)
             return tl::unexpected(recordings.error());

@@ -81,7 +81,7 @@ Result<LayoutAxesOutcome> changeLayoutAxes(Project &project, const std::string &
     const auto world = layoutsOfWorld(project, outcome.layout);
     if (!world)
         return tl::unexpected(world.error());
-    const auto done = project.inTransaction([&]() -> Result<void> {
+    const auto done = project.change("put the axes of layout " + layout + " elsewhere", [&]() -> Result<void> {
         for (LayoutRecord each : *world) {
             each.layout = transformed(each.layout, *newFromOld);
             if (auto set = project.layouts().setPlaces(each); !set)

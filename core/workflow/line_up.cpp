@@ -34,7 +34,7 @@ Result<LineUp> LineUp::read(Project &project)
     auto teams = project.teams().all();
     auto tasks = project.tasks().all();
     auto robots = project.robots().all();
-    auto trials = project.trials().all();
+    auto trials = project.trials().names();
     if (!teams)
         return tl::unexpected(teams.error());
     if (!tasks)
@@ -49,6 +49,15 @@ Result<LineUp> LineUp::read(Project &project)
     up.m_robots = std::move(*robots);
     up.m_trials = std::move(*trials);
     std::ranges::sort(up.m_teams, {}, &TeamRecord::name);
+    std::set<std::string> known;
+    for (const TrialName &trial : up.m_trials) {
+        if (!known.insert(trial.teamName).second)
+            continue;
+        auto newest = project.trials().get(trial.id);
+        if (!newest)
+            return tl::unexpected(newest.error());
+        up.m_newest.push_back(std::move(*newest));
+    }
     return up;
 }
 
@@ -79,8 +88,8 @@ const TaskRecord *LineUp::task(const std::string &name) const
 const TrialRecord *LineUp::newestOf(const std::string &team) const
 {
     const auto trial =
-        std::ranges::find_if(m_trials, [&](const TrialRecord &each) { return each.teamName == team; });
-    return trial == m_trials.end() ? nullptr : &*trial;
+        std::ranges::find_if(m_newest, [&](const TrialRecord &each) { return each.teamName == team; });
+    return trial == m_newest.end() ? nullptr : &*trial;
 }
 
 NextRun LineUp::run(const std::string &className, const std::string &team) const
@@ -93,7 +102,7 @@ NextRun LineUp::run(const std::string &className, const std::string &team) const
         for (const RobotRecord &robot : m_robots)
             run.robots.push_back(robot.name);
     }
-    const TrialRecord *last = newest ? newest : m_trials.empty() ? nullptr : &m_trials.front();
+    const TrialRecord *last = newest ? newest : m_newest.empty() ? nullptr : &m_newest.front();
     run.task = last ? last->task : std::string();
     return run;
 }
@@ -118,8 +127,8 @@ NextRun LineUp::first() const
     if (m_teams.empty())
         return run({}, {});
     const auto last =
-        std::ranges::find_if(m_trials, [](const TrialRecord &trial) { return !trial.teamName.empty(); });
-    if (last == m_trials.end())
+        std::ranges::find_if(m_newest, [](const TrialRecord &trial) { return !trial.teamName.empty(); });
+    if (last == m_newest.end())
         return run(m_teams.front().className, m_teams.front().name);
     NextRun before = run(last->className, last->teamName);
     before.task = last->task;
@@ -130,10 +139,10 @@ std::string LineUp::freeTrialName(const std::string &team) const
 {
     const std::string stem = team.empty() ? "Trial" : team;
     const auto same = std::ranges::count_if(
-        m_trials, [&](const TrialRecord &trial) { return team.empty() || trial.teamName == team; });
+        m_trials, [&](const TrialName &trial) { return team.empty() || trial.teamName == team; });
     for (auto number = same + 1;; ++number) {
         std::string name = stem + " " + std::to_string(number);
-        if (std::ranges::find(m_trials, name, &TrialRecord::name) == m_trials.end())
+        if (std::ranges::find(m_trials, name, &TrialName::name) == m_trials.end())
             return name;
     }
 }

@@ -56,7 +56,8 @@ private:
     std::vector<TeamRecord> m_teams;
     std::vector<TaskRecord> m_tasks;
     std::vector<RobotRecord> m_robots;
-    std::vector<TrialRecord> m_trials; ///< newest first
+    std::vector<TrialName> m_trials;   ///< newest first
+    std::vector<TrialRecord> m_newest; ///< of each team, and of those without one; newest first
 };
 
 } // namespace odo

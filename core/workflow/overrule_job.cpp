@@ -113,7 +113,19 @@ Result<void> OverruleJob::run(const JobControl &control)
 
 Result<void> OverruleJob::commit(Project &project)
 {
-    auto stored = project.inTransaction([&]() -> Result<void> {
+    const auto words = [this] {
+        const std::string frame = "frame " + std::to_string(m_outcome.frame) + " of " + m_request.trial;
+        switch (m_request.word) {
+        case OverruleRequest::Word::Spike:
+            return "mark " + frame + " as a spike";
+        case OverruleRequest::Word::Valid:
+            return "use " + frame;
+        case OverruleRequest::Word::Clear:
+            break;
+        }
+        return "leave " + frame + " to the program";
+    };
+    auto stored = project.change(words(), [&]() -> Result<void> {
         if (auto said = project.trials().setOverrules(m_trial, m_robot, m_overrules); !said)
             return said;
         return m_analysis->commit(project);

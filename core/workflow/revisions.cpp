@@ -119,7 +119,8 @@ Result<void> chooseRevision(Project &project, const std::string &camera, Revisio
     if (!isThere)
         return fail(ErrorCode::NotFound, std::string(isCalibration ? "calibration " : "registration ") + std::to_string(id),
                     "camera '" + camera + "' has none of that number", "see its revisions for those there are");
-    return isCalibration ? project.cameras().chooseIntrinsics(id) : project.cameras().chooseRegistration(id);
+    return project.change(std::string("choose ") + (isCalibration ? "calibration " : "registration ") + std::to_string(id) + " of camera " + camera,
+                          [&] { return isCalibration ? project.cameras().chooseIntrinsics(id) : project.cameras().chooseRegistration(id); });
 }
 
 Result<std::vector<std::string>> outdatedTrials(Project &project)

@@ -24,7 +24,7 @@ QStringList contentOf(Project &project)
     for (const RobotRecord &robot : everythingOf(project.robots().all()))
         parts << QString::fromStdString("robot " + robot.name);
     for (const TeamRecord &team : everythingOf(project.teams().all()))
-        parts << QString::fromStdString("team " + team.name);
+        parts << QString::fromStdString("team " + team.name + "|" + team.className + "|" + team.pseudonym);
     for (const LayoutRecord &layout : everythingOf(project.layouts().all()))
         parts << QString::fromStdString("layout " + layout.layout.name);
     for (const CameraRecord &camera : everythingOf(project.cameras().all())) {
@@ -36,7 +36,11 @@ QStringList contentOf(Project &project)
                      .arg(*registration ? (*registration)->id : 0);
     }
     for (const TrialRecord &trial : everythingOf(project.trials().all())) {
-        parts << QString::fromStdString("trial " + trial.name);
+        std::string tags;
+        for (const std::string &tag : trial.tags)
+            tags += "|" + tag;
+        parts << QString::fromStdString("trial " + trial.name + "|" + trial.task + "|" + trial.notes + (trial.starred ? "|star" : "") +
+                                        (trial.archived ? "|archived" : "") + (trial.binned ? "|bin" : "") + tags);
         for (const AnalysisRecord &analysis : everythingOf(project.analyses().current(trial.id)))
             parts << QStringLiteral("analysis %1").arg(analysis.id);
     }

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/export_job.h"
+
+#include "core/exchange/text_file.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+
+namespace odo {
+
+std::string fileNameOf(const std::string &name)
+{
+    std::string file;
+    for (const char c : name)
+        file += std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos ||
+                        static_cast<unsigned char>(c) < 0x20
+                    ? '-'
+                    : c;
+    if (file.empty() || file.front() == '.')
+        file.insert(file.begin(), '-');
+    return file;
+}
+
+ExportJob::ExportJob(std::string trial, std::filesystem::path folder, CsvStyle style)
+    : m_trial(std::move(trial)), m_folder(std::move(folder)), m_style(style)
+{
+}
+
+Result<void> ExportJob::prepare(Project &project)
+{
+    const auto trial = project.trials().find(m_trial);
+    if (!trial)
+        return tl::unexpected(trial.error());
+    auto analyses = project.analyses().current(trial->id);
+    if (!analyses)
+        return tl::unexpected(analyses.error());
+    if (analyses->empty())
+        return fail(ErrorCode::NotFound, "export of '" + m_trial + "'", "it has not been tracked yet",
+                    "track it first");
+    m_analyses = std::move(*analyses);
+    return {};
+}
+
+Result<void> ExportJob::run(const JobControl &control)
+{
+    for (const AnalysisRecord &analysis : m_analyses) {
+        if (control.isCancelled())
+            return cancelled("export of '" + m_trial + "'");
+        const std::string name = m_analyses.size() > 1 ? m_trial + " " + analysis.robotName : m_trial;
+        const std::filesystem::path file = m_folder / (fileNameOf(name) + ".csv");
+        std::error_code problem;
+        if (std::filesystem::exists(file, problem))
+            return fail(ErrorCode::AlreadyExists, "file '" + file.string() + "'", "it is there already",
+                        "choose an empty folder");
+        if (auto written = writeTextFile(file, trackCsv(analysis, m_style)); !written)
+            return written;
+        m_files.push_back(file);
+    }
+    return {};
+}
+
+Result<void> ExportJob::commit(Project &)
+{
+    return {};
+}
+
+} // namespace odo

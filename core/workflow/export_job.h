@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/exchange/track_csv.h"
+#include "core/project/records.h"
+#include "core/workflow/job.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+class Project;
+
+/// Writes the newest analysis of each robot of a trial as a CSV file into a folder, named after the trial
+/// (and the robot, where there are several). A file of that name is not overwritten: AlreadyExists. NotFound
+/// where the trial was never tracked. What was written before a cancel stays.
+class ExportJob : public Job
+{
+public:
+    ExportJob(std::string trial, std::filesystem::path folder, CsvStyle style);
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override; ///< nothing
+
+    const std::vector<std::filesystem::path> &files() const { return m_files; } ///< after run
+
+private:
+    std::string m_trial;
+    std::filesystem::path m_folder;
+    CsvStyle m_style;
+    std::vector<AnalysisRecord> m_analyses;
+    std::vector<std::filesystem::path> m_files;
+};
+
+/// A name that files may have on every system: what they may not is replaced by '-'.
+std::string fileNameOf(const std::string &name);
+
+} // namespace odo

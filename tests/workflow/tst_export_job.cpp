@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/export_job.h"
+#include "tests/ui/support/stored_example.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+class TestExportJob : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase()
+    {
+        const auto made = storeExample(m_folder.path().toStdString());
+        QVERIFY2(made, made ? "" : made.error().message().c_str());
+        m_project = std::move(*Project::open(*made, Project::Access::ReadOnly));
+    }
+
+    void eachRobotBecomesAFile()
+    {
+        const QTemporaryDir folder;
+        QVERIFY(run("Trial 1", folder));
+        QVERIFY(run("Trial 2", folder));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files),
+                 (QStringList{QStringLiteral("Trial 1.csv"), QStringLiteral("Trial 2 Blue 1.csv"),
+                              QStringLiteral("Trial 2 Red 2.csv")}));
+        QFile file(folder.filePath(QStringLiteral("Trial 1.csv")));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const auto trial = m_project->trials().find("Trial 1");
+        const auto analyses = m_project->analyses().current(trial->id);
+        QCOMPARE(file.readAll().toStdString(), trackCsv(analyses->front(), CsvStyle::Analysis));
+    }
+
+    void nothingIsOverwritten()
+    {
+        const QTemporaryDir folder;
+        QVERIFY(run("Trial 1", folder));
+        const auto again = run("Trial 1", folder);
+        QCOMPARE(again.error().code, ErrorCode::AlreadyExists);
+        QVERIFY(again.error().message().find("it is there already; choose an empty folder") !=
+                std::string::npos);
+    }
+
+    void whatWasNotTrackedIsTold()
+    {
+        const QTemporaryDir folder;
+        QCOMPARE(run("Trial 3", folder).error().message(),
+                 std::string("export of 'Trial 3': it has not been tracked yet; track it first"));
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void cancelledBeforeItBegan()
+    {
+        const QTemporaryDir folder;
+        JobControl control;
+        control.cancel.cancel();
+        ExportJob job("Trial 1", folder.path().toStdString(), CsvStyle::Analysis);
+        QCOMPARE(runToEnd(job, *m_project, control).error().code, ErrorCode::Cancelled);
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void namesAreMadeFitForFiles_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("file");
+        QTest::addRow("plain") << "Trial 1"
+                               << "Trial 1";
+        QTest::addRow("folders") << "../9B/run"
+                                 << "-..-9B-run";
+        QTest::addRow("other systems") << "a:b*c?\"<>|\\"
+                                       << "a-b-c------";
+        QTest::addRow("other scripts") << QString::fromUtf8("주행 1") << QString::fromUtf8("주행 1");
+    }
+    void namesAreMadeFitForFiles()
+    {
+        QFETCH(const QString, name);
+        QFETCH(const QString, file);
+        QCOMPARE(QString::fromStdString(fileNameOf(name.toStdString())), file);
+    }
+
+private:
+    Result<void> run(const std::string &trial, const QTemporaryDir &folder)
+    {
+        ExportJob job(trial, folder.path().toStdString(), CsvStyle::Analysis);
+        return runToEnd(job, *m_project, JobControl());
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<Project> m_project;
+};
+
+QTEST_GUILESS_MAIN(TestExportJob)
+#include "tst_export_job.moc"
