@@ -91,8 +91,10 @@ ComparePage::~ComparePage() = default;
 std::vector<TrialRecord> ComparePage::readTrials()
 {
     auto trials = m_project.trials().all();
-    if (trials)
+    if (trials) {
+        std::erase_if(*trials, [](const TrialRecord &trial) { return trial.binned.has_value(); });
         return std::move(*trials);
+    }
     Q_EMIT failed(trials.error());
     return {};
 }

@@ -2,9 +2,14 @@
 #include "ui/history/history_page.h"
 
 #include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "ui/history/mark_actions.h"
+#include "ui/history/teams_panel.h"
 #include "ui/history/trial_detail.h"
+#include "ui/history/trial_filter_bar.h"
 #include "ui/models/trial_model.h"
 #include "ui/views/card.h"
+#include "ui/views/table_list.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
@@ -13,33 +18,57 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSortFilterProxyModel>
+#include <QSettings>
 #include <QSplitter>
+#include <QTabWidget>
 #include <QTableView>
+#include <QTimer>
+#include <QToolButton>
 #include <algorithm>
 
 namespace odo {
+namespace {
 
-HistoryPage::HistoryPage(Project &project, QWidget *parent)
-    : QWidget(parent), m_project(project), m_trials(new TrialModel(this)),
-      m_sorted(new QSortFilterProxyModel(this)), m_search(new QLineEdit(this)),
-      m_compare(new QPushButton(tr("&Compare"), this)), m_table(new QTableView(this)),
-      m_detail(new TrialDetail(project, this))
+const QString pseudonymsKey = QStringLiteral("history/pseudonyms");
+constexpr int rowsAtOnce = 300; ///< that are read in far less than 50 ms
+
+QToolButton *buttonOf(QAction *action)
+{
+    auto *button = new QToolButton;
+    button->setDefaultAction(action);
+    button->setProperty("flat", true);
+    button->setToolButtonStyle(action->icon().isNull() ? Qt::ToolButtonTextOnly
+                                                       : Qt::ToolButtonTextBesideIcon);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setVisible(false); // until it has a parent: a window of its own is not meant
+    QObject::connect(action, &QAction::changed, button,
+                     [button, action] { button->setVisible(action->isVisible()); });
+    return button;
+}
+
+} // namespace
+
+HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
+    : QWidget(parent), m_project(project), m_readOnly(readOnly), m_trials(new TrialModel(this)),
+      m_search(new QLineEdit(this)), m_compare(new QPushButton(tr("&Compare"), this)),
+      m_filterBar(new TrialFilterBar(this)), m_marks(new MarkActions(project, *this)),
+      m_pseudonyms(new QAction(tr("Teams by &pseudonym"), this)), m_table(new QTableView(this)),
+      m_teams(new TeamsPanel(project, this)), m_tabs(new QTabWidget(this)),
+      m_detail(new TrialDetail(project, this)), m_readTimer(new QTimer(this))
 {
     setObjectName(QStringLiteral("page"));
     setFocusProxy(m_table);
-    m_sorted->setSourceModel(m_trials);
-    m_sorted->setSortRole(TrialModel::SortRole);
-    m_sorted->setFilterRole(TrialModel::SearchRole);
-    m_sorted->setFilterKeyColumn(0);
-    m_sorted->setFilterCaseSensitivity(Qt::CaseInsensitive);
-    m_sorted->setSortCaseSensitivity(Qt::CaseInsensitive);
-    m_sorted->setSortLocaleAware(true);
+    m_trials->setEditable(!readOnly);
+    m_marks->setReadOnly(readOnly);
 
     auto *splitter = new QSplitter(this);
     splitter->setHandleWidth(8);
     splitter->setChildrenCollapsible(false);
-    splitter->addWidget(makeTable());
+    m_tabs->addTab(makeTable(), tr("Tria&ls"));
+    m_tabs->addTab(m_teams, tr("Tea&ms"));
+    m_tabs->setDocumentMode(true);
+    m_tabs->setAccessibleName(tr("Trials or teams"));
+    splitter->addWidget(m_tabs);
     splitter->addWidget(m_detail);
     splitter->setStretchFactor(0, 1);
     splitter->setSizes({1000, 310});
@@ -47,87 +76,212 @@ HistoryPage::HistoryPage(Project &project, QWidget *parent)
     layout->setContentsMargins(8, 8, 8, 8);
     layout->addWidget(splitter);
 
+    m_readTimer->setInterval(0);
+    connect(m_readTimer, &QTimer::timeout, this, &HistoryPage::readMore);
     connect(m_detail, &TrialDetail::openRequested, this, &HistoryPage::trialChosen);
-    connect(m_detail, &TrialDetail::notesChanged, this, &HistoryPage::notesChanged);
+    connect(m_detail, &TrialDetail::notesChanged, this, [this](const QString &trial) {
+        if (const Result<TrialRecord> record = m_project.trials().find(trial.toStdString()))
+            reload({qint64(record->id)});
+        Q_EMIT notesChanged(trial);
+    });
     connect(m_detail, &TrialDetail::failed, this, &HistoryPage::failed);
+    connectMarks();
+    connect(m_tabs, &QTabWidget::currentChanged, this, &HistoryPage::showTeams);
+    connect(m_teams, &TeamsPanel::choiceChanged, this, &HistoryPage::showTeams);
+    connect(m_teams, &TeamsPanel::failed, this, &HistoryPage::failed);
+    m_pseudonyms->setCheckable(true);
+    connect(m_pseudonyms, &QAction::toggled, this, [this](bool shown) {
+        QSettings().setValue(pseudonymsKey, shown);
+        m_trials->setPseudonyms(shown);
+        m_detail->setPseudonyms(shown);
+        offerFilters();
+        filter();
+        showTeams();
+    });
+    m_pseudonyms->setChecked(QSettings().value(pseudonymsKey).toBool());
 }
+
+HistoryPage::~HistoryPage() = default;
 
 QWidget *HistoryPage::makeTable()
 {
-    m_table->setModel(m_sorted);
+    m_table->setObjectName(QStringLiteral("trials"));
+    m_table->setModel(m_trials);
     m_table->setAccessibleName(tr("Trials"));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setTabKeyNavigation(false);
-    m_table->setShowGrid(false);
+    m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_table->setWordWrap(false);
     m_table->setSortingEnabled(true);
     m_table->sortByColumn(TrialModel::DateColumn, Qt::DescendingOrder);
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setHighlightSections(false);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->horizontalHeader()->setResizeContentsPrecision(0); // of what is on screen, not of thousands
     m_table->horizontalHeader()->setSectionResizeMode(TrialModel::TaskColumn, QHeaderView::Stretch);
+    m_table->horizontalHeader()->moveSection(TrialModel::StarColumn, 0);
     m_table->installEventFilter(this);
-    connect(m_table, &QTableView::doubleClicked, this, [this] { Q_EMIT trialChosen(currentTrial()); });
+    connect(m_table, &QTableView::doubleClicked, this, [this](const QModelIndex &index) {
+        if (!(index.flags() & (Qt::ItemIsEditable | Qt::ItemIsUserCheckable)))
+            Q_EMIT trialChosen(currentTrial());
+    });
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             &HistoryPage::showCurrent);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &HistoryPage::showSelection);
 
-    m_search->setPlaceholderText(tr("Search trials, teams, tasks, notes…"));
+    for (QAction *action : {m_marks->star(), m_marks->archive(), m_marks->bin(), m_marks->emptyBin()}) {
+        QToolButton *button = buttonOf(action);
+        m_filterBar->addAtEnd(button);
+        button->setVisible(action->isVisible());
+        m_table->addAction(action);
+    }
+    addTrialActions();
+    auto *content = new QWidget;
+    auto *column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_filterBar);
+    column->addWidget(m_table, 1);
+    makeHeader();
+    m_tableCard->setContent(content);
+    setTabOrder(m_search, m_compare);
+    return m_tableCard;
+}
+
+void HistoryPage::addTrialActions()
+{
+    auto *measureAgain = new QAction(themeIcon(QStringLiteral("track")), tr("&Measure again"), m_table);
+    measureAgain->setEnabled(!m_readOnly);
+    connect(measureAgain, &QAction::triggered, this, [this] { Q_EMIT reprocessRequested(selectedTrials()); });
+    auto *exportAll = new QAction(themeIcon(QStringLiteral("export")), tr("E&xport…"), m_table);
+    connect(exportAll, &QAction::triggered, this, [this] { Q_EMIT exportRequested(selectedTrials()); });
+    m_table->addActions({measureAgain, exportAll});
+    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+/// Only what is seen is computed.
+void HistoryPage::showTeams()
+{
+    if (m_tabs->currentWidget() != m_teams)
+        return;
+    std::vector<const TrialRecord *> trials;
+    for (const TrialRow &row : m_trials->allRows())
+        trials.push_back(&row.trial);
+    m_teams->showTrials(trials, m_pseudonyms->isChecked());
+}
+
+void HistoryPage::makeHeader()
+{
+    m_search->setPlaceholderText(tr("Search trials, teams, tasks, tags, notes…"));
+    m_search->setObjectName(QStringLiteral("search"));
     m_search->setAccessibleName(tr("Search the trials"));
     m_search->setClearButtonEnabled(true);
     m_search->setMinimumWidth(260);
     m_search->addAction(themeIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     m_search->installEventFilter(this);
     connect(m_search, &QLineEdit::textChanged, this, &HistoryPage::filter);
+    connect(m_filterBar, &TrialFilterBar::changed, this, &HistoryPage::filter);
     auto *find = new QAction(this);
     find->setShortcut(QKeySequence::Find);
     find->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     connect(find, &QAction::triggered, m_search, [this] { m_search->setFocus(Qt::ShortcutFocusReason); });
     addAction(find);
-
     m_tableCard = new Card(tr("Trials"), this);
-    m_tableCard->setContent(m_table);
     m_tableCard->addToHeader(m_compare);
     m_tableCard->addToHeader(m_search);
     m_compare->setIcon(themeIcon(QStringLiteral("compare")));
     connect(m_compare, &QPushButton::clicked, this, [this] { Q_EMIT compareRequested(selectedTrials()); });
-    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &HistoryPage::showSelection);
-    setTabOrder(m_search, m_compare);
-    setTabOrder(m_compare, m_table);
     showSelection();
-    return m_tableCard;
+}
+
+void HistoryPage::connectMarks()
+{
+    connect(m_trials, &TrialModel::starWanted, m_marks,
+            [this](qint64 trial, bool starred) { m_marks->setStarred(trial, starred); });
+    connect(m_trials, &TrialModel::tagsWanted, m_marks,
+            [this](qint64 trial, const QStringList &tags) { m_marks->setTags(trial, tags); });
+    connect(m_marks, &MarkActions::marked, this, &HistoryPage::reload);
+    connect(m_marks, &MarkActions::binEmptied, this, [this](const QString &words) {
+        refresh();
+        Q_EMIT trialsChanged(words);
+    });
+    connect(m_marks, &MarkActions::failed, this, &HistoryPage::failed);
 }
 
 void HistoryPage::refresh()
 {
-    const QString selected = currentTrial();
-    Result<std::vector<TrialRow>> rows = loadTrialRows(m_project);
+    m_reading = std::make_unique<TrialRows>(m_project);
+    m_read.clear();
+    m_readTimer->start();
+    readMore();
+    // The newest ones stand there at once; a list that is there already stays until the new one is complete.
+    if (m_reading && m_trials->allCount() == 0) {
+        m_trials->setRows(m_read);
+        selectTrial({});
+        showCount();
+    }
+}
+
+void HistoryPage::readMore()
+{
+    Result<std::vector<TrialRow>> rows = m_reading->next(rowsAtOnce);
     if (!rows) {
+        endReading({});
         Q_EMIT failed(rows.error());
         return;
     }
-    m_trials->setRows(std::move(*rows));
+    const bool isLast = static_cast<int>(rows->size()) < rowsAtOnce;
+    std::ranges::move(*rows, std::back_inserter(m_read));
+    if (isLast)
+        endReading(std::exchange(m_read, {}));
+}
+
+void HistoryPage::endReading(std::vector<TrialRow> rows)
+{
+    m_readTimer->stop();
+    m_reading.reset();
+    m_read.clear();
+    const QString selected = currentTrial();
+    m_trials->setRows(std::move(rows));
+    offerFilters();
     m_table->resizeColumnsToContents();
     selectTrial(selected);
     showCount();
     showCurrent();
+    showTeams();
+    Q_EMIT settled();
+}
+
+void HistoryPage::offerFilters()
+{
+    FilterOffer offer;
+    for (const std::string &name : m_project.teams().classes().value_or(std::vector<std::string>()))
+        offer.classes << QString::fromStdString(name);
+    for (const TeamRecord &team : m_project.teams().all().value_or(std::vector<TeamRecord>())) {
+        offer.teams << QString::fromStdString(team.name);
+        offer.teamsShown << QString::fromStdString(
+            m_pseudonyms->isChecked() && !team.pseudonym.empty() ? team.pseudonym : team.name);
+    }
+    for (const TaskRecord &task : m_project.tasks().all().value_or(std::vector<TaskRecord>()))
+        offer.tasks << QString::fromStdString(task.name);
+    for (const RobotRecord &robot : m_project.robots().all().value_or(std::vector<RobotRecord>()))
+        offer.robots << QString::fromStdString(robot.name);
+    m_filterBar->setOffer(offer);
 }
 
 void HistoryPage::selectTrial(const QString &name)
 {
-    int row = 0;
-    for (int i = 0; i < m_sorted->rowCount(); ++i)
-        if (m_sorted->index(i, 0).data(TrialModel::NameRole).toString() == name)
-            row = i;
-    if (m_sorted->rowCount() > 0)
-        m_table->setCurrentIndex(m_sorted->index(row, 0));
+    if (m_trials->rowCount() > 0)
+        m_table->setCurrentIndex(m_trials->index(std::max(0, m_trials->indexOf(name)), 0));
+}
+
+void HistoryPage::saveNotes()
+{
+    m_detail->saveNotes();
 }
 
 QString HistoryPage::currentTrial() const
 {
     const QModelIndex current = m_table->currentIndex();
-    return current.isValid() ? current.siblingAtColumn(0).data(TrialModel::NameRole).toString() : QString();
+    return current.isValid() ? current.data(TrialModel::NameRole).toString() : QString();
 }
 
 QStringList HistoryPage::selectedTrials() const
@@ -142,32 +296,64 @@ QStringList HistoryPage::selectedTrials() const
 
 void HistoryPage::showSelection()
 {
-    const bool isEnough = m_table->selectionModel()->selectedRows().size() >= 2;
-    m_compare->setEnabled(isEnough);
-    m_compare->setToolTip(isEnough ? tr("Compare the selected trials") : tr("Select two trials or more (Ctrl or Shift and a click)"));
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    m_compare->setEnabled(rows.size() >= 2);
+    m_compare->setToolTip(rows.size() >= 2 ? tr("Compare the selected trials")
+                                           : tr("Select two trials or more (Ctrl or Shift and a click)"));
+    std::vector<TrialRecord> trials;
+    for (const QModelIndex &row : rows)
+        trials.push_back(m_trials->row(row.row()).trial);
+    m_marks->setTrials(std::move(trials));
 }
 
-void HistoryPage::filter(const QString &text)
+void HistoryPage::filter()
 {
-    m_sorted->setFilterFixedString(text);
-    if (!m_table->currentIndex().isValid() && m_sorted->rowCount() > 0)
-        m_table->setCurrentIndex(m_sorted->index(0, 0));
+    const QString selected = currentTrial();
+    TrialFilter filter = m_filterBar->filter();
+    filter.text = m_search->text();
+    m_marks->setBinShown(filter.place == TrialFilter::Place::Bin);
+    m_trials->setFilter(std::move(filter));
+    selectTrial(selected);
+    showSelection();
     showCount();
     showCurrent();
+}
+
+void HistoryPage::reload(const QList<qint64> &trials)
+{
+    bool isElsewhere = false;
+    const int place = m_table->currentIndex().row();
+    for (const qint64 trial : trials) {
+        Result<TrialRow> row = loadTrialRow(m_project, trial);
+        if (!row) {
+            Q_EMIT failed(row.error());
+            return;
+        }
+        const int before = m_trials->rowCount();
+        m_trials->updateRow(std::move(*row));
+        isElsewhere |= m_trials->rowCount() != before;
+    }
+    if (isElsewhere && m_trials->rowCount() > 0)
+        m_table->setCurrentIndex(m_trials->index(std::clamp(place, 0, m_trials->rowCount() - 1), 0));
+    showSelection();
+    showCount();
+    showCurrent();
+    if (isElsewhere)
+        Q_EMIT trialsChanged({});
 }
 
 void HistoryPage::showCurrent()
 {
     const QModelIndex current = m_table->currentIndex();
     if (current.isValid())
-        m_detail->showTrial(m_trials->row(m_sorted->mapToSource(current).row()));
+        m_detail->showTrial(m_trials->row(current.row()).trial);
     else
-        m_detail->showNone(m_trials->rowCount() == 0);
+        m_detail->showNone(m_trials->allCount() == 0);
 }
 
 void HistoryPage::showCount()
 {
-    const int all = m_trials->rowCount(), shown = m_sorted->rowCount();
+    const int all = m_trials->allCount(), shown = m_trials->rowCount();
     m_tableCard->setRemark(shown == all ? (all == 1 ? tr("1 trial") : tr("%1 trials").arg(all))
                                         : tr("%1 of %2 trials").arg(shown).arg(all));
 }

@@ -3,59 +3,99 @@
 
 #include "core/base/error.h"
 
+#include <QStringList>
 #include <QWidget>
+#include <memory>
+#include <vector>
 
+class QAction;
 class QLineEdit;
 class QPushButton;
-class QSortFilterProxyModel;
+class QTabWidget;
 class QTableView;
+class QTimer;
 
 namespace odo {
 
 class Card;
+class MarkActions;
 class Project;
+class TeamsPanel;
 class TrialDetail;
+class TrialFilterBar;
 class TrialModel;
+class TrialRows;
+struct TrialRow;
 
-/// History: all trials of the project, searched, sorted and opened; what is known of the one that is
-/// selected. Uses the project on its own thread. The project must outlive the page.
+/// History: all trials of the project, searched, filtered, sorted, marked and opened; what is known of the
+/// one that is selected. Thousands of trials are read piece by piece. Uses the project on its own thread. The
+/// project must outlive the page.
 class HistoryPage : public QWidget
 {
     Q_OBJECT
 public:
-    explicit HistoryPage(Project &project, QWidget *parent = nullptr);
+    explicit HistoryPage(Project &project, bool readOnly = false, QWidget *parent = nullptr);
+    ~HistoryPage() override;
 
     /// Reads the project, keeping the selection. Call it once the signals are connected, and after every
     /// change.
     void refresh();
     void selectTrial(const QString &name);
+    /// Stores what is being written now instead of in a moment.
+    void saveNotes();
+    /// Everything that was to be read is there.
+    bool isSettled() const { return m_reading == nullptr; }
+    /// That only pseudonyms of teams are shown, where they have one: a checkable action for a menu.
+    /// Remembered.
+    QAction *pseudonyms() const { return m_pseudonyms; }
 
 Q_SIGNALS:
-    void trialChosen(const QString &name); ///< to be opened in Review
+    void trialChosen(const QString &name);            ///< to be opened in Review
     void compareRequested(const QStringList &trials); ///< two or more
+    void exportRequested(const QStringList &trials);
+    void reprocessRequested(const QStringList &trials); ///< to be measured again
     void notesChanged(const QString &trial);
+    /// Trials came into the bin or out of it, or are gone for good; words: what to tell, or empty.
+    void trialsChanged(const QString &words);
     void failed(const odo::Error &error);
+    void settled();
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     QWidget *makeTable();
+    void makeHeader();
+    void addTrialActions();
+    void showTeams();
+    void connectMarks();
     QString currentTrial() const;
     QStringList selectedTrials() const; ///< from top to bottom
-    void showSelection();
-    void filter(const QString &text);
+    void readMore();
+    void endReading(std::vector<TrialRow> rows);
+    void offerFilters();
+    void filter();
+    void reload(const QList<qint64> &trials);
     void showCurrent();
+    void showSelection();
     void showCount();
 
     Project &m_project;
+    const bool m_readOnly;
     TrialModel *m_trials;
-    QSortFilterProxyModel *m_sorted;
     QLineEdit *m_search;
     QPushButton *m_compare;
+    TrialFilterBar *m_filterBar;
+    MarkActions *m_marks;
+    QAction *m_pseudonyms;
     QTableView *m_table;
     Card *m_tableCard = nullptr;
+    TeamsPanel *m_teams;
+    QTabWidget *m_tabs;
     TrialDetail *m_detail;
+    QTimer *m_readTimer;
+    std::unique_ptr<TrialRows> m_reading; ///< null: all was read
+    std::vector<TrialRow> m_read;         ///< so far
 };
 
 } // namespace odo

@@ -4,7 +4,6 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/models/figure_text.h"
-#include "ui/models/trial_model.h"
 #include "ui/views/card.h"
 #include "ui/views/fact_list.h"
 
@@ -28,26 +27,27 @@ QString dateText(Instant instant)
                               QLocale::ShortFormat);
 }
 
-QList<Fact> factsOf(const TrialRow &row)
+QList<Fact> factsOf(const TrialRecord &trial, const std::vector<AnalysisRecord> &analyses, bool pseudonym)
 {
-    const TrialRecord &trial = row.trial;
     QList<Fact> facts;
     const auto add = [&facts](const QString &name, const QString &value) {
         if (!value.isEmpty())
             facts.append({name, value, {}});
     };
-    add(TrialDetail::tr("Team"), QString::fromStdString(trial.teamName));
+    add(TrialDetail::tr("Team"),
+        QString::fromStdString(pseudonym && !trial.teamPseudonym.empty() ? trial.teamPseudonym
+                                                                         : trial.teamName));
     add(TrialDetail::tr("Class"), QString::fromStdString(trial.className));
     add(TrialDetail::tr("Task"), QString::fromStdString(trial.task));
     add(TrialDetail::tr("Date"), dateText(trial.date));
     add(TrialDetail::tr("Views"), QLocale().toString(trial.viewCount));
-    for (const AnalysisRecord &analysis : row.analyses) {
-        if (row.analyses.size() > 1)
+    for (const AnalysisRecord &analysis : analyses) {
+        if (analyses.size() > 1)
             add(TrialDetail::tr("Robot"), QString::fromStdString(analysis.robotName));
         for (const Metric &metric : analysis.profile.metrics)
             add(metricName(metric.name), metricFigure(metric).text());
     }
-    if (row.analyses.empty())
+    if (analyses.empty())
         facts.append({TrialDetail::tr("Result"), TrialDetail::tr("none yet: open it and choose Track"), {}});
     return facts;
 }
@@ -100,15 +100,24 @@ TrialDetail::~TrialDetail()
     saveNotes();
 }
 
-void TrialDetail::showTrial(const TrialRow &row)
+void TrialDetail::setPseudonyms(bool shown)
 {
-    saveNotes();
-    const QString notes = QString::fromStdString(row.trial.notes);
-    const bool sameTrial = m_trial == row.trial.id;
-    m_trial = row.trial.id;
-    m_name = QString::fromStdString(row.trial.name);
+    m_pseudonyms = shown;
+}
+
+void TrialDetail::showTrial(const TrialRecord &trial)
+{
+    if (trial.id != m_trial)
+        saveNotes();
+    const QString notes = QString::fromStdString(trial.notes);
+    const bool sameTrial = m_trial == trial.id;
+    m_trial = trial.id;
+    m_name = QString::fromStdString(trial.name);
     m_card->setTitle(m_name);
-    m_facts->setFacts(factsOf(row));
+    const Result<std::vector<AnalysisRecord>> analyses = m_project.analyses().currentMetrics(trial.id);
+    if (!analyses)
+        Q_EMIT failed(analyses.error());
+    m_facts->setFacts(factsOf(trial, analyses.value_or(std::vector<AnalysisRecord>()), m_pseudonyms));
     if (!sameTrial || notes != m_savedNotes) {
         m_savedNotes = notes;
         m_notes->setPlainText(notes);
@@ -137,7 +146,10 @@ void TrialDetail::saveNotes()
     const QString notes = m_notes->toPlainText();
     if (m_trial == 0 || notes == m_savedNotes)
         return;
-    if (const Result<void> saved = m_project.trials().setNotes(m_trial, notes.toStdString()); !saved) {
+    const Result<void> saved = m_project.change(tr("write notes of %1").arg(m_name).toStdString(), [&] {
+        return m_project.trials().setNotes(m_trial, notes.toStdString());
+    });
+    if (!saved) {
         Q_EMIT failed(saved.error());
         return;
     }

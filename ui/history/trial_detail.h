@@ -15,7 +15,6 @@ namespace odo {
 class Card;
 class FactList;
 class Project;
-struct TrialRow;
 
 /// What is known of one trial: where it belongs, its metrics, and the notes, which are saved while they are
 /// written.
@@ -26,7 +25,11 @@ public:
     explicit TrialDetail(Project &project, QWidget *parent = nullptr);
     ~TrialDetail() override;
 
-    void showTrial(const TrialRow &row);
+    /// Its metrics are read from the project.
+    void showTrial(const TrialRecord &trial);
+    void setPseudonyms(bool shown);
+    /// Stores what is being written now instead of in a moment.
+    void saveNotes();
     /// Nothing is selected; noTrials: because the project has none.
     void showNone(bool noTrials);
 
@@ -36,10 +39,9 @@ Q_SIGNALS:
     void failed(const odo::Error &error);
 
 private:
-    void saveNotes();
-
     Project &m_project;
     RecordId m_trial = 0;
+    bool m_pseudonyms = false;
     QString m_name;
     QString m_savedNotes;
     Card *m_card;

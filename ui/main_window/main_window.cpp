@@ -8,11 +8,13 @@
 #include "ui/history/history_page.h"
 #include "ui/main_window/file_actions.h"
 #include "ui/main_window/help_dialogs.h"
+#include "ui/main_window/history_actions.h"
 #include "ui/main_window/job_indicator.h"
 #include "ui/main_window/message_bar.h"
 #include "ui/main_window/mode_bar.h"
 #include "ui/main_window/recent_projects.h"
 #include "ui/main_window/trial_actions.h"
+#include "ui/main_window/undo_actions.h"
 #include "ui/main_window/view_actions.h"
 #include "ui/main_window/welcome_page.h"
 #include "ui/main_window/workspace.h"
@@ -44,7 +46,8 @@ constexpr QSize usualSize(1440, 900);
 MainWindow::MainWindow()
     : m_recent(new RecentProjects(this)), m_workspace(new Workspace(this)),
       m_files(new FileActions(*m_workspace, *m_recent, *this)),
-      m_trials(new TrialActions(*m_workspace, *this)), m_views(new ViewActions(*this)),
+      m_trials(new TrialActions(*m_workspace, *this)), m_many(new HistoryActions(*m_workspace, *this)),
+      m_undo(new UndoActions(*m_workspace, this)), m_views(new ViewActions(*this)),
       m_modeBar(new ModeBar), m_messages(new MessageBar), m_stack(new QStackedWidget),
       m_welcome(new WelcomePage(*m_files, *m_recent)), m_saved(new QLabel), m_analysis(new QLabel),
       m_job(new JobIndicator)
@@ -92,10 +95,15 @@ void MainWindow::makeCentre()
 void MainWindow::makeMenus()
 {
     m_files->fillMenu(*menuBar()->addMenu(tr("&File")));
-    QMenu *view = menuBar()->addMenu(tr("&View"));
-    view->addActions(m_modeBar->modeActions());
-    view->addSeparator();
-    m_views->fillMenu(*view);
+    QMenu *edit = menuBar()->addMenu(tr("&Edit"));
+    m_undo->fillMenu(*edit);
+    edit->addSeparator();
+    m_many->fillMenu(*edit);
+    m_viewMenu = menuBar()->addMenu(tr("&View"));
+    m_viewMenu->addActions(m_modeBar->modeActions());
+    m_viewMenu->addSeparator();
+    m_views->fillMenu(*m_viewMenu);
+    m_viewMenu->addSeparator();
     m_trialMenu = menuBar()->addMenu(tr("T&rial"));
     m_trials->fillMenu(*m_trialMenu);
     m_trialMenu->addSeparator();
@@ -139,6 +147,21 @@ void MainWindow::connectActions()
     connect(m_files, &FileActions::done, m_messages, &MessageBar::showDone);
     connect(m_trials, &TrialActions::failed, this, &MainWindow::tellFailure);
     connect(m_trials, &TrialActions::done, m_messages, &MessageBar::showDone);
+    connect(m_many, &HistoryActions::failed, this, &MainWindow::tellFailure);
+    connect(m_many, &HistoryActions::changed, this, [this](const QString &words) {
+        refreshPages();
+        if (!words.isEmpty())
+            m_messages->showDone(words);
+    });
+    connect(m_undo, &UndoActions::aboutToLook, this, [this] {
+        if (m_history)
+            m_history->saveNotes();
+    });
+    connect(m_undo, &UndoActions::failed, this, &MainWindow::tellFailure);
+    connect(m_undo, &UndoActions::changed, this, [this](const QString &words) {
+        refreshPages();
+        m_messages->showDone(words);
+    });
     for (const auto signal : {&TrialActions::trialImported, &TrialActions::trialTracked})
         connect(m_trials, signal, this, [this](const QString &trial) {
             if (const Result<void> shown = showTrial(trial.toStdString()); !shown)
@@ -154,7 +177,10 @@ void MainWindow::connectJobs()
     connect(m_workspace, &Workspace::jobStarted, m_job, &JobIndicator::begin);
     connect(m_workspace, &Workspace::jobProgressed, m_job, &JobIndicator::setProgress);
     connect(m_workspace, &Workspace::jobDone, m_job, &JobIndicator::end);
-    connect(m_workspace, &Workspace::jobDone, this, &MainWindow::refreshPages);
+    connect(m_workspace, &Workspace::jobDone, this, [this] {
+        if (!m_many->isRunning()) // of many trials, once at the end
+            refreshPages();
+    });
     connect(m_workspace, &Workspace::jobFailed, m_job, &JobIndicator::end);
     connect(m_workspace, &Workspace::jobFailed, this, &MainWindow::tellFailure);
     connect(m_job, &JobIndicator::cancelRequested, m_workspace, &Workspace::cancel);
@@ -187,7 +213,7 @@ void MainWindow::makePages()
     m_record = new RecordPage(project, m_workspace->isReadOnly());
     m_review = new ReviewPage(project);
     m_compare = new ComparePage(project);
-    m_history = new HistoryPage(project);
+    m_history = new HistoryPage(project, m_workspace->isReadOnly());
     m_stack->addWidget(m_testbed);
     m_stack->addWidget(m_record);
     m_stack->addWidget(m_review);
@@ -201,6 +227,7 @@ void MainWindow::makePages()
     m_toolsMenu->setEnabled(true);
     m_playMenu->addActions(m_review->timeline().actions());
     m_playMenu->setEnabled(true);
+    m_viewMenu->addAction(m_history->pseudonyms()); // goes with the page
     m_views->setDesk(&m_review->desk());
     m_modeBar->setModesEnabled(true);
     m_messages->hide();
@@ -244,6 +271,19 @@ void MainWindow::connectPages()
             tellFailure(shown.error());
     });
     connect(m_history, &HistoryPage::notesChanged, m_review, &ReviewPage::refresh);
+    connect(m_history, &HistoryPage::exportRequested, m_many, &HistoryActions::exportTrials);
+    connect(m_history, &HistoryPage::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
+    connect(m_history, &HistoryPage::trialsChanged, this, [this](const QString &words) {
+        m_record->refresh();
+        m_review->refresh();
+        m_compare->refresh();
+        if (!words.isEmpty())
+            m_messages->showDone(words);
+    });
+    connect(m_history, &HistoryPage::settled, this, [this] {
+        if (isSettled())
+            Q_EMIT settled();
+    });
     connect(m_history, &HistoryPage::failed, this, &MainWindow::tellFailure);
     const QList<QAction *> steps{m_review->chooser().previousAction(), m_review->chooser().nextAction()};
     m_trialMenu->insertActions(m_playMenu->menuAction(), steps);
@@ -329,6 +369,8 @@ bool MainWindow::isSettled() const
         return m_review->isSettled();
     if (page == m_compare)
         return m_compare->isSettled();
+    if (page == m_history)
+        return m_history->isSettled();
     return page != m_testbed || m_testbed->isSettled();
 }
 

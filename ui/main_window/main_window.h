@@ -15,6 +15,7 @@ namespace odo {
 
 class ComparePage;
 class FileActions;
+class HistoryActions;
 class HistoryPage;
 class JobIndicator;
 class MessageBar;
@@ -24,6 +25,7 @@ class RecordPage;
 class ReviewPage;
 class TestbedPage;
 class TrialActions;
+class UndoActions;
 class ViewActions;
 class WelcomePage;
 class Workspace;
@@ -80,6 +82,8 @@ private:
     Workspace *m_workspace;
     FileActions *m_files;
     TrialActions *m_trials;
+    HistoryActions *m_many;
+    UndoActions *m_undo;
     ViewActions *m_views;
     ModeBar *m_modeBar;
     MessageBar *m_messages;
@@ -90,7 +94,7 @@ private:
     ReviewPage *m_review = nullptr;
     ComparePage *m_compare = nullptr;
     HistoryPage *m_history = nullptr;
-    QMenu *m_toolsMenu = nullptr, *m_trialMenu = nullptr, *m_recordMenu = nullptr, *m_playMenu = nullptr;
+    QMenu *m_viewMenu = nullptr, *m_toolsMenu = nullptr, *m_trialMenu = nullptr, *m_recordMenu = nullptr, *m_playMenu = nullptr;
     QLabel *m_saved, *m_analysis;
     JobIndicator *m_job;
 };

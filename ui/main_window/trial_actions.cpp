@@ -47,7 +47,7 @@ QList<PickableVideo> newestRecordings(Project &project)
 {
     constexpr std::size_t mostTrials = 12;
     QList<PickableVideo> videos;
-    const auto trials = project.trials().all();
+    const auto trials = project.trials().page(nullptr, static_cast<int>(mostTrials));
     for (std::size_t i = 0; trials && i < std::min(mostTrials, trials->size()); ++i) {
         const auto recordings = project.trials().recordings((*trials)[i].id);
         for (std::size_t v = 0; recordings && v < recordings->size(); ++v) {
@@ -132,7 +132,7 @@ void TrialActions::updateActions()
 void TrialActions::askImport(const QStringList &videos)
 {
     Project &project = *m_workspace.project();
-    const QStringList trials = namesOf(project.trials().all());
+    const QStringList trials = namesOf(project.trials().names());
     std::vector<ImportTrialDialog::OfferedCamera> cameras;
     for (const CameraRow &row : loadCameraRows(project).value_or(std::vector<CameraRow>()))
         cameras.push_back({QString::fromStdString(row.camera.name), cameraBadge(row.registration)});
@@ -202,12 +202,17 @@ bool TrialActions::askRobot()
     RobotDialog dialog(newestRecordings(*m_workspace.project()), &m_window);
     if (dialog.exec() != QDialog::Accepted)
         return false;
-    const Result<RobotRecord> added = m_workspace.project()->robots().add(dialog.robot());
+    Project &project = *m_workspace.project();
+    const QString name = QString::fromStdString(dialog.robot().name);
+    const Result<void> added = project.change(tr("add robot %1").arg(name).toStdString(), [&]() -> Result<void> {
+        const Result<RobotRecord> stored = project.robots().add(dialog.robot());
+        return stored ? Result<void>() : tl::unexpected(stored.error());
+    });
     if (!added) {
         Q_EMIT failed(added.error());
         return false;
     }
-    Q_EMIT done(tr("Robot %1 is known now.").arg(QString::fromStdString(added->name)));
+    Q_EMIT done(tr("Robot %1 is known now.").arg(name));
     return true;
 }
 

@@ -53,8 +53,8 @@ Result<void> Workspace::open(const std::filesystem::path &file)
 
 void Workspace::recoverTrials()
 {
-    const auto trials = m_project->trials().all();
-    if (!trials || std::ranges::none_of(*trials, &TrialRecord::unfinished))
+    const auto trials = m_project->trials().names();
+    if (!trials || std::ranges::none_of(*trials, &TrialName::unfinished))
         return makeHashes();
     const auto job = std::make_shared<RecoverJob>();
     const Result<void> started = start(job, tr("Completing a recording that was cut off"), [this, job] {

@@ -5,55 +5,97 @@
 #include "core/project/repositories.h"
 #include "ui/models/figure_text.h"
 
+#include <QCollator>
 #include <QDateTime>
 #include <QLocale>
 #include <QStringList>
+#include <algorithm>
+#include <unordered_map>
 
 namespace odo {
 
 namespace {
+
+const std::string shownMetric = "max_speed";
 
 QDateTime localDate(Instant instant)
 {
     return QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count());
 }
 
-QString robotNames(const TrialRecord &trial)
+QString joined(const std::vector<std::string> &names)
 {
-    QStringList names;
-    for (const std::string &name : trial.robotNames)
-        names += QString::fromStdString(name);
-    return names.join(QStringLiteral(", "));
+    QStringList list;
+    for (const std::string &name : names)
+        list += QString::fromStdString(name);
+    return list.join(QStringLiteral(", "));
 }
 
-const Metric *topSpeed(const TrialRow &row)
+/// As a text sorts by the numbers in it: "Trial 9" before "Trial 10". QCollator's own way needs a locale that
+/// has one.
+QString withNumbersPadded(const QString &text)
 {
-    const Metric *best = nullptr;
-    for (const AnalysisRecord &analysis : row.analyses) {
-        for (const Metric &metric : analysis.profile.metrics) {
-            if (metric.name == "max_speed" && (!best || metric.value > best->value))
-                best = &metric;
-        }
+    constexpr qsizetype width = 12;
+    QString padded;
+    for (qsizetype i = 0; i < text.size();) {
+        qsizetype end = i;
+        while (end < text.size() && text.at(end).isDigit())
+            ++end;
+        if (end > i)
+            padded += text.mid(i, end - i).rightJustified(width, u'0');
+        else
+            padded += text.at(end++);
+        i = end;
     }
-    return best;
+    return padded;
+}
+
+/// Rows of trials that were read, newest first, with their figures.
+Result<std::vector<TrialRow>> withFigures(Project &project, std::vector<TrialRecord> trials)
+{
+    std::vector<TrialRow> rows;
+    if (trials.empty())
+        return rows;
+    const auto figures = project.analyses().figures(shownMetric, trials.back().date, trials.front().date);
+    if (!figures)
+        return tl::unexpected(figures.error());
+    std::unordered_map<RecordId, Metric> best;
+    for (const TrialFigure &figure : *figures) {
+        const auto [place, isNew] = best.try_emplace(figure.trial, figure.metric);
+        if (!isNew && figure.metric.value > place->second.value)
+            place->second = figure.metric;
+    }
+    rows.reserve(trials.size());
+    for (TrialRecord &trial : trials) {
+        const auto figure = best.find(trial.id);
+        QString searchText = searchTextOf(trial);
+        rows.push_back({std::move(trial), figure == best.end() ? std::nullopt : std::optional(figure->second),
+                        std::move(searchText)});
+    }
+    return rows;
 }
 
 } // namespace
 
-Result<std::vector<TrialRow>> loadTrialRows(Project &project)
+Result<std::vector<TrialRow>> TrialRows::next(int count)
 {
-    auto trials = project.trials().all();
+    auto trials = m_project->trials().page(m_last ? &*m_last : nullptr, count);
     if (!trials)
-        return tl::make_unexpected(trials.error());
-    std::vector<TrialRow> rows;
-    rows.reserve(trials->size());
-    for (TrialRecord &trial : *trials) {
-        auto metrics = project.analyses().currentMetrics(trial.id);
-        if (!metrics)
-            return tl::make_unexpected(metrics.error());
-        rows.push_back({std::move(trial), std::move(*metrics)});
-    }
-    return rows;
+        return tl::unexpected(trials.error());
+    if (!trials->empty())
+        m_last = trials->back();
+    return withFigures(*m_project, std::move(*trials));
+}
+
+Result<TrialRow> loadTrialRow(Project &project, RecordId trial)
+{
+    auto record = project.trials().get(trial);
+    if (!record)
+        return tl::unexpected(record.error());
+    auto rows = withFigures(project, {std::move(*record)});
+    if (!rows)
+        return tl::unexpected(rows.error());
+    return std::move(rows->front());
 }
 
 TrialModel::TrialModel(QObject *parent) : QAbstractTableModel(parent) {}
@@ -62,12 +104,119 @@ void TrialModel::setRows(std::vector<TrialRow> rows)
 {
     beginResetModel();
     m_rows = std::move(rows);
+    choose();
     endResetModel();
+}
+
+void TrialModel::setFilter(TrialFilter filter)
+{
+    beginResetModel();
+    m_filter = std::move(filter);
+    choose();
+    endResetModel();
+}
+
+void TrialModel::setPseudonyms(bool shown)
+{
+    beginResetModel();
+    m_pseudonyms = shown;
+    choose();
+    endResetModel();
+}
+
+void TrialModel::updateRow(TrialRow row)
+{
+    const auto known =
+        std::ranges::find(m_rows, row.trial.id, [](const TrialRow &each) { return each.trial.id; });
+    if (known == m_rows.end())
+        return;
+    *known = std::move(row);
+    const auto shown = std::ranges::find(m_shown, static_cast<std::size_t>(known - m_rows.begin()));
+    if (shown == m_shown.end())
+        return;
+    const int place = static_cast<int>(shown - m_shown.begin());
+    const QStringList words = m_filter.text.toLower().split(u' ', Qt::SkipEmptyParts);
+    if (isShown(m_filter, words, known->trial, known->searchText)) {
+        Q_EMIT dataChanged(index(place, 0), index(place, ColumnCount - 1));
+        return;
+    }
+    beginRemoveRows({}, place, place);
+    m_shown.erase(shown);
+    endRemoveRows();
+}
+
+int TrialModel::indexOf(const QString &trial) const
+{
+    const std::string name = trial.toStdString();
+    const auto found =
+        std::ranges::find_if(m_shown, [&](std::size_t each) { return m_rows[each].trial.name == name; });
+    return found == m_shown.end() ? -1 : static_cast<int>(found - m_shown.begin());
+}
+
+void TrialModel::choose()
+{
+    m_shown.clear();
+    const QStringList words = m_filter.text.toLower().split(u' ', Qt::SkipEmptyParts);
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+        if (isShown(m_filter, words, m_rows[i].trial, m_rows[i].searchText))
+            m_shown.push_back(i);
+    arrange();
+}
+
+void TrialModel::sort(int column, Qt::SortOrder order)
+{
+    if (column < 0 || column >= ColumnCount)
+        return;
+    Q_EMIT layoutAboutToBeChanged({}, VerticalSortHint);
+    const std::vector<std::size_t> before = m_shown;
+    m_sortColumn = column;
+    m_sortOrder = order;
+    arrange();
+    std::vector<int> placeOf(m_rows.size(), -1);
+    for (std::size_t i = 0; i < m_shown.size(); ++i)
+        placeOf[m_shown[i]] = static_cast<int>(i);
+    const QModelIndexList old = persistentIndexList();
+    for (const QModelIndex &each : old)
+        changePersistentIndex(each,
+                              index(placeOf[before[static_cast<std::size_t>(each.row())]], each.column()));
+    Q_EMIT layoutChanged({}, VerticalSortHint);
+}
+
+void TrialModel::arrange()
+{
+    const auto sortBy = [this](const auto &key) {
+        if (m_sortOrder == Qt::AscendingOrder)
+            std::ranges::stable_sort(m_shown, std::ranges::less(), key);
+        else
+            std::ranges::stable_sort(m_shown, std::ranges::greater(), key);
+    };
+    switch (m_sortColumn) {
+    case DateColumn:
+        return sortBy([this](std::size_t i) { return m_rows[i].trial.date; });
+    case DurationColumn:
+        return sortBy([this](std::size_t i) { return m_rows[i].trial.durationS; });
+    case TopSpeedColumn: // trials without a figure come together at one end
+        return sortBy(
+            [this](std::size_t i) { return m_rows[i].topSpeed ? m_rows[i].topSpeed->value : -1.0; });
+    case StarColumn:
+        return sortBy([this](std::size_t i) { return m_rows[i].trial.starred; });
+    default:
+        break;
+    }
+    QCollator collator; // keys are made once a row, not once a comparison
+    std::unordered_map<std::size_t, QCollatorSortKey> keys;
+    for (const std::size_t i : m_shown)
+        keys.emplace(i, collator.sortKey(withNumbersPadded(display(m_rows[i], m_sortColumn).toLower())));
+    const bool rising = m_sortOrder == Qt::AscendingOrder;
+    std::ranges::stable_sort(m_shown, [&](std::size_t a, std::size_t b) {
+        const int order = keys.at(a).compare(keys.at(b));
+        return rising ? order < 0 : order > 0;
+    });
 }
 
 int TrialModel::rowCount(const QModelIndex &parent) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+    return parent.isValid() ? 0 : static_cast<int>(m_shown.size());
 }
 
 int TrialModel::columnCount(const QModelIndex &parent) const
@@ -81,7 +230,8 @@ QString TrialModel::display(const TrialRow &row, int column) const
     case NameColumn:
         return QString::fromStdString(row.trial.name);
     case TeamColumn:
-        return QString::fromStdString(row.trial.teamName);
+        return QString::fromStdString(
+            m_pseudonyms && !row.trial.teamPseudonym.empty() ? row.trial.teamPseudonym : row.trial.teamName);
     case ClassColumn:
         return QString::fromStdString(row.trial.className);
     case TaskColumn:
@@ -89,31 +239,15 @@ QString TrialModel::display(const TrialRow &row, int column) const
     case DateColumn:
         return QLocale().toString(localDate(row.trial.date), QLocale::ShortFormat);
     case RobotsColumn:
-        return robotNames(row.trial);
+        return joined(row.trial.robotNames);
     case DurationColumn:
         return secondsText(fromSeconds(row.trial.durationS));
-    case TopSpeedColumn: {
-        const Metric *metric = topSpeed(row);
-        return metric ? metricFigure(*metric).text() : tr("not tracked");
-    }
+    case TopSpeedColumn:
+        return row.topSpeed ? metricFigure(*row.topSpeed).text() : tr("not tracked");
+    case TagsColumn:
+        return joined(row.trial.tags);
     default:
         return {};
-    }
-}
-
-QVariant TrialModel::sortKey(const TrialRow &row, int column) const
-{
-    switch (column) {
-    case DateColumn:
-        return localDate(row.trial.date);
-    case DurationColumn:
-        return row.trial.durationS;
-    case TopSpeedColumn: {
-        const Metric *metric = topSpeed(row);
-        return metric ? metric->value : -1.0; // trials without a figure come together at one end
-    }
-    default:
-        return display(row, column);
     }
 }
 
@@ -121,32 +255,65 @@ QVariant TrialModel::data(const QModelIndex &index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid))
         return {};
-    const TrialRow &row = m_rows[static_cast<std::size_t>(index.row())];
+    const TrialRow &row = this->row(index.row());
     const int column = index.column();
     switch (role) {
     case Qt::DisplayRole:
         return display(row, column);
+    case Qt::EditRole:
+        return column == TagsColumn ? QVariant(display(row, column)) : QVariant();
+    case Qt::CheckStateRole:
+        return column == StarColumn
+                   ? QVariant(static_cast<int>(row.trial.starred ? Qt::Checked : Qt::Unchecked))
+                   : QVariant();
+    case Qt::AccessibleTextRole:
+        return column == StarColumn ? QVariant(row.trial.starred ? tr("starred") : tr("not starred"))
+                                    : QVariant();
+    case Qt::ToolTipRole:
+        if (column == TagsColumn && m_editable)
+            return tr("Tags, separated by commas: double-click or F2 changes them");
+        return column == StarColumn ? QVariant(tr("Star (Ctrl+D)")) : QVariant();
     case Qt::TextAlignmentRole: {
         const bool number = column == DurationColumn || column == TopSpeedColumn;
         return QVariant::fromValue(
             Qt::Alignment(Qt::AlignVCenter | (number ? Qt::AlignRight : Qt::AlignLeft)));
     }
-    case SortRole:
-        return sortKey(row, column);
     case NameRole:
         return display(row, NameColumn);
-    case NotesRole:
-        return QString::fromStdString(row.trial.notes);
-    case SearchRole: {
-        QStringList words;
-        for (const int each : {NameColumn, TeamColumn, ClassColumn, TaskColumn, DateColumn, RobotsColumn})
-            words += display(row, each);
-        words += QString::fromStdString(row.trial.notes);
-        return words.join(u' ');
-    }
+    case IdRole:
+        return QVariant::fromValue(qint64(row.trial.id));
     default:
         return {};
     }
+}
+
+bool TrialModel::setData(const QModelIndex &index, const QVariant &value, int role)
+{
+    if (!m_editable || !checkIndex(index, CheckIndexOption::IndexIsValid))
+        return false;
+    const RecordId id = row(index.row()).trial.id;
+    if (index.column() == StarColumn && role == Qt::CheckStateRole) {
+        Q_EMIT starWanted(id, value.toInt() == Qt::Checked);
+        return true;
+    }
+    if (index.column() != TagsColumn || role != Qt::EditRole)
+        return false;
+    QStringList tags;
+    for (const QString &tag : value.toString().split(u','))
+        if (!tag.trimmed().isEmpty())
+            tags << tag.trimmed();
+    Q_EMIT tagsWanted(id, tags);
+    return true;
+}
+
+Qt::ItemFlags TrialModel::flags(const QModelIndex &index) const
+{
+    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    if (m_editable && index.column() == StarColumn)
+        flags |= Qt::ItemIsUserCheckable;
+    if (m_editable && index.column() == TagsColumn)
+        flags |= Qt::ItemIsEditable;
+    return flags;
 }
 
 QVariant TrialModel::headerData(int section, Qt::Orientation orientation, int role) const
@@ -170,6 +337,10 @@ QVariant TrialModel::headerData(int section, Qt::Orientation orientation, int ro
         return tr("Time");
     case TopSpeedColumn:
         return tr("Top speed");
+    case StarColumn:
+        return tr("Star");
+    case TagsColumn:
+        return tr("Tags");
     default:
         return {};
     }

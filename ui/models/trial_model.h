@@ -3,25 +3,43 @@
 
 #include "core/base/error.h"
 #include "core/project/records.h"
+#include "ui/models/trial_filter.h"
 
 #include <QAbstractTableModel>
+#include <optional>
 #include <vector>
 
 namespace odo {
 
 class Project;
 
-/// A trial in the list, with the metrics of its best robot.
+/// A trial in the list, with the figure that the list shows of it.
 struct TrialRow
 {
     TrialRecord trial;
-    std::vector<AnalysisRecord> analyses; ///< metrics alone, one a robot; empty: not tracked
+    std::optional<Metric> topSpeed; ///< of its fastest robot; nullopt: not tracked
+    QString searchText;             ///< searchTextOf(trial)
 };
 
-/// Reads all trials with their metrics, newest first. On the project's thread.
-Result<std::vector<TrialRow>> loadTrialRows(Project &project);
+/// Reads the trials of a project piece by piece, newest first, so that thousands of them never keep the
+/// window waiting. On the project's thread; the project must outlive it.
+class TrialRows
+{
+public:
+    explicit TrialRows(Project &project) : m_project(&project) {}
+    /// The next rows; none: all were read.
+    Result<std::vector<TrialRow>> next(int count);
 
-/// The trials of a project: what History and the choice of a trial show.
+private:
+    Project *m_project;
+    std::optional<TrialRecord> m_last;
+};
+
+/// One of them. On the project's thread.
+Result<TrialRow> loadTrialRow(Project &project, RecordId trial);
+
+/// The trials of a project that a filter lets through, sorted by a column. Ten thousand are filtered in
+/// milliseconds: a proxy, which tells a view of each range of rows that goes, is not used. GUI thread.
 class TrialModel : public QAbstractTableModel
 {
     Q_OBJECT
@@ -35,29 +53,57 @@ public:
         RobotsColumn,
         DurationColumn,
         TopSpeedColumn,
+        StarColumn, ///< checkable
+        TagsColumn, ///< editable, separated by commas
         ColumnCount
     };
     enum Roles {
-        SortRole = Qt::UserRole, ///< of each column: text, date, or number
-        NameRole,                ///< QString, of the row's trial
-        NotesRole,               ///< QString
-        SearchRole,              ///< QString: all that a person would look for, for a filter
+        NameRole = Qt::UserRole, ///< QString, of the row's trial
+        IdRole,                  ///< qint64, of the row's trial
     };
 
     explicit TrialModel(QObject *parent = nullptr);
     void setRows(std::vector<TrialRow> rows);
-    const TrialRow &row(int index) const { return m_rows.at(static_cast<std::size_t>(index)); }
+    /// Replaces the row of the same trial; it stays where it is until the list is sorted or filtered again,
+    /// unless the filter does not let it through any more.
+    void updateRow(TrialRow row);
+    void setFilter(TrialFilter filter);
+    const TrialFilter &filter() const { return m_filter; }
+    /// Teams that have a pseudonym are shown by it.
+    void setPseudonyms(bool shown);
+    /// Whether stars and tags can be changed in place.
+    void setEditable(bool editable) { m_editable = editable; }
+
+    const TrialRow &row(int index) const { return m_rows.at(m_shown.at(static_cast<std::size_t>(index))); }
+    int indexOf(const QString &trial) const; ///< −1: not shown
+    const std::vector<TrialRow> &allRows() const { return m_rows; }
+    /// However few are shown.
+    int allCount() const { return static_cast<int>(m_rows.size()); }
 
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+    void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
+
+Q_SIGNALS:
+    /// A person changed a cell; the row follows by updateRow, once it is stored.
+    void starWanted(qint64 trial, bool starred);
+    void tagsWanted(qint64 trial, const QStringList &tags);
 
 private:
     QString display(const TrialRow &row, int column) const;
-    QVariant sortKey(const TrialRow &row, int column) const;
+    void choose();  ///< fills m_shown by the filter, sorted
+    void arrange(); ///< sorts m_shown
 
     std::vector<TrialRow> m_rows;
+    std::vector<std::size_t> m_shown; ///< indices into m_rows
+    TrialFilter m_filter;
+    int m_sortColumn = DateColumn;
+    Qt::SortOrder m_sortOrder = Qt::DescendingOrder;
+    bool m_pseudonyms = false, m_editable = false;
 };
 
 } // namespace odo

@@ -16,6 +16,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <ranges>
 
 namespace odo {
 
@@ -74,15 +75,17 @@ Result<void> ReviewPage::showTrial(const QString &name)
 
 void ReviewPage::refresh()
 {
-    const Result<std::vector<TrialRecord>> trials = m_project.trials().all();
+    const Result<std::vector<TrialName>> trials = m_project.trials().names();
     if (!trials) {
         Q_EMIT failed(trials.error());
         return;
     }
     QStringList names, teams;
-    for (const TrialRecord &trial : *trials) { // newest first; the chooser goes on in time
-        names.prepend(QString::fromStdString(trial.name));
-        teams.prepend(QString::fromStdString(trial.teamName));
+    for (const TrialName &trial : *trials | std::views::reverse) { // the chooser goes on in time
+        if (trial.binned)
+            continue;
+        names << QString::fromStdString(trial.name);
+        teams << QString::fromStdString(trial.teamName);
     }
     m_chooser->setTrials(names, teams);
     if (names.isEmpty()) {

@@ -3,6 +3,7 @@
 
 #include "ui/views/theme_icon.h"
 
+#include <QAbstractListModel>
 #include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -10,6 +11,28 @@
 
 namespace odo {
 namespace {
+
+/// Names with remarks. Thousands of them: a combo box's own items would take longer than the window may.
+class TrialNameModel : public QAbstractListModel
+{
+public:
+    TrialNameModel(QStringList names, QStringList remarks, QObject *parent)
+        : QAbstractListModel(parent), m_names(std::move(names)), m_remarks(std::move(remarks))
+    {
+    }
+    int rowCount(const QModelIndex &parent) const override { return parent.isValid() ? 0 : static_cast<int>(m_names.size()); }
+    QVariant data(const QModelIndex &index, int role) const override
+    {
+        const QString &name = m_names.at(index.row()), &remark = m_remarks.at(index.row());
+        if (role == Qt::DisplayRole)
+            return remark.isEmpty() ? name : QStringLiteral("%1 · %2").arg(name, remark);
+        return role == Qt::UserRole ? QVariant(name) : QVariant();
+    }
+    int indexOf(const QString &name) const { return static_cast<int>(m_names.indexOf(name)); }
+
+private:
+    const QStringList m_names, m_remarks;
+};
 
 QToolButton *buttonFor(QAction *action, QWidget *parent)
 {
@@ -49,17 +72,14 @@ TrialChooser::TrialChooser(QWidget *parent)
 void TrialChooser::setTrials(const QStringList &names, const QStringList &remarks)
 {
     const QString current = m_trials->currentData().toString();
-    m_trials->clear();
-    for (int i = 0; i < names.size(); ++i)
-        m_trials->addItem(remarks.at(i).isEmpty() ? names.at(i)
-                                                  : QStringLiteral("%1 · %2").arg(names.at(i), remarks.at(i)),
-                          names.at(i));
+    m_trials->setModel(new TrialNameModel(names, remarks, m_trials)); // the one before goes with it
     setCurrent(current);
 }
 
 void TrialChooser::setCurrent(const QString &name)
 {
-    m_trials->setCurrentIndex(m_trials->findData(name));
+    const auto *model = dynamic_cast<TrialNameModel *>(m_trials->model());
+    m_trials->setCurrentIndex(model ? model->indexOf(name) : -1);
     m_trials->setToolTip(m_trials->currentText().toHtmlEscaped());
     updateActions();
 }

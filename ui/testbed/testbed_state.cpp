@@ -91,10 +91,10 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
 
 Result<TrialScenePtr> newestPicture(Project &project, const CameraRow &camera)
 {
-    const Result<std::vector<TrialRecord>> trials = project.trials().all();
+    const Result<std::vector<TrialName>> trials = project.trials().names();
     if (!trials)
         return tl::unexpected(trials.error());
-    for (const TrialRecord &trial : *trials) {
+    for (const TrialName &trial : *trials) {
         const Result<std::vector<RecordingRecord>> recordings = project.trials().recordings(trial.id);
         if (!recordings)
             return tl::unexpected(recordings.error());
@@ -112,7 +112,10 @@ Result<TrialScenePtr> newestPicture(Project &project, const CameraRow &camera)
                 view.registration = camera.registration->registration;
                 scene->layout = layout->layout;
             }
-            scene->trial = trial;
+            const Result<TrialRecord> record = project.trials().get(trial.id);
+            if (!record)
+                return tl::unexpected(record.error());
+            scene->trial = *record;
             scene->views.push_back(std::move(view));
             return scene;
         }

@@ -274,7 +274,12 @@ void TestbedTools::importLayout()
 
 void TestbedTools::store(MarkerLayout layout)
 {
-    if (const Result<LayoutRecord> added = m_project.layouts().add(layout); !added)
+    const QString words = tr("add layout %1").arg(QString::fromStdString(layout.name));
+    const Result<void> added = m_project.change(words.toStdString(), [&]() -> Result<void> {
+        const Result<LayoutRecord> stored = m_project.layouts().add(layout);
+        return stored ? Result<void>() : tl::unexpected(stored.error());
+    });
+    if (!added)
         Q_EMIT failed(added.error());
     else
         Q_EMIT changed(tr("Layout %1 has %2 markers.").arg(QString::fromStdString(layout.name)).arg(layout.markers.size()));

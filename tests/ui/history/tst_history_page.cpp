@@ -1,19 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/ui/support/person.h"
+#include "tests/ui/support/project_content.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/history/history_page.h"
+#include "ui/history/mark_actions.h"
+#include "ui/history/teams_panel.h"
+#include "ui/history/trend_chart.h"
 #include "ui/history/trial_detail.h"
+#include "ui/models/standings_model.h"
+#include "ui/models/trial_model.h"
 
+#include <QAction>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 
 using namespace odo;
+
+namespace {
+
+QComboBox *choice(const QWidget &page, const char *name)
+{
+    for (QComboBox *box : page.findChildren<QComboBox *>())
+        if (box->accessibleName() == QLatin1String(name))
+            return box;
+    qFatal("no choice of %s", name);
+}
+
+} // namespace
 
 class TestHistoryPage : public QObject
 {
@@ -24,9 +46,17 @@ private Q_SLOTS:
     void opensByEnterAndDoubleClick();
     void savesNotesAtOnce();
     void comparesWhatIsSelected();
+    void marksTakeEffectAndAreTakenBack();
+    void tagsAreWrittenInPlace();
+    void theBinIsEmptiedForGood();
+    void showsHowTeamsStand();
+    void readsThousandsPieceByPiece();
+    void whatIsReadOnlyIsNotMarked();
     void saysWhenThereIsNothing();
 
 private:
+    /// A copy that a test may change.
+    std::unique_ptr<Project> copy(const QString &name);
     QTemporaryDir m_folder;
     std::unique_ptr<Project> m_project;
 };
@@ -42,9 +72,9 @@ void TestHistoryPage::searchesAsYouType()
 {
     HistoryPage page(*m_project);
     page.refresh();
-    auto *table = page.findChild<QTableView *>();
+    auto *table = page.findChild<QTableView *>(QStringLiteral("trials"));
     QCOMPARE(table->model()->rowCount(), 3);
-    auto *search = page.findChild<QLineEdit *>();
+    auto *search = page.findChild<QLineEdit *>(QStringLiteral("search"));
     QTest::keyClicks(search, QStringLiteral("heron"));
     QCOMPARE(table->model()->rowCount(), 1);
     QCOMPARE(table->model()->index(0, 0).data().toString(), QStringLiteral("Trial 2"));
@@ -61,7 +91,7 @@ void TestHistoryPage::opensByEnterAndDoubleClick()
     page.refresh();
     page.selectTrial(QStringLiteral("Trial 2"));
     QSignalSpy chosen(&page, &HistoryPage::trialChosen);
-    auto *table = page.findChild<QTableView *>();
+    auto *table = page.findChild<QTableView *>(QStringLiteral("trials"));
     QTest::keyClick(table, Qt::Key_Return);
     QCOMPARE(chosen.count(), 1);
     QCOMPARE(chosen.front().front().toString(), QStringLiteral("Trial 2"));
@@ -88,6 +118,14 @@ void TestHistoryPage::savesNotesAtOnce()
         QString::fromStdString(m_project->trials().find("Trial 1")->notes).endsWith(QLatin1String("motor.")));
 }
 
+std::unique_ptr<Project> TestHistoryPage::copy(const QString &name)
+{
+    const auto file = std::filesystem::path(m_folder.filePath(name).toStdString());
+    if (const auto saved = m_project->saveCopy(file); !saved)
+        qFatal("%s", saved.error().message().c_str());
+    return std::move(*Project::open(file, Project::Access::ReadWrite));
+}
+
 void TestHistoryPage::comparesWhatIsSelected()
 {
     HistoryPage page(*m_project);
@@ -99,12 +137,163 @@ void TestHistoryPage::comparesWhatIsSelected()
             compare = button;
     QVERIFY(compare && !compare->isEnabled()); // one trial is not enough
     QSignalSpy wanted(&page, &HistoryPage::compareRequested);
-    page.findChild<QTableView *>()->selectAll();
+    page.findChild<QTableView *>(QStringLiteral("trials"))->selectAll();
     QVERIFY(compare->isEnabled());
     compare->click();
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(wanted.front().front().toStringList(), // the newest on top
              QStringList({QStringLiteral("Trial 1"), QStringLiteral("Trial 2"), QStringLiteral("Trial 3")}));
+}
+
+void TestHistoryPage::marksTakeEffectAndAreTakenBack()
+{
+    const auto project = copy(QStringLiteral("marks.odo"));
+    const QStringList before = contentOf(*project);
+    HistoryPage page(*project);
+    page.refresh();
+    auto *table = page.findChild<QTableView *>(QStringLiteral("trials"));
+    page.selectTrial(QStringLiteral("Trial 2"));
+    auto *marks = page.findChild<MarkActions *>();
+    QSignalSpy changed(&page, &HistoryPage::trialsChanged);
+
+    marks->star()->trigger();
+    QVERIFY(project->trials().find("Trial 2")->starred);
+    QCOMPARE(project->undoWords(), std::string("star Trial 2"));
+    QCOMPARE(marks->star()->text(), QStringLiteral("Take the &star off"));
+    QCOMPARE(changed.count(), 0); // nobody else shows stars
+
+    marks->bin()->trigger();
+    QVERIFY(project->trials().find("Trial 2")->binned);
+    QCOMPARE(table->model()->rowCount(), 2);
+    QCOMPARE(changed.count(), 1);
+    auto *place = choice(page, "Where");
+    place->setCurrentIndex(2);
+    QCOMPARE(table->model()->rowCount(), 1);
+    QCOMPARE(marks->bin()->text(), QStringLiteral("&Put back"));
+    place->setCurrentIndex(0);
+
+    table->selectAll();
+    marks->archive()->trigger();
+    QCOMPARE(table->model()->rowCount(), 0);
+    QCOMPARE(project->undoWords(), std::string("archive 2 trials"));
+
+    for (int i = 0; i < 3; ++i)
+        QVERIFY(project->undo());
+    QCOMPARE(contentOf(*project), before);
+    page.refresh();
+    QCOMPARE(table->model()->rowCount(), 3);
+}
+
+void TestHistoryPage::tagsAreWrittenInPlace()
+{
+    const auto project = copy(QStringLiteral("tags.odo"));
+    HistoryPage page(*project);
+    page.refresh();
+    page.selectTrial(QStringLiteral("Trial 1"));
+    QAbstractItemModel *model = page.findChild<QTableView *>(QStringLiteral("trials"))->model();
+    const QModelIndex tags = model->index(0, TrialModel::TagsColumn);
+    QVERIFY(model->setData(tags, QStringLiteral("wet floor, final")));
+    QCOMPARE(project->trials().find("Trial 1")->tags, (std::vector<std::string>{"final", "wet floor"}));
+    QCOMPARE(tags.data().toString(), QStringLiteral("final, wet floor"));
+    QTest::keyClicks(page.findChild<QLineEdit *>(QStringLiteral("search")), QStringLiteral("wet"));
+    QCOMPARE(model->rowCount(), 1);
+    QSignalSpy failed(&page, &HistoryPage::failed);
+    model->setData(model->index(0, TrialModel::TagsColumn), QString(300, u'x'));
+    QCOMPARE(failed.count(), 1);
+    QCOMPARE(project->trials().find("Trial 1")->tags.size(), std::size_t(2));
+}
+
+void TestHistoryPage::theBinIsEmptiedForGood()
+{
+    const auto project = copy(QStringLiteral("bin.odo"));
+    QVERIFY(project->trials().setBinned(project->trials().find("Trial 3")->id, true));
+    HistoryPage page(*project);
+    page.refresh();
+    auto *marks = page.findChild<MarkActions *>();
+    QVERIFY(!marks->emptyBin()->isEnabled()); // not while other trials are shown
+    choice(page, "Where")->setCurrentIndex(2);
+    {
+        Person person({[](QDialog &dialog) { dialog.reject(); }});
+        marks->emptyBin()->trigger();
+        QVERIFY(person.isDone());
+    }
+    QCOMPARE(project->trials().all()->size(), std::size_t(3));
+    QSignalSpy told(&page, &HistoryPage::trialsChanged);
+    Person person({[](QDialog &dialog) {
+        for (QAbstractButton *button : dialog.findChildren<QAbstractButton *>())
+            if (button->text() == QLatin1String("&Remove for good"))
+                button->click();
+    }});
+    marks->emptyBin()->trigger();
+    QVERIFY(person.isDone());
+    QCOMPARE(project->trials().all()->size(), std::size_t(2));
+    QCOMPARE(told.value(0).value(0).toString(), QStringLiteral("1 trial was removed for good."));
+}
+
+void TestHistoryPage::showsHowTeamsStand()
+{
+    HistoryPage page(*m_project);
+    page.refresh();
+    page.findChild<QTabWidget *>()->setCurrentIndex(1);
+    auto *panel = page.findChild<TeamsPanel *>();
+    auto *model = panel->findChild<QTableView *>()->model();
+    QCOMPARE(model->rowCount(), 2); // Falcon and Heron have a tracked trial each
+    QCOMPARE(model->index(0, StandingsModel::ProgressColumn).data().toString(),
+             QStringLiteral("three trials at different times tell"));
+    auto *chart = panel->findChild<TrendChart *>();
+    QVERIFY(chart->accessibleDescription().contains(
+        model->index(0, StandingsModel::TeamColumn).data().toString()));
+    choice(*panel, "Task")
+        ->setCurrentIndex(choice(*panel, "Task")->findText(QStringLiteral("Figure eight, 2 laps")));
+    QCOMPARE(model->rowCount(), 1);
+    QCOMPARE(model->index(0, StandingsModel::TeamColumn).data().toString(), QStringLiteral("Falcon"));
+    choice(*panel, "Figure")->setCurrentIndex(1);
+    QCOMPARE(model->rowCount(), 1);
+}
+
+void TestHistoryPage::readsThousandsPieceByPiece()
+{
+    const auto project =
+        std::move(*Project::create(m_folder.filePath(QStringLiteral("many.odo")).toStdString(), "Many"));
+    constexpr int count = 700; // more than two pieces
+    QVERIFY(project->inTransaction([&]() -> Result<void> {
+        for (int i = 0; i < count; ++i) {
+            TrialRecord trial;
+            trial.name = "Trial " + std::to_string(i);
+            trial.date = Instant(std::chrono::minutes(i));
+            if (const auto added = project->trials().add(trial, {}); !added)
+                return tl::unexpected(added.error());
+        }
+        return {};
+    }));
+    HistoryPage page(*project);
+    QSignalSpy settled(&page, &HistoryPage::settled);
+    page.refresh();
+    QVERIFY(!page.isSettled());
+    QAbstractItemModel *model = page.findChild<QTableView *>(QStringLiteral("trials"))->model();
+    QCOMPARE(model->index(0, 0).data().toString(),
+             QStringLiteral("Trial 699")); // the newest stand there at once
+    page.selectTrial(QStringLiteral("Trial 650"));
+    QTRY_COMPARE(settled.count(), 1);
+    QCOMPARE(model->rowCount(), count);
+    QCOMPARE(page.findChild<QTableView *>(QStringLiteral("trials"))
+                 ->currentIndex()
+                 .siblingAtColumn(0)
+                 .data()
+                 .toString(),
+             QStringLiteral("Trial 650"));
+}
+
+void TestHistoryPage::whatIsReadOnlyIsNotMarked()
+{
+    HistoryPage page(*m_project, true);
+    page.refresh();
+    page.selectTrial(QStringLiteral("Trial 1"));
+    auto *marks = page.findChild<MarkActions *>();
+    for (QAction *action : {marks->star(), marks->archive(), marks->bin(), marks->emptyBin()})
+        QVERIFY(!action->isEnabled());
+    QAbstractItemModel *model = page.findChild<QTableView *>(QStringLiteral("trials"))->model();
+    QVERIFY(!(model->index(0, TrialModel::TagsColumn).flags() & Qt::ItemIsEditable));
 }
 
 void TestHistoryPage::saysWhenThereIsNothing()
@@ -113,7 +302,7 @@ void TestHistoryPage::saysWhenThereIsNothing()
     QVERIFY(empty);
     HistoryPage page(**empty);
     page.refresh();
-    QCOMPARE(page.findChild<QTableView *>()->model()->rowCount(), 0);
+    QCOMPARE(page.findChild<QTableView *>(QStringLiteral("trials"))->model()->rowCount(), 0);
     QVERIFY(!page.findChild<QPlainTextEdit *>()->isEnabled());
 }
 

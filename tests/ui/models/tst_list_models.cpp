@@ -3,11 +3,13 @@
 #include "ui/models/camera_list_model.h"
 #include "ui/models/metric_model.h"
 #include "ui/models/spike_model.h"
+#include "ui/models/change_model.h"
+#include "ui/models/standings_model.h"
 #include "ui/models/trial_model.h"
 
 #include <QAbstractItemModelTester>
 #include <QDateTime>
-#include <QSortFilterProxyModel>
+#include <QSignalSpy>
 #include <QTest>
 
 using namespace odo;
@@ -25,11 +27,19 @@ TrialRow trialRow(const char *name, std::int64_t minute, std::optional<double> t
     row.trial.robotNames = {"Red 2", "Blue 1"};
     row.trial.durationS = 9.84;
     row.trial.notes = "New wheels";
-    if (topSpeed) {
-        row.analyses.emplace_back();
-        row.analyses.back().profile.metrics = {{"max_speed", "m/s", *topSpeed, 0.02}};
-    }
+    row.trial.id = minute;
+    if (topSpeed)
+        row.topSpeed = Metric{"max_speed", "m/s", *topSpeed, 0.02};
+    row.searchText = searchTextOf(row.trial);
     return row;
+}
+
+QString shownNames(const TrialModel &model)
+{
+    QString names;
+    for (int row = 0; row < model.rowCount(); ++row)
+        names += model.index(row, TrialModel::NameColumn).data().toString();
+    return names;
 }
 
 CameraRow cameraRow(const char *name, std::optional<double> rmsM)
@@ -84,23 +94,156 @@ private Q_SLOTS:
         TrialModel model;
         QAbstractItemModelTester tester(&model, strict);
         model.setRows({trialRow("b", 30, 10.5), trialRow("a", 10, 9.5), trialRow("c", 20, std::nullopt)});
-        QSortFilterProxyModel sorted;
-        sorted.setSourceModel(&model);
-        sorted.setSortRole(TrialModel::SortRole);
         const auto order = [&](int column) {
-            sorted.sort(column);
-            QString names;
-            for (int row = 0; row < sorted.rowCount(); ++row)
-                names += sorted.index(row, 0).data().toString();
-            return names;
+            model.sort(column);
+            return shownNames(model);
         };
         QCOMPARE(order(TrialModel::NameColumn), QStringLiteral("abc"));
         QCOMPARE(order(TrialModel::DateColumn), QStringLiteral("acb"));
         QCOMPARE(order(TrialModel::TopSpeedColumn), QStringLiteral("cab")); // 9.5 before 10.5, not by letters
+        const QPersistentModelIndex b = model.index(2, 0);
+        model.sort(TrialModel::TopSpeedColumn, Qt::DescendingOrder);
+        QCOMPARE(b.row(), 0); // who is selected stays selected
         QCOMPARE(model.index(0, TrialModel::RobotsColumn).data().toString(), QStringLiteral("Red 2, Blue 1"));
-        QVERIFY(
-            model.index(0, 0).data(TrialModel::SearchRole).toString().contains(QStringLiteral("New wheels")));
         QCOMPARE(model.index(2, TrialModel::TopSpeedColumn).data().toString(), QStringLiteral("not tracked"));
+        model.setRows({trialRow("Trial 10", 1, {}), trialRow("Trial 9", 2, {})});
+        QCOMPARE(order(TrialModel::NameColumn), QStringLiteral("Trial 9Trial 10"));
+    }
+    void trialsAreFiltered_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("shown");
+        QTest::addRow("nothing typed") << "" << "abc";
+        QTest::addRow("a name of a team, small letters") << "falcon" << "abc";
+        QTest::addRow("notes and a robot, in any order") << "blue WHEELS" << "abc";
+        QTest::addRow("a tag") << "wet" << "b";
+        QTest::addRow("a pseudonym") << "team four" << "a";
+        QTest::addRow("one word that is not there") << "falcon nobody" << "";
+        QTest::addRow("blanks") << "   " << "abc";
+        QTest::addRow("not across two fields") << "cFalcon" << "";
+    }
+    void trialsAreFiltered()
+    {
+        QFETCH(const QString, text);
+        TrialRow a = trialRow("a", 1, {}), b = trialRow("b", 2, {}), c = trialRow("c", 3, {});
+        b.trial.tags = {"wet floor"};
+        a.trial.teamPseudonym = "Team Four";
+        for (TrialRow *row : {&a, &b})
+            row->searchText = searchTextOf(row->trial);
+        TrialModel model;
+        QAbstractItemModelTester tester(&model, strict);
+        model.setRows({a, b, c});
+        model.sort(TrialModel::NameColumn);
+        TrialFilter filter;
+        filter.text = text;
+        model.setFilter(filter);
+        QTEST(shownNames(model), "shown");
+        QCOMPARE(model.allCount(), 3);
+    }
+    void everyConditionOfAFilterHolds()
+    {
+        TrialRow a = trialRow("a", 1, {}), b = trialRow("b", 2, {}), c = trialRow("c", 3, {}), d = trialRow("d", 4, {});
+        a.trial.className = b.trial.className = "9B";
+        b.trial.starred = c.trial.starred = true;
+        b.trial.task = "Slalom";
+        c.trial.archived = c.trial.date;
+        d.trial.archived = d.trial.binned = d.trial.date;
+        TrialModel model;
+        QAbstractItemModelTester tester(&model, strict);
+        model.setRows({a, b, c, d});
+        model.sort(TrialModel::NameColumn);
+        const auto shown = [&](const auto &set) {
+            TrialFilter filter;
+            set(filter);
+            model.setFilter(filter);
+            return shownNames(model);
+        };
+        QCOMPARE(shown([](TrialFilter &) {}), QStringLiteral("ab"));
+        QCOMPARE(shown([](TrialFilter &f) { f.place = TrialFilter::Place::Archived; }), QStringLiteral("c"));
+        QCOMPARE(shown([](TrialFilter &f) { f.place = TrialFilter::Place::Bin; }), QStringLiteral("d"));
+        QCOMPARE(shown([](TrialFilter &f) { f.starred = true; }), QStringLiteral("b"));
+        QCOMPARE(shown([](TrialFilter &f) { f.className = "9B"; }), QStringLiteral("ab"));
+        QCOMPARE(shown([](TrialFilter &f) { f.task = "Slalom"; }), QStringLiteral("b"));
+        QCOMPARE(shown([](TrialFilter &f) { f.team = "Heron"; }), QString());
+        QCOMPARE(shown([](TrialFilter &f) { f.robot = "Blue 1"; }), QStringLiteral("ab"));
+        QCOMPARE(shown([](TrialFilter &f) { f.robot = "Blue"; }), QString());
+        QCOMPARE(shown([](TrialFilter &f) { f.from = Instant(std::chrono::minutes(2)); }), QStringLiteral("b"));
+        QCOMPARE(shown([](TrialFilter &f) { f.to = Instant(std::chrono::minutes(2)); }), QStringLiteral("a"));
+    }
+    void cellsOfATrialAreChanged()
+    {
+        TrialModel model;
+        QAbstractItemModelTester tester(&model, strict);
+        model.setRows({trialRow("a", 1, {}), trialRow("b", 2, {})});
+        model.sort(TrialModel::NameColumn);
+        const QModelIndex star = model.index(1, TrialModel::StarColumn), tags = model.index(1, TrialModel::TagsColumn);
+        QVERIFY(!model.setData(star, Qt::Checked, Qt::CheckStateRole)); // the project may be read only
+        model.setEditable(true);
+        QSignalSpy starred(&model, &TrialModel::starWanted), tagged(&model, &TrialModel::tagsWanted);
+        QVERIFY(model.setData(star, Qt::Checked, Qt::CheckStateRole));
+        QCOMPARE(starred.value(0), QVariantList({qint64(2), true}));
+        QVERIFY(model.setData(tags, QStringLiteral(" wet , , final ")));
+        QCOMPARE(tagged.value(0).value(1).toStringList(), (QStringList{QStringLiteral("wet"), QStringLiteral("final")}));
+        TrialRow b = trialRow("b", 2, {});
+        b.trial.starred = true;
+        model.updateRow(b);
+        QCOMPARE(star.data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
+        b.trial.binned = b.trial.date;
+        model.updateRow(b); // the filter does not let it through any more
+        QCOMPARE(shownNames(model), QStringLiteral("a"));
+    }
+    void teamsAreShownByPseudonym()
+    {
+        TrialModel model;
+        QAbstractItemModelTester tester(&model, strict);
+        TrialRow named = trialRow("a", 1, {}), hidden = trialRow("b", 2, {});
+        hidden.trial.teamPseudonym = "Team Four";
+        model.setRows({named, hidden});
+        model.sort(TrialModel::NameColumn);
+        model.setPseudonyms(true);
+        QCOMPARE(model.index(0, TrialModel::TeamColumn).data().toString(), QStringLiteral("Falcon"));
+        QCOMPARE(model.index(1, TrialModel::TeamColumn).data().toString(), QStringLiteral("Team Four"));
+    }
+    void changesAreLookedThrough()
+    {
+        ChangeModel model({{Instant(), ChangeEntry::Kind::Undone, "star Trial 2"}, {Instant(), ChangeEntry::Kind::Made, "add robot Red"}});
+        QAbstractItemModelTester tester(&model, strict);
+        QCOMPARE(model.rowCount(), 2);
+        QCOMPARE(model.index(0, ChangeModel::KindColumn).data().toString(), QStringLiteral("undone"));
+        model.setText(QStringLiteral("ROBOT"));
+        QCOMPARE(model.rowCount(), 1);
+        QCOMPARE(model.index(0, ChangeModel::WordsColumn).data().toString(), QStringLiteral("add robot Red"));
+    }
+    void standingsAreTold()
+    {
+        std::vector<TrialRecord> trials;
+        std::vector<TrialFigure> figures;
+        for (const double seconds : {12.0, 11.1, 9.9, 9.0}) {
+            TrialRecord trial;
+            trial.id = static_cast<RecordId>(trials.size()) + 1;
+            trial.team = 1;
+            trial.teamName = "Falcon";
+            trial.teamPseudonym = "Team 4";
+            trial.date = Instant(std::chrono::hours(24 * trial.id));
+            figures.push_back({trial.id, 1, {"gate_time", "s", seconds, 0.01}});
+            trials.push_back(trial);
+        }
+        std::vector<const TrialRecord *> pointers;
+        for (const TrialRecord &trial : trials)
+            pointers.push_back(&trial);
+        StandingsModel model;
+        QAbstractItemModelTester tester(&model, strict);
+        model.setStandings(standingsOf(pointers, figures, {"", "", "gate_time"}), true);
+        QCOMPARE(model.rowCount(), 1);
+        const auto cell = [&](int column) { return model.index(0, column).data().toString(); };
+        QCOMPARE(cell(StandingsModel::TeamColumn), QStringLiteral("Team 4"));
+        QCOMPARE(cell(StandingsModel::RunsColumn), QStringLiteral("4"));
+        QCOMPARE(cell(StandingsModel::BestColumn), QStringLiteral("9.00\u00a0s"));
+        QVERIFY(cell(StandingsModel::ProgressColumn).startsWith(QLatin1String("better: -3.0")) ||
+                cell(StandingsModel::ProgressColumn).startsWith(QString::fromUtf8("better: −3.0")));
+        model.setStandings(standingsOf(pointers, figures, {"", "", "max_speed"}), false); // the same figures, where more is better
+        QCOMPARE(cell(StandingsModel::TeamColumn), QStringLiteral("Falcon"));
+        QVERIFY(cell(StandingsModel::ProgressColumn).startsWith(QLatin1String("worse: ")));
     }
     void camerasTellTheirState()
     {

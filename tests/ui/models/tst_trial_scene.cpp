@@ -108,10 +108,11 @@ private Q_SLOTS:
     }
     void loadsTheLists()
     {
-        const auto trials = loadTrialRows(*m_project);
+        TrialRows reading(*m_project);
+        const auto trials = reading.next(100);
         QVERIFY(trials.has_value());
         QCOMPARE(trials->size(), std::size_t(1));
-        QCOMPARE(trials->front().analyses.size(), std::size_t(1));
+        QVERIFY(reading.next(100)->empty());
         const auto cameras = loadCameraRows(*m_project);
         QVERIFY(cameras.has_value());
         QCOMPARE(cameras->size(), std::size_t(2));

@@ -95,7 +95,7 @@ void ReprocessDialog::fillTrials()
     const QString current = m_trial->currentData().toString();
     const QSignalBlocker quiet(m_trial);
     m_trial->clear();
-    for (const TrialRecord &trial : m_project.trials().all().value_or(std::vector<TrialRecord>())) {
+    for (const TrialName &trial : m_project.trials().names().value_or(std::vector<TrialName>())) {
         const QString name = QString::fromStdString(trial.name);
         const bool isOld = std::ranges::find(outdated, trial.name) != outdated.end();
         // Those that a newer registration concerns come first.

@@ -144,7 +144,7 @@ void RevisionsDialog::showCurrent()
     const bool isThere = row >= 0 && row < int(m_revisions.size());
     m_choose->setEnabled(isThere && !m_revisions[std::size_t(row)].isCurrent);
     m_register->setEnabled(isThere && m_revisions[std::size_t(row)].isCurrent && m_revisions[std::size_t(row)].kind == Revision::Kind::Calibration);
-    m_reprocess->setEnabled(!m_project.trials().all().value_or(std::vector<TrialRecord>()).empty());
+    m_reprocess->setEnabled(!m_project.trials().names().value_or(std::vector<TrialName>()).empty());
     m_picture->setRevision(isThere ? m_revisions[std::size_t(row)] : Revision());
     if (!isThere)
         return tell({});

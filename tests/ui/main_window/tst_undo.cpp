@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Undo and redo in the window: what a person changed is taken back, and what is shown follows.
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "tests/ui/support/project_content.h"
+#include "tests/ui/support/stored_example.h"
+#include "ui/history/history_page.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/message_bar.h"
+#include "ui/main_window/workspace.h"
+
+#include <QMenu>
+#include <QMenuBar>
+#include <QPlainTextEdit>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+class TestUndo : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        const auto made = storeExample(m_folder.path().toStdString());
+        QVERIFY2(made, made ? "" : made.error().message().c_str());
+        m_window = std::make_unique<MainWindow>();
+        QVERIFY(m_window->openProject(*made));
+        QTRY_VERIFY(!m_window->workspace().isBusy()); // with what is made up for on opening
+        m_window->showMode(MainWindow::Mode::History);
+        for (QMenu *menu : m_window->menuBar()->findChildren<QMenu *>())
+            if (menu->title() == QLatin1String("&Edit"))
+                m_edit = menu;
+        QVERIFY(m_edit);
+    }
+    void cleanupTestCase() { m_window.reset(); }
+
+    void saysWhenThereIsNothing()
+    {
+        openMenu();
+        QVERIFY(!undo()->isEnabled() && !redo()->isEnabled());
+        closeMenu();
+        undo()->trigger();
+        QVERIFY(message().contains(QLatin1String("nothing has been changed since the project was opened")));
+    }
+
+    void takesNotesBackThatAreStillBeingWritten()
+    {
+        auto *page = m_window->findChild<HistoryPage *>();
+        page->selectTrial(QStringLiteral("Trial 2"));
+        auto *notes = page->findChild<QPlainTextEdit *>();
+        const QStringList before = contentOf(project());
+        notes->setPlainText(QStringLiteral("slipped & slid"));
+        openMenu(); // stores them, so that the menu speaks of them
+        QCOMPARE(undo()->text(), QStringLiteral("&Undo: write notes of Trial 2"));
+        closeMenu();
+        const QStringList written = contentOf(project());
+        QVERIFY(written != before);
+        undo()->trigger();
+        QCOMPARE(notes->toPlainText(), QString());
+        QCOMPARE(contentOf(project()), before);
+        QCOMPARE(message(), QStringLiteral("Undone: write notes of Trial 2."));
+        redo()->trigger();
+        QCOMPARE(notes->toPlainText(), QStringLiteral("slipped & slid"));
+        QCOMPARE(contentOf(project()), written);
+        const auto changes = project().changes().value();
+        QCOMPARE(changes.size(), std::size_t(3));
+        QVERIFY(changes.front().kind == ChangeEntry::Kind::Redone);
+    }
+
+private:
+    Project &project() const { return *m_window->workspace().project(); }
+    QAction *undo() const { return m_edit->actions().at(0); }
+    QAction *redo() const { return m_edit->actions().at(1); }
+    void openMenu() const { Q_EMIT m_edit->aboutToShow(); }
+    void closeMenu() const { Q_EMIT m_edit->aboutToHide(); }
+    QString message() const { return m_window->findChild<MessageBar *>()->text(); }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+    QMenu *m_edit = nullptr;
+};
+
+QTEST_MAIN(TestUndo)
+#include "tst_undo.moc"

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/history_actions.h"
+
+#include "core/project/project.h"
+#include "core/workflow/export_job.h"
+#include "core/workflow/import_roster.h"
+#include "core/workflow/reprocess_job.h"
+#include "ui/history/changes_dialog.h"
+#include "ui/main_window/trial_batch.h"
+#include "ui/main_window/workspace.h"
+#include "ui/views/path_field.h"
+#include "ui/views/theme_icon.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QMenu>
+#include <QStandardPaths>
+
+namespace odo {
+
+HistoryActions::HistoryActions(Workspace &workspace, QWidget &window)
+    : QObject(&window), m_workspace(workspace), m_window(window), m_batch(new TrialBatch(workspace, this)),
+      m_roster(new QAction(themeIcon(QStringLiteral("import")), tr("Import &roster…"), this)),
+      m_changes(new QAction(tr("&Changes of the project…"), this))
+{
+    connect(m_roster, &QAction::triggered, this, &HistoryActions::askRoster);
+    connect(m_changes, &QAction::triggered, this, &HistoryActions::showChanges);
+    connect(m_batch, &TrialBatch::ended, this, &HistoryActions::tellEnd);
+    connect(&m_workspace, &Workspace::opened, this, &HistoryActions::updateActions);
+    updateActions();
+}
+
+void HistoryActions::fillMenu(QMenu &menu)
+{
+    menu.addActions({m_roster, m_changes});
+}
+
+bool HistoryActions::isRunning() const
+{
+    return m_batch->isRunning();
+}
+
+void HistoryActions::updateActions()
+{
+    m_changes->setEnabled(m_workspace.project() != nullptr);
+    m_roster->setEnabled(m_workspace.project() != nullptr && !m_workspace.isReadOnly());
+}
+
+void HistoryActions::askRoster()
+{
+    const QString file = QFileDialog::getOpenFileName(
+        &m_window, tr("Import a roster: a table with the columns class and team, perhaps pseudonym"),
+        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), tr("CSV tables (*.csv)"));
+    if (file.isEmpty())
+        return;
+    const Result<RosterOutcome> outcome = importRoster(*m_workspace.project(), pathOf(file));
+    if (outcome)
+        Q_EMIT changed(tr("The roster is imported: %1 teams new, %2 changed, %3 as before.")
+                           .arg(outcome->added)
+                           .arg(outcome->changed)
+                           .arg(outcome->unchanged));
+    else
+        Q_EMIT failed(outcome.error());
+}
+
+void HistoryActions::showChanges()
+{
+    Result<std::vector<ChangeEntry>> changes = m_workspace.project()->changes();
+    if (!changes) {
+        Q_EMIT failed(changes.error());
+        return;
+    }
+    ChangesDialog(std::move(*changes), &m_window).exec();
+}
+
+void HistoryActions::exportTrials(const QStringList &trials)
+{
+    const QString folder = QFileDialog::getExistingDirectory(
+        &m_window, tr("Export %1 trials: choose a folder").arg(trials.size()),
+        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    if (folder.isEmpty())
+        return;
+    m_doneWords = tr("%1 of %2 trials were exported.");
+    const auto make = [path = pathOf(folder)](const std::string &trial) {
+        return std::make_shared<ExportJob>(trial, path, CsvStyle::Analysis);
+    };
+    if (const Result<void> started = m_batch->start(trials, {tr("Exporting %1 (%2 of %3)"), make, {}});
+        !started)
+        Q_EMIT failed(started.error());
+}
+
+void HistoryActions::reprocessTrials(const QStringList &trials)
+{
+    m_doneWords = tr("%1 of %2 trials were measured again.");
+    const auto make = [](const std::string &trial) { return std::make_shared<ReprocessJob>(trial); };
+    const auto keep = [](Project &project, Job &job) {
+        return static_cast<ReprocessJob &>(job).keep(project);
+    };
+    if (const Result<void> started =
+            m_batch->start(trials, {tr("Measuring %1 again (%2 of %3)"), make, keep});
+        !started)
+        Q_EMIT failed(started.error());
+}
+
+void HistoryActions::tellEnd(int done, int all, const QStringList &failures)
+{
+    const QString words = m_doneWords.arg(done).arg(all);
+    if (failures.isEmpty()) {
+        Q_EMIT changed(words);
+        return;
+    }
+    constexpr qsizetype most = 3;
+    QStringList told = failures.mid(0, most);
+    if (failures.size() > most)
+        told << tr("and %1 more").arg(failures.size() - most);
+    Q_EMIT changed({});
+    Q_EMIT failed({ErrorCode::InvalidInput, words.chopped(1).toStdString(),
+                   told.join(QStringLiteral("; ")).toStdString(),
+                   tr("mend what stands there, and choose these trials again").toStdString()});
+}
+
+} // namespace odo

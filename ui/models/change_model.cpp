@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/change_model.h"
+
+#include <QDateTime>
+#include <QLocale>
+
+namespace odo {
+
+namespace {
+
+QString kindWord(ChangeEntry::Kind kind)
+{
+    switch (kind) {
+    case ChangeEntry::Kind::Made:
+        return ChangeModel::tr("made");
+    case ChangeEntry::Kind::Undone:
+        return ChangeModel::tr("undone");
+    case ChangeEntry::Kind::Redone:
+        return ChangeModel::tr("made again");
+    }
+    return {};
+}
+
+} // namespace
+
+ChangeModel::ChangeModel(std::vector<ChangeEntry> changes, QObject *parent)
+    : QAbstractTableModel(parent), m_changes(std::move(changes))
+{
+    setText({});
+}
+
+void ChangeModel::setText(const QString &text)
+{
+    beginResetModel();
+    m_shown.clear();
+    for (std::size_t i = 0; i < m_changes.size(); ++i)
+        if (QString::fromStdString(m_changes[i].words).contains(text, Qt::CaseInsensitive))
+            m_shown.push_back(i);
+    endResetModel();
+}
+
+int ChangeModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_shown.size());
+}
+
+int ChangeModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant ChangeModel::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid) || role != Qt::DisplayRole)
+        return {};
+    const ChangeEntry &change = m_changes[m_shown[static_cast<std::size_t>(index.row())]];
+    switch (index.column()) {
+    case DateColumn:
+        return QLocale().toString(QDateTime::fromMSecsSinceEpoch(change.made.time_since_epoch().count()),
+                                  QLocale::ShortFormat);
+    case KindColumn:
+        return kindWord(change.kind);
+    default:
+        return QString::fromStdString(change.words);
+    }
+}
+
+QVariant ChangeModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case DateColumn:
+        return tr("When");
+    case KindColumn:
+        return tr("How");
+    default:
+        return tr("What");
+    }
+}
+
+} // namespace odo
