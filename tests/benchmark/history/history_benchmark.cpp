@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opens a project of ten thousand trials in the window, searches it and looks at trials, and tells how long a
+// person waits.
+#include "core/project/project.h"
+#include "tests/benchmark/figures.h"
+#include "tests/benchmark/history/year_project.h"
+#include "tests/ui/support/busy_watch.h"
+#include "ui/history/history_page.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/workspace.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLineEdit>
+#include <QStandardPaths>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <cstdio>
+
+using namespace odo;
+using namespace odo::test;
+
+namespace {
+
+constexpr double mostOpenMs = 1000, mostSearchMs = 100, mostTrialMs = 300, mostBusyMs = 50;
+
+void print(const QString &text)
+{
+    std::fputs(qPrintable(text + u'\n'), stdout);
+    std::fflush(stdout);
+}
+
+double elapsedMs(const QElapsedTimer &timer)
+{
+    return static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+}
+
+/// Until everything that belongs to what is shown is on screen.
+void settle(const MainWindow &window)
+{
+    QEventLoop loop;
+    QObject::connect(&window, &MainWindow::settled, &loop, &QEventLoop::quit);
+    if (!window.isSettled())
+        loop.exec();
+    QApplication::processEvents();
+}
+
+std::vector<double> searchMs(const MainWindow &window)
+{
+    auto *search = window.findChild<QLineEdit *>(QStringLiteral("search"));
+    auto *table = window.findChild<QTableView *>(QStringLiteral("trials"));
+    std::vector<double> times;
+    for (const char *words : {"run 1234", "team 7 wet", "nobody", "class 2 final 99", "battery 50"}) {
+        QString typed;
+        for (const char letter : QByteArray(words)) {
+            typed += QLatin1Char(letter);
+            QElapsedTimer timer;
+            timer.start();
+            search->setText(typed);
+            table->viewport()->repaint();
+            times.push_back(elapsedMs(timer));
+        }
+    }
+    search->clear();
+    return times;
+}
+
+std::vector<double> trialMs(MainWindow &window, int trials)
+{
+    std::vector<double> times;
+    for (int i = 0; i < 20; ++i) {
+        const std::string name = "Run " + std::to_string(3 + (i * 7919) % (trials - 3));
+        QElapsedTimer timer;
+        timer.start();
+        if (const auto shown = window.showTrial(name); !shown) {
+            print(QString::fromStdString(shown.error().message()));
+            return {};
+        }
+        settle(window);
+        times.push_back(elapsedMs(timer));
+    }
+    return times;
+}
+
+Figure figure(const QString &name, const std::vector<double> &times, double atMost)
+{
+    return {name,
+            *std::max_element(times.begin(), times.end()),
+            std::nullopt,
+            atMost,
+            QStringLiteral(" ms"),
+            QStringLiteral("longest of %1, median %2 ms").arg(times.size()).arg(median(times), 0, 'f', 1)};
+}
+
+std::vector<Figure> measure(const std::filesystem::path &file, int trials)
+{
+    std::vector<Figure> figures;
+    QElapsedTimer timer;
+    timer.start();
+    MainWindow window;
+    window.show();
+    QApplication::processEvents();
+    BusyWatch busy;
+    timer.start();
+    if (const auto opened = window.openProject(file); !opened) {
+        print(QString::fromStdString(opened.error().message()));
+        return {};
+    }
+    settle(window);
+    figures.push_back(
+        figure(QStringLiteral("open, the newest trial on screen"), {elapsedMs(timer)}, mostOpenMs));
+    window.showMode(MainWindow::Mode::History);
+    settle(window);
+    figures.push_back(figure(QStringLiteral("open, all trials in History"), {elapsedMs(timer)}, mostOpenMs));
+    figures.push_back(figure(QStringLiteral("search, each letter typed"), searchMs(window), mostSearchMs));
+    const std::vector<double> shown = trialMs(window, trials);
+    if (shown.empty())
+        return {};
+    figures.push_back(figure(QStringLiteral("a trial on screen, with its pictures"), shown, mostTrialMs));
+    figures.push_back({QStringLiteral("longest that the window's thread was busy (CPU)"), busy.longestMs(),
+                       std::nullopt, mostBusyMs, QStringLiteral(" ms"), QStringLiteral("all of the above")});
+    return figures;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication app(argc, argv);
+    QStandardPaths::setTestModeEnabled(true);
+    QCommandLineParser parser;
+    parser.addHelpOption();
+    parser.addOption({QStringLiteral("trials"), QStringLiteral("How many trials the project has."),
+                      QStringLiteral("N"), QStringLiteral("10000")});
+    parser.addOption({QStringLiteral("folder"), QStringLiteral("Where the project is made (3.6 GB)."),
+                      QStringLiteral("DIR")});
+    parser.addOption(
+        {QStringLiteral("json"), QStringLiteral("A file for the figures."), QStringLiteral("FILE")});
+    parser.process(app);
+    const int trials = std::max(10, parser.value(QStringLiteral("trials")).toInt());
+    const QString parent =
+        parser.isSet(QStringLiteral("folder")) ? parser.value(QStringLiteral("folder")) : QDir::tempPath();
+    const QTemporaryDir folder(parent + QStringLiteral("/year-XXXXXX"));
+    print(QStringLiteral("making a project of %1 trials…").arg(trials));
+    const auto file = makeYearProject(folder.path().toStdString(), trials);
+    if (!file) {
+        print(QString::fromStdString(file.error().message()));
+        return 1;
+    }
+    const std::vector<Figure> figures = measure(*file, trials);
+    print(figuresTable(figures));
+    if (parser.isSet(QStringLiteral("json"))) {
+        QFile json(parser.value(QStringLiteral("json")));
+        const QJsonObject all{{QStringLiteral("trials"), trials},
+                              {QStringLiteral("figures"), figuresJson(figures)}};
+        if (!json.open(QIODevice::WriteOnly) || json.write(QJsonDocument(all).toJson()) < 0)
+            return 1;
+    }
+    return !figures.empty() && std::all_of(figures.begin(), figures.end(),
+                                           [](const Figure &each) { return each.isMet(); })
+               ? 0
+               : 1;
+}
