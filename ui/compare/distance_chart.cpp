@@ -200,11 +200,12 @@ void DistanceArea::mouseMoveEvent(QMouseEvent *event)
 
 DistanceChart::DistanceChart(Timeline &timeline, Compared what, QWidget *parent)
     : Card(what == Compared::Speed ? tr("Speed along the way") : tr("Time difference along the way"), parent),
-      m_what(what), m_area(new DistanceArea(timeline, what)), m_key(new SeriesKey)
+      m_what(what), m_area(new DistanceArea(timeline, what)),
+      m_key(what == Compared::Speed ? new SeriesKey(this) : nullptr)
 {
     setContent(m_area);
     m_area->setAccessibleName(title());
-    if (what == Compared::Speed)
+    if (m_key)
         addToHeader(m_key);
 }
 
@@ -213,7 +214,8 @@ void DistanceChart::setScene(ComparisonScenePtr scene)
     QStringList names;
     for (std::size_t run = 0; scene && run < scene->runCount(); ++run)
         names << QString::fromStdString(scene->name(run));
-    m_key->setNames(names);
+    if (m_key)
+        m_key->setNames(names);
     QString remark;
     if (scene && m_what == Compared::Speed)
         remark = tr("m/s \u00b7 smoothed \u00b195 %");

@@ -65,7 +65,7 @@ public:
 private:
     Compared m_what;
     DistanceArea *m_area;
-    SeriesKey *m_key;
+    SeriesKey *m_key; ///< of the speed alone; the other chart stands below it
 };
 
 } // namespace odo

@@ -15,6 +15,7 @@
 #include "ui/views/empty_state.h"
 
 #include <QAbstractItemModelTester>
+#include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -97,6 +98,8 @@ private Q_SLOTS:
         const ComparisonScenePtr scene = shown.page->scene();
         QVERIFY(scene);
         QCOMPARE(scene->runCount(), std::size_t(2));
+        for (const QWidget *window : QApplication::topLevelWidgets())
+            QVERIFY2(window == shown.page.get() || !window->isVisible(), window->metaObject()->className());
         QVERIFY(!scene->compared.comparison.isTasksPath);
         // The same robot on the same course: nothing differs, and nothing is called a difference.
         const QTableView *figures = table(*shown.page, "Figures of both runs");
