@@ -17,7 +17,7 @@ namespace {
 
 constexpr AVRational milliseconds{1, 1000}; // Matroska's own
 constexpr int clusterMs = 500;
-constexpr Nanoseconds syncEach = std::chrono::seconds(1);
+constexpr Nanoseconds syncEach = std::chrono::milliseconds(clusterMs);
 
 AVPixelFormat pixelFormatOf(const FrameFormat &format)
 {

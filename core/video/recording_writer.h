@@ -12,7 +12,7 @@ namespace odo {
 
 /// Writes the pictures of a camera while they come, as JPEG in Matroska, so that what was written can be read whatever
 /// happens to the program or the machine: each picture stands by itself, clusters are half a second, every packet goes to
-/// the system at once and to the disk once a second. Its time stamps are whole milliseconds; whoever needs them exactly
+/// the system at once and to the disk with each cluster. Its time stamps are whole milliseconds; whoever needs them exactly
 /// keeps them beside it. Not thread-safe.
 class RecordingWriter
 {

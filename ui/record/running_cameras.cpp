@@ -141,6 +141,10 @@ void RunningCameras::showPictures()
         const qint64 shown = m_shownSize[sight->view];
         const QSize taken(frame.format.width, frame.format.height);
         const QSize size = taken.scaled(int(shown >> 32), int(shown & 0xffffffff), Qt::KeepAspectRatio);
+        if (size.isEmpty()) { // nobody looks
+            m_onItsWay[sight->view] = false;
+            continue;
+        }
         LivePicture picture{sight->view, toImage(toScreen(frame, size.width(), size.height())), taken,
                             sight->observations};
         QMetaObject::invokeMethod(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/benchmark/live/jpeg_camera.h"
 
+#include "core/base/steady_now.h"
 #include "core/capture/pace.h"
 #include "core/capture/v4l2/v4l2_pictures.h"
 #include "core/simulation/renderer.h"
@@ -34,8 +35,7 @@ public:
         auto picture = m_reader.read((*m_pictures)[m_next % m_pictures->size()]);
         if (!picture)
             return fail(ErrorCode::Io, m_description.uri, "a picture is damaged", "look at how it was coded");
-        CapturedFrame captured{std::move(picture->frame), m_next++,
-                               std::chrono::steady_clock::now().time_since_epoch(), std::move(picture->jpeg)};
+        CapturedFrame captured{std::move(picture->frame), m_next++, steadyNow(), std::move(picture->jpeg)};
         captured.frame.index = static_cast<std::int64_t>(captured.sequence);
         captured.frame.time = time;
         return captured;

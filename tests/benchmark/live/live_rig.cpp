@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/benchmark/live/live_rig.h"
 
+#include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
@@ -22,11 +23,6 @@ namespace {
 
 constexpr int healthMs = 500, eachMs = 5000, longestStartMs = 60000, longestEndMs = 120000;
 const QSize windowSize(1600, 1000);
-
-Nanoseconds now()
-{
-    return std::chrono::steady_clock::now().time_since_epoch();
-}
 
 double processCpuS()
 {
@@ -76,14 +72,18 @@ bool WatchedApplication::notify(QObject *receiver, QEvent *event)
     return taken;
 }
 
-LiveRig::LiveRig(Project &project, RunningCameras::Open open, const std::array<std::string, 2> &uris)
-    : m_project(project), m_cameras(std::move(open)), m_board({}), m_recorder(project)
+LiveRig::LiveRig(Project &project, RunningCameras::Open open, const std::array<std::string, 2> &uris,
+                 LiveWindow window)
+    : m_project(project), m_window(window), m_cameras(std::move(open)), m_board({}),
+      m_recorder(project.file())
 {
-    connect(&m_cameras, &RunningCameras::failed, this, [this](const Error &error) { m_failure = error; });
+    connect(&m_recorder, &RunRecorder::gaveUp, this,
+            [this](const QString &, const Error &error) { m_failure = error; });
     connect(&m_recorder, &RunRecorder::failed, this, [this](const Error &error) { m_failure = error; });
     connect(&m_cameras, &RunningCameras::pictureReady, &m_board, &LiveBoard::setPicture);
-    connect(&m_board, &LiveBoard::shownSizeChanged, this,
-            [this](std::size_t view, const QSize &pixels) { m_cameras.setShownSize(view, pixels); });
+    if (window == LiveWindow::Shown)
+        connect(&m_board, &LiveBoard::shownSizeChanged, this,
+                [this](std::size_t view, const QSize &pixels) { m_cameras.setShownSize(view, pixels); });
     connect(&m_cameras, &RunningCameras::moved, this, &LiveRig::takeMoment);
     connect(&m_health, &QTimer::timeout, this, [this] {
         if (m_cameras.session())
@@ -97,13 +97,15 @@ LiveRig::LiveRig(Project &project, RunningCameras::Open open, const std::array<s
         m_failure = wanted ? robots.error() : wanted.error();
         return;
     }
-    m_cameras.start(*wanted, *robots);
+    if (const auto following = m_cameras.follow(*robots); !following)
+        m_failure = following.error();
+    m_cameras.start(*wanted);
     m_board.setCameras(m_cameras);
     m_board.setRobots(*robots);
     if (const auto floor = liveScene(project, *wanted, std::nullopt))
         m_board.setFloor(*floor);
     m_board.resize(windowSize);
-    m_board.show();
+    m_board.setVisible(window == LiveWindow::Shown);
     m_health.start(healthMs);
 }
 
@@ -131,8 +133,12 @@ Result<void> LiveRig::waitForCameras()
 void LiveRig::takeMoment(const LiveMoment &moment)
 {
     m_board.addMoment(moment);
-    if (m_measuring && moment.position.sample.position)
+    if (!m_measuring || !moment.position.sample.position)
+        return;
+    if (m_window == LiveWindow::Shown)
         m_unpainted.push_back(moment.position.sample.time);
+    else
+        m_measured.latenciesMs.push_back(1000 * toSeconds(steadyNow() - moment.position.sample.time));
 }
 
 /// The map's own painting comes first, so that it counts.
@@ -143,7 +149,7 @@ bool LiveRig::eventFilter(QObject *watched, QEvent *event)
     watched->removeEventFilter(this);
     watched->event(event);
     watched->installEventFilter(this);
-    const Nanoseconds painted = now();
+    const Nanoseconds painted = steadyNow();
     for (const Nanoseconds taken : std::exchange(m_unpainted, {}))
         m_measured.latenciesMs.push_back(1000 * toSeconds(painted - taken));
     return true;
@@ -157,25 +163,24 @@ Result<LiveMeasurement> LiveRig::record(double seconds, const std::function<void
     run.robots = {m_project.robots().all()->front().name};
     const CaptureHealth before = m_cameras.session()->health();
     const LiveFigures trackedBefore = m_cameras.tracker()->figures();
-    if (const auto begun = m_recorder.begin(run, {"A", "B"}, m_cameras.session(), Nanoseconds(0)); !begun)
-        return tl::unexpected(begun.error());
-    m_cameras.tracker()->beginRun(now());
+    const Nanoseconds begin = steadyNow();
+    m_recorder.begin(run, {"A", "B"}, m_cameras.session(), begin);
+    m_cameras.tracker()->beginRun(begin);
     static_cast<WatchedApplication *>(qApp)->takeLongestMs();
     m_measuring = true;
     const double cpuS = processCpuS();
-    const Nanoseconds begin = now();
     QTimer ticks;
     connect(&ticks, &QTimer::timeout, this, [&] {
-        const double passedS = toSeconds(now() - begin);
+        const double passedS = toSeconds(steadyNow() - begin);
         m_measured.memory.emplace_back(passedS, residentMb());
         if (passedS < seconds - 0.5e-3 * eachMs)
             each();
     });
     ticks.start(eachMs);
-    waitUntil([&] { return m_failure || toSeconds(now() - begin) >= seconds; },
+    waitUntil([&] { return m_failure || toSeconds(steadyNow() - begin) >= seconds; },
               static_cast<int>(1000 * seconds) + longestStartMs);
     m_measuring = false;
-    m_measured.seconds = toSeconds(now() - begin);
+    m_measured.seconds = toSeconds(steadyNow() - begin);
     m_measured.cores = (processCpuS() - cpuS) / m_measured.seconds;
     m_measured.longestBusyMs = static_cast<WatchedApplication *>(qApp)->takeLongestMs();
     const LiveFigures tracked = m_cameras.tracker()->figures();

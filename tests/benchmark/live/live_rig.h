@@ -33,6 +33,9 @@ private:
     double m_longestMs = 0;
 };
 
+/// Whether what goes on is painted as well.
+enum class LiveWindow { Shown, Hidden };
+
 /// The parts of Record mode put together as its page has them: two cameras that run, their pictures and the
 /// map in a window, a robot that is followed, a trial that is recorded. Measures itself meanwhile. GUI
 /// thread.
@@ -41,7 +44,8 @@ class LiveRig : public QObject
     Q_OBJECT
 public:
     /// uris: of cameras A and B. open: how they are opened.
-    LiveRig(Project &project, RunningCameras::Open open, const std::array<std::string, 2> &uris);
+    LiveRig(Project &project, RunningCameras::Open open, const std::array<std::string, 2> &uris,
+            LiveWindow window);
 
     /// Waits until both cameras deliver. Errors: those of opening; Unavailable when they do not within a
     /// minute.
@@ -58,6 +62,7 @@ private:
     Result<void> readRecordings(const std::string &trial, LiveMeasurement &measured) const;
 
     Project &m_project;
+    const LiveWindow m_window;
     RunningCameras m_cameras;
     LiveBoard m_board;
     RunRecorder m_recorder;
