@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/error.h"
-
-#include <filesystem>
-#include <memory>
+#include "core/project/held_file.h"
 
 namespace odo {
 
-/// Held by who records into a project, so that no other program takes the trial for one that was cut off. The
-/// system gives it back when the program ends, however it ends: the file that carries it, `recording.lock` in
-/// the media folder, means nothing by itself.
+/// Held by who records into a project, so that no other program takes the trial for one that was cut off:
+/// `recording.lock` in the media folder.
 class RecordingLock
 {
 public:
@@ -19,13 +15,10 @@ public:
     static Result<std::unique_ptr<RecordingLock>> take(const std::filesystem::path &mediaFolder);
     /// Whether somebody, this program too, holds it now.
     static bool isHeld(const std::filesystem::path &mediaFolder);
-    ~RecordingLock();
-    RecordingLock(const RecordingLock &) = delete;
-    RecordingLock &operator=(const RecordingLock &) = delete;
 
 private:
-    explicit RecordingLock(int descriptor) : m_descriptor(descriptor) {}
-    const int m_descriptor;
+    explicit RecordingLock(std::unique_ptr<HeldFile> file) : m_file(std::move(file)) {}
+    const std::unique_ptr<HeldFile> m_file;
 };
 
 } // namespace odo

@@ -4,6 +4,7 @@
 #include "core/project/records.h"
 #include "core/video/recorded_times.h"
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -155,6 +156,8 @@ public:
     /// Whether any trial has a recording in a file, by its path as recordings have it.
     Result<bool> isFileUsed(const std::string &path) const;
     Result<std::vector<RecordingRecord>> recordings(RecordId trial) const; ///< in the order of the views
+    /// Where a recording's file lies now; what it is stays as it was stored.
+    Result<void> setFile(RecordId recording, const std::filesystem::path &file);
     /// Replaces the offset of a view against the first one.
     Result<void> setSync(const TrialRecord &trial);
     /// A new series for a recording and robot joins the older ones; the newest is the current one.

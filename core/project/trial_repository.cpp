@@ -275,6 +275,12 @@ Result<std::vector<RecordingRecord>> TrialRepository::recordings(RecordId trial)
     return recordingsOf(m_connection, trial);
 }
 
+Result<void> TrialRepository::setFile(RecordId recording, const std::filesystem::path &file)
+{
+    Statement update(m_connection, QStringLiteral("UPDATE recording SET path=? WHERE id=?"));
+    return update.bind(storedPath(m_connection.file(), file)).bind(recording).run();
+}
+
 Result<void> TrialRepository::setSync(const TrialRecord &trial)
 {
     return transact(m_connection, [&]() -> Result<void> {

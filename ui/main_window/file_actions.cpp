@@ -2,7 +2,9 @@
 #include "ui/main_window/file_actions.h"
 
 #include "core/project/project.h"
+#include "core/workflow/demo.h"
 #include "ui/main_window/recent_projects.h"
+#include "ui/main_window/transfer_actions.h"
 #include "ui/main_window/workspace.h"
 #include "ui/views/path_field.h"
 #include "ui/views/theme_icon.h"
@@ -45,7 +47,8 @@ FileActions::FileActions(Workspace &workspace, RecentProjects &recent, QWidget &
       m_new(new QAction(themeIcon(QStringLiteral("new")), tr("&New project…"), this)),
       m_open(new QAction(themeIcon(QStringLiteral("open")), tr("&Open project…"), this)),
       m_demo(new QAction(themeIcon(QStringLiteral("demo")), tr("Open &demo lesson…"), this)),
-      m_copy(new QAction(tr("Save a &copy as…"), this)), m_quit(new QAction(tr("&Quit"), this))
+      m_copy(new QAction(tr("Save a &copy as…"), this)), m_quit(new QAction(tr("&Quit"), this)),
+      m_transfer(new TransferActions(workspace, window))
 {
     m_new->setShortcut(QKeySequence::New);
     m_open->setShortcut(QKeySequence::Open);
@@ -58,6 +61,9 @@ FileActions::FileActions(Workspace &workspace, RecentProjects &recent, QWidget &
     connect(m_copy, &QAction::triggered, this, &FileActions::askCopy);
     connect(m_quit, &QAction::triggered, &m_window, &QWidget::close);
     connect(&m_workspace, &Workspace::opened, this, [this] { m_copy->setEnabled(true); });
+    connect(m_transfer, &TransferActions::failed, this, &FileActions::failed);
+    connect(m_transfer, &TransferActions::done, this, &FileActions::done);
+    connect(m_transfer, &TransferActions::unpacked, &m_recent, &RecentProjects::add);
 }
 
 void FileActions::fillMenu(QMenu &menu)
@@ -70,6 +76,7 @@ void FileActions::fillMenu(QMenu &menu)
     menu.addAction(m_demo);
     menu.addSeparator();
     menu.addAction(m_copy);
+    m_transfer->fillMenu(menu);
     menu.addSeparator();
     menu.addAction(m_quit);
 }
@@ -129,7 +136,8 @@ void FileActions::askDemo()
     if (parent.isEmpty())
         return;
     const QString folder = freeFolder(QDir(parent).filePath(tr("Odograph demo")));
-    tellFailure(m_workspace.makeDemo(pathOf(folder), tr("Making the demo lesson")));
+    const auto make = [folder = pathOf(folder)](const JobControl &control) { return makeDemo(folder, control); };
+    tellFailure(m_workspace.makeAndOpen(make, tr("Making the demo lesson")));
 }
 
 void FileActions::askCopy()

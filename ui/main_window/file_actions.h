@@ -13,10 +13,11 @@ class QWidget;
 namespace odo {
 
 class RecentProjects;
+class TransferActions;
 class Workspace;
 
-/// What can be done with project files: new, open, open a recent one, the demo lesson, save a copy. Owns the
-/// actions and asks for the files.
+/// What can be done with project files: new, open, open a recent one, the demo lesson, save a copy, and
+/// taking them elsewhere. Owns the actions and asks for the files.
 class FileActions : public QObject
 {
     Q_OBJECT
@@ -28,6 +29,7 @@ public:
     QAction *newProject() const { return m_new; }
     QAction *openProject() const { return m_open; }
     QAction *demo() const { return m_demo; }
+    TransferActions &transfer() const { return *m_transfer; }
     /// Opens, and remembers it among the recent ones.
     Result<void> open(const std::filesystem::path &file);
 
@@ -47,6 +49,7 @@ private:
     RecentProjects &m_recent;
     QWidget &m_window;
     QAction *m_new, *m_open, *m_demo, *m_copy, *m_quit;
+    TransferActions *m_transfer;
     QMenu *m_recentMenu = nullptr;
 };
 

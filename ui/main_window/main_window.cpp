@@ -13,6 +13,7 @@
 #include "ui/main_window/message_bar.h"
 #include "ui/main_window/mode_bar.h"
 #include "ui/main_window/recent_projects.h"
+#include "ui/main_window/transfer_actions.h"
 #include "ui/main_window/trial_actions.h"
 #include "ui/main_window/undo_actions.h"
 #include "ui/main_window/view_actions.h"
@@ -456,6 +457,8 @@ void MainWindow::dropEvent(QDropEvent *event)
     if (files.front().endsWith(projectSuffix, Qt::CaseInsensitive)) {
         if (const Result<void> opened = openProject(pathOf(files.front())); !opened)
             tellFailure(opened.error());
+    } else if (files.front().endsWith(QLatin1String(TransferActions::archiveSuffix), Qt::CaseInsensitive)) {
+        m_files->transfer().askUnpack(pathOf(files.front()));
     } else if (m_workspace->project()) {
         m_trials->askImport(files);
     }

@@ -3,7 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/demo.h"
+#include "core/project/window_lock.h"
 #include "core/workflow/hash_job.h"
 #include "core/workflow/job.h"
 #include "core/workflow/job_runner.h"
@@ -30,25 +30,50 @@ Workspace::~Workspace() = default;
 
 bool Workspace::isBusy() const
 {
-    return (m_runner && m_runner->isRunning()) || (m_demo && m_demo->isRunning());
+    return (m_runner && m_runner->isRunning()) || (m_making && m_making->isRunning());
 }
 
 Result<void> Workspace::open(const std::filesystem::path &file)
 {
     if (isBusy())
         return busy(tr("cannot open another project"));
-    Result<std::unique_ptr<Project>> project = Project::open(file, Project::Access::ReadWrite);
-    bool readOnly = false;
-    if (!project && project.error().code == ErrorCode::ReadOnly) {
-        project = Project::open(file, Project::Access::ReadOnly);
-        readOnly = true;
-    }
-    if (!project)
-        return tl::unexpected(project.error());
-    adopt(std::move(*project), readOnly);
-    if (!readOnly)
+    auto opened = openFile(file);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    const QString words = opened->words;
+    adopt(std::move(*opened));
+    if (!words.isEmpty())
+        Q_EMIT told(words);
+    if (!isReadOnly())
         recoverTrials();
     return {};
+}
+
+Result<Workspace::Opened> Workspace::openFile(const std::filesystem::path &file)
+{
+    Opened opened;
+    auto project = Project::open(file, Project::Access::ReadWrite);
+    const bool isWritable = project || project.error().code != ErrorCode::ReadOnly;
+    if (isWritable && !project)
+        return tl::unexpected(project.error());
+    if (isWritable) {
+        std::error_code problem;
+        const bool isThisOne = m_lock && std::filesystem::equivalent(file, m_project->file(), problem);
+        auto lock = isThisOne ? std::move(m_lock) : WindowLock::take(file);
+        if (lock)
+            opened.lock = std::move(*lock);
+        else
+            opened.words =
+                tr("%1: %2. Here it can only be looked at; to change it, close it there and open it here "
+                   "again.")
+                    .arg(QString::fromStdString(lock.error().what), QString::fromStdString(lock.error().why));
+    }
+    if (!opened.lock)
+        project = Project::open(file, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    opened.project = std::move(*project);
+    return opened;
 }
 
 void Workspace::recoverTrials()
@@ -88,16 +113,19 @@ Result<void> Workspace::create(const std::filesystem::path &file, const QString 
     Result<std::unique_ptr<Project>> project = Project::create(file, title.toStdString());
     if (!project)
         return tl::unexpected(project.error());
-    adopt(std::move(*project), false);
+    auto lock = WindowLock::take(file);
+    if (!lock)
+        return tl::unexpected(lock.error());
+    adopt({std::move(*lock), std::move(*project), {}});
     return {};
 }
 
-void Workspace::adopt(std::unique_ptr<Project> project, bool readOnly)
+void Workspace::adopt(Opened next)
 {
     Q_EMIT aboutToClose();
     m_runner.reset();
-    m_project = std::move(project);
-    m_readOnly = readOnly;
+    m_project = std::move(next.project);
+    m_lock = std::move(next.lock);
     m_runner = std::make_unique<JobRunner>(*m_project);
     connect(m_runner.get(), &JobRunner::progressed, this, &Workspace::jobProgressed);
     connect(m_runner.get(), &JobRunner::finished, this,
@@ -130,22 +158,26 @@ Result<void> Workspace::start(std::shared_ptr<Job> job, const QString &words, Do
     return {};
 }
 
-Result<void> Workspace::makeDemo(const std::filesystem::path &folder, const QString &words)
+Result<void> Workspace::makeAndOpen(std::function<Result<std::filesystem::path>(const JobControl &)> make,
+                                    const QString &words, Done whenOpen)
 {
     if (isBusy())
         return busy(words);
-    m_demo = std::make_unique<BackgroundTask>();
-    connect(m_demo.get(), &BackgroundTask::progressed, this, &Workspace::jobProgressed);
+    m_making = std::make_unique<BackgroundTask>();
+    connect(m_making.get(), &BackgroundTask::progressed, this, &Workspace::jobProgressed);
     const auto file = std::make_shared<std::filesystem::path>();
-    connect(m_demo.get(), &BackgroundTask::finished, this, [this, file](const std::optional<Error> &error) {
-        finishJob(error);
-        if (error)
-            return;
-        if (const Result<void> isOpen = open(*file); !isOpen)
-            Q_EMIT jobFailed(isOpen.error());
-    });
-    m_demo->start([folder, file](const JobControl &control) -> Result<void> {
-        const Result<std::filesystem::path> made = odo::makeDemo(folder, control);
+    connect(m_making.get(), &BackgroundTask::finished, this,
+            [this, file, whenOpen = std::move(whenOpen)](const std::optional<Error> &error) {
+                finishJob(error);
+                if (error)
+                    return;
+                if (const Result<void> isOpen = open(*file); !isOpen)
+                    Q_EMIT jobFailed(isOpen.error());
+                else if (whenOpen)
+                    whenOpen();
+            });
+    m_making->start([file, make = std::move(make)](const JobControl &control) -> Result<void> {
+        const Result<std::filesystem::path> made = make(control);
         if (!made)
             return tl::unexpected(made.error());
         *file = *made;
@@ -157,8 +189,8 @@ Result<void> Workspace::makeDemo(const std::filesystem::path &folder, const QStr
 
 void Workspace::cancel()
 {
-    if (m_demo)
-        m_demo->cancel();
+    if (m_making)
+        m_making->cancel();
     if (m_runner)
         m_runner->cancel();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 
 #include <QObject>
 #include <QString>
@@ -16,6 +17,7 @@ class BackgroundTask;
 class Job;
 class JobRunner;
 class Project;
+class WindowLock;
 
 /// The project that the window shows, if any, and the one job that may run on it. GUI thread.
 class Workspace : public QObject
@@ -29,10 +31,10 @@ public:
     ~Workspace() override;
 
     Project *project() const { return m_project.get(); }
-    bool isReadOnly() const { return m_readOnly; }
+    bool isReadOnly() const { return !m_lock; }
     bool isBusy() const;
 
-    /// Opens for writing or, where the place cannot be written to, for reading. The project that was open
+    /// Opens for writing or, where the place cannot be written to or another window has the project, for reading. The project that was open
     /// stays when it fails. Refused while a job runs. Trials whose recording was cut off are then
     /// completed, by a job.
     Result<void> open(const std::filesystem::path &file);
@@ -41,9 +43,10 @@ public:
 
     /// Starts a job on the open project. Refused while another one runs.
     Result<void> start(std::shared_ptr<Job> job, const QString &words, Done done);
-    /// Makes the demo lesson in a folder and opens it when it is done. The project that is open stays until
-    /// then.
-    Result<void> makeDemo(const std::filesystem::path &folder, const QString &words);
+    /// Makes a project, on a thread of its own, and opens it when it is done; then whenOpen is called. The project that is open
+    /// stays until then. Refused while a job runs.
+    Result<void> makeAndOpen(std::function<Result<std::filesystem::path>(const JobControl &)> make, const QString &words,
+                             Done whenOpen = {});
     void cancel();
 
 Q_SIGNALS:
@@ -61,13 +64,20 @@ private:
     void recoverTrials();
     void makeHashes();
     void finishJob(const std::optional<Error> &error);
-    void adopt(std::unique_ptr<Project> project, bool readOnly);
+    struct Opened
+    {
+        std::unique_ptr<WindowLock> lock; ///< null: for reading only
+        std::unique_ptr<Project> project;
+        QString words; ///< why it can only be read, where another window has it
+    };
+    Result<Opened> openFile(const std::filesystem::path &file);
+    void adopt(Opened next);
 
+    std::unique_ptr<WindowLock> m_lock; ///< null: the project can only be read
     std::unique_ptr<Project> m_project;
     std::unique_ptr<JobRunner> m_runner; ///< after the project: it must end before it
-    std::unique_ptr<BackgroundTask> m_demo;
+    std::unique_ptr<BackgroundTask> m_making;
     Done m_done;
-    bool m_readOnly = false;
 };
 
 } // namespace odo

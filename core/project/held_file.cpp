@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/held_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace odo {
+
+namespace {
+
+/// Whether the path still leads to the file that is open: whoever gave it up may have removed it meanwhile.
+bool isAt(const std::filesystem::path &file, int descriptor)
+{
+    struct stat open
+    {
+    }, there{};
+    return ::fstat(descriptor, &open) == 0 && ::stat(file.c_str(), &there) == 0 &&
+           open.st_ino == there.st_ino && open.st_dev == there.st_dev;
+}
+
+} // namespace
+
+HeldFile::HeldFile(std::filesystem::path file, Afterwards afterwards, int descriptor)
+    : m_file(std::move(file)), m_afterwards(afterwards), m_descriptor(descriptor)
+{
+}
+
+Result<std::unique_ptr<HeldFile>> HeldFile::take(const std::filesystem::path &file, Afterwards afterwards,
+                                                 const std::string &words)
+{
+    for (;;) {
+        const int descriptor = ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+        if (descriptor < 0)
+            return fail(ErrorCode::Io, "cannot hold " + file.string(), std::strerror(errno),
+                        "check the free space and the rights of its folder");
+        if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+            ::close(descriptor);
+            return nullptr;
+        }
+        if (!isAt(file, descriptor)) {
+            ::close(descriptor);
+            continue;
+        }
+        std::unique_ptr<HeldFile> held(new HeldFile(file, afterwards, descriptor));
+        if (::ftruncate(descriptor, 0) != 0 ||
+            ::write(descriptor, words.data(), words.size()) != static_cast<ssize_t>(words.size()))
+            return fail(ErrorCode::Io, "cannot hold " + file.string(), std::strerror(errno),
+                        "check the free space and the rights of its folder");
+        return held;
+    }
+}
+
+bool HeldFile::isHeld(const std::filesystem::path &file)
+{
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        return false;
+    const bool held = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0;
+    ::close(descriptor);
+    return held;
+}
+
+std::string HeldFile::wordsOf(const std::filesystem::path &file)
+{
+    std::ifstream stream(file);
+    std::string words;
+    std::getline(stream, words);
+    return words;
+}
+
+HeldFile::~HeldFile()
+{
+    if (m_afterwards == Afterwards::Goes)
+        ::unlink(m_file.c_str()); // while it is held, so that nobody else's goes
+    ::close(m_descriptor);
+}
+
+} // namespace odo

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace odo {
+
+/// A file that this object holds as long as it lives, so that others know. The system gives it up when the
+/// program ends, however it ends: the file by itself means nothing. Held by flock(2), which two objects of
+/// one program do not share either.
+class HeldFile
+{
+public:
+    /// Whether the file stays when it is given up.
+    enum class Afterwards { Stays, Goes };
+
+    /// Makes the file where it is not there. words: what it says to those who find it held. nullptr where
+    /// somebody holds it. Io where it cannot be written to.
+    static Result<std::unique_ptr<HeldFile>> take(const std::filesystem::path &file, Afterwards afterwards,
+                                                  const std::string &words = {});
+    static bool isHeld(const std::filesystem::path &file);
+    /// What its holder says; empty where it cannot be read.
+    static std::string wordsOf(const std::filesystem::path &file);
+    ~HeldFile();
+    HeldFile(const HeldFile &) = delete;
+    HeldFile &operator=(const HeldFile &) = delete;
+
+private:
+    HeldFile(std::filesystem::path file, Afterwards afterwards, int descriptor);
+
+    const std::filesystem::path m_file;
+    const Afterwards m_afterwards;
+    const int m_descriptor;
+};
+
+} // namespace odo

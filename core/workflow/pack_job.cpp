@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/pack_job.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+
+#include <QTemporaryDir>
+#include <set>
+
+namespace odo {
+
+namespace {
+
+bool liesIn(const std::filesystem::path &file, const std::filesystem::path &folder)
+{
+    const std::filesystem::path way = file.lexically_relative(folder);
+    return !way.empty() && *way.begin() != "..";
+}
+
+/// Locks and files in the making belong to nobody.
+bool belongs(const std::filesystem::path &file)
+{
+    return file.extension() != ".lock" && file.extension() != ".part";
+}
+
+std::string freeName(const std::filesystem::path &file, std::set<std::string> &taken)
+{
+    std::string name = file.filename().string();
+    for (int number = 2; !taken.insert(name).second; ++number)
+        name = file.stem().string() + "_" + std::to_string(number) + file.extension().string();
+    return name;
+}
+
+} // namespace
+
+Result<void> PackJob::prepare(Project &project)
+{
+    m_project = project.file();
+    m_mediaFolder = project.mediaFolder();
+    const auto trials = project.trials().all();
+    if (!trials)
+        return tl::unexpected(trials.error());
+    for (const TrialRecord &trial : *trials) {
+        if (trial.unfinished)
+            return fail(ErrorCode::InvalidInput, "pack '" + m_project.filename().string() + "'",
+                        "trial '" + trial.name + "' is being recorded", "end its recording first");
+        const auto recordings = project.trials().recordings(trial.id);
+        if (!recordings)
+            return tl::unexpected(recordings.error());
+        for (const RecordingRecord &recording : *recordings) {
+            const std::filesystem::path file = project.resolve(recording);
+            if (!std::filesystem::exists(file))
+                m_warnings.push_back("the video of camera " + recording.cameraName + " in trial '" +
+                                     trial.name + "' is lost, and not in the packed project");
+            else if (!liesIn(file, m_mediaFolder))
+                m_elsewhere.push_back({recording.id, file});
+        }
+    }
+    return {};
+}
+
+/// A copy whose recordings all lie in its media folder; notes them as entries.
+Result<void> PackJob::copyProject(const std::filesystem::path &copy, std::vector<ArchiveEntry> &entries)
+{
+    {
+        const auto original = Project::open(m_project, Project::Access::ReadOnly);
+        if (!original)
+            return tl::unexpected(original.error());
+        if (auto saved = (*original)->saveCopy(copy); !saved)
+            return saved;
+    }
+    entries.push_back({m_project.filename().string(), copy});
+    const std::string media = m_mediaFolder.filename().string() + "/";
+    std::set<std::string> taken;
+    std::error_code problem;
+    for (const auto &file : std::filesystem::recursive_directory_iterator(m_mediaFolder, problem)) {
+        if (!file.is_regular_file() || !belongs(file.path()))
+            continue;
+        const std::string name = file.path().lexically_relative(m_mediaFolder).generic_string();
+        taken.insert(name);
+        entries.push_back({media + name, file.path()});
+    }
+    if (m_elsewhere.empty())
+        return {};
+    const auto project = Project::open(copy, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    for (const Elsewhere &each : m_elsewhere) {
+        const std::string name = media + freeName(each.file, taken);
+        entries.push_back({name, each.file});
+        if (auto done = (*project)->trials().setFile(each.recording, copy.parent_path() / name); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> PackJob::run(const JobControl &control)
+{
+    // Beside the archive: there is room for it, or there is none at all.
+    const QTemporaryDir work(QString::fromStdString((m_archive.parent_path() / ".pack-XXXXXX").string()));
+    if (!work.isValid())
+        return fail(ErrorCode::Io, "cannot write '" + m_archive.string() + "'",
+                    work.errorString().toStdString(), "check the free space and the rights of its folder");
+    const std::filesystem::path copy =
+        std::filesystem::path(work.path().toStdString()) / m_project.filename();
+    std::vector<ArchiveEntry> entries;
+    control.report(0, "copying the project");
+    if (auto copied = copyProject(copy, entries); !copied)
+        return copied;
+    return writeArchive(m_archive, entries, control);
+}
+
+} // namespace odo

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/exchange/project_archive.h"
+#include "core/project/records.h"
+#include "core/workflow/job.h"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace odo {
+
+/// Packs a project with everything that belongs to it into one file. Videos that lie elsewhere come into the
+/// packed project's media folder; those that are lost are named and left out. The project itself is not
+/// changed.
+class PackJob : public Job
+{
+public:
+    explicit PackJob(std::filesystem::path archive) : m_archive(std::move(archive)) {}
+    /// InvalidInput while a trial is being recorded.
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &) override { return {}; }
+
+    const std::vector<std::string> &warnings() const { return m_warnings; } ///< after run
+
+private:
+    struct Elsewhere
+    {
+        RecordId recording = 0;
+        std::filesystem::path file;
+    };
+    Result<void> copyProject(const std::filesystem::path &copy, std::vector<ArchiveEntry> &entries);
+
+    const std::filesystem::path m_archive;
+    std::filesystem::path m_project, m_mediaFolder;
+    std::vector<Elsewhere> m_elsewhere;
+    std::vector<std::string> m_warnings;
+};
+
+} // namespace odo

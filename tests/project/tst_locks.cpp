@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/held_file.h"
+#include "core/project/recording_lock.h"
+#include "core/project/window_lock.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace odo;
+using Afterwards = HeldFile::Afterwards;
+
+class TestLocks : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void oneHoldsIt()
+    {
+        const auto first = HeldFile::take(file(), Afterwards::Goes, "anna on pc7");
+        QVERIFY(first && *first);
+        QVERIFY(HeldFile::isHeld(file()));
+        QCOMPARE(HeldFile::wordsOf(file()), std::string("anna on pc7"));
+        const auto second = HeldFile::take(file(), Afterwards::Goes, "ben");
+        QVERIFY(second && !*second);
+        QCOMPARE(HeldFile::wordsOf(file()), std::string("anna on pc7"));
+    }
+
+    void givenUpItIsFree()
+    {
+        for (const Afterwards afterwards : {Afterwards::Stays, Afterwards::Goes}) {
+            QVERIFY(HeldFile::take(file(), afterwards, "a long story").value() != nullptr);
+            QVERIFY(!HeldFile::isHeld(file()));
+            QCOMPARE(std::filesystem::exists(file()), afterwards == Afterwards::Stays);
+            const auto again = HeldFile::take(file(), Afterwards::Goes, "b");
+            QVERIFY(again && *again);
+            QCOMPARE(HeldFile::wordsOf(file()), std::string("b"));
+        }
+    }
+
+    /// Its file is left behind, and means nothing.
+    void aProgramThatIsKilledHoldsNothing()
+    {
+        const pid_t child = fork();
+        if (child == 0) {
+            const auto held = HeldFile::take(file(), Afterwards::Goes, "dead");
+            _exit(held && *held ? 0 : 1);
+        }
+        int status = 1;
+        QCOMPARE(waitpid(child, &status, 0), child);
+        QVERIFY(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+        QVERIFY(std::filesystem::exists(file()));
+        QVERIFY(!HeldFile::isHeld(file()));
+        QVERIFY(HeldFile::take(file(), Afterwards::Goes).value() != nullptr);
+    }
+
+    void aFolderThatIsNotThereIsSaid()
+    {
+        const auto refused = HeldFile::take("/no/such/folder/file", Afterwards::Goes);
+        QCOMPARE(refused.error().code, ErrorCode::Io);
+        QCOMPARE(
+            refused.error().message(),
+            std::string(
+                "cannot hold /no/such/folder/file: No such file or directory; check the free space and the "
+                "rights of its folder"));
+    }
+
+    void oneTrialIsRecordedAtATime()
+    {
+        const std::filesystem::path media = m_folder.filePath(QStringLiteral("p.media")).toStdString();
+        QVERIFY(!RecordingLock::isHeld(media));
+        const auto lock = RecordingLock::take(media);
+        QVERIFY(lock && RecordingLock::isHeld(media));
+        QVERIFY(RecordingLock::take(media).error().message().find(
+                    "a trial is being recorded into it just now; wait until that has ended") !=
+                std::string::npos);
+    }
+
+    void oneWindowChangesAProject()
+    {
+        const QString project = m_folder.filePath(QStringLiteral("lesson.odo"));
+        QVERIFY(QFile(project).open(QIODevice::WriteOnly));
+        const QString other = m_folder.filePath(QStringLiteral("other.odo")); // another way to the same file
+        QVERIFY(QFile::link(project, other));
+        auto lock = WindowLock::take(project.toStdString());
+        QVERIFY(lock.has_value());
+        const auto refused = WindowLock::take(other.toStdString());
+        QCOMPARE(refused.error().code, ErrorCode::AlreadyExists);
+        QVERIFY2(refused.error().why.starts_with("it is open in another window ("),
+                 refused.error().why.c_str());
+        lock->reset();
+        QVERIFY(WindowLock::take(other.toStdString()).has_value());
+        QVERIFY(!QFile::exists(project + QStringLiteral(".lock")));
+    }
+
+private:
+    std::filesystem::path file() const { return m_folder.filePath(QStringLiteral("held")).toStdString(); }
+    QTemporaryDir m_folder;
+};
+
+QTEST_GUILESS_MAIN(TestLocks)
+#include "tst_locks.moc"

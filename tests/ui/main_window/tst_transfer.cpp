@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A project is packed, unpacked elsewhere, and its lost videos are found again, all by the window.
+#include "core/project/project.h"
+#include "core/project/recording_rows.h"
+#include "core/project/repositories.h"
+#include "tests/ui/support/person.h"
+#include "tests/ui/support/stored_example.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/message_bar.h"
+#include "ui/main_window/workspace.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFile>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+class TestTransfer : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void isPackedAndOpenedElsewhere();
+    void whatIsNoPackedProjectIsRefused();
+    void lostVideosAreFound();
+
+private:
+    QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+    QString message() const { return m_window->findChild<MessageBar *>()->text(); }
+    void run(const char *action, const QList<Answer> &answers);
+    std::size_t lostVideos() const;
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void TestTransfer::initTestCase()
+{
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    QCoreApplication::setOrganizationName(QStringLiteral("odograph-test"));
+    QCoreApplication::setApplicationName(QStringLiteral("tst_transfer"));
+    QSettings().clear();
+    QVERIFY(QDir().mkpath(path("school")) && QDir().mkpath(path("home")) && QDir().mkpath(path("empty")));
+    const auto made = storeExample(path("school").toStdString());
+    QVERIFY2(made, made ? "" : made.error().message().c_str());
+    m_window = std::make_unique<MainWindow>();
+    QVERIFY(m_window->openProject(*made));
+}
+
+void TestTransfer::run(const char *text, const QList<Answer> &answers)
+{
+    for (QAction *action : m_window->findChildren<QAction *>()) {
+        if (action->text().remove(u'&') != QString::fromUtf8(text))
+            continue;
+        QVERIFY2(action->isEnabled(), text);
+        Person person(answers);
+        action->trigger();
+        QVERIFY2(person.isDone(), qPrintable(message()));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->workspace().isBusy(), 120000);
+        return;
+    }
+    QFAIL(text);
+}
+
+std::size_t TestTransfer::lostVideos() const
+{
+    std::size_t lost = 0;
+    Project &project = *m_window->workspace().project();
+    const auto trials = project.trials().all().value();
+    for (const TrialRecord &trial : trials) {
+        const auto recordings = project.trials().recordings(trial.id).value();
+        for (const RecordingRecord &recording : recordings)
+            lost += !std::filesystem::exists(project.resolve(recording));
+    }
+    return lost;
+}
+
+void TestTransfer::isPackedAndOpenedElsewhere()
+{
+    const std::size_t lost = lostVideos(); // the example's third trial never had any
+    run("Pack into one file…", {chooseFile(path("lesson"))});
+    QVERIFY2(message().startsWith(QLatin1String("The project is packed into ")), qPrintable(message()));
+    QVERIFY2(message().contains(QLatin1String("Note: the video of camera A in trial 'Trial 3' is lost")),
+             qPrintable(message()));
+    QVERIFY(QFile::exists(path("lesson.zip")));
+    run("Unpack a packed project…", {chooseFile(path("lesson.zip")), chooseFile(path("home"))});
+    QCOMPARE(QString::fromStdString(m_window->workspace().project()->file().string()),
+             path("home/lesson/example.odo"));
+    QVERIFY(m_window->showTrial("Trial 2"));
+    QCOMPARE(lostVideos(), lost);
+    QVERIFY(!m_window->workspace().isReadOnly());
+}
+
+void TestTransfer::whatIsNoPackedProjectIsRefused()
+{
+    QFile bad(path("bad.zip"));
+    QVERIFY(bad.open(QIODevice::WriteOnly) && bad.write("no archive") > 0);
+    bad.close();
+    run("Unpack a packed project…", {chooseFile(path("bad.zip")), chooseFile(path("home"))});
+    QVERIFY2(message().contains(QLatin1String("choose a file that Odograph has packed"), Qt::CaseInsensitive),
+             qPrintable(message()));
+    QVERIFY(!QFile::exists(path("home/bad")));
+    QVERIFY(m_window->showTrial("Trial 1")); // the one before is still open
+}
+
+void TestTransfer::lostVideosAreFound()
+{
+    // The example's videos have no hash; one that was imported has.
+    QFile clip(path("home/clip.mkv"));
+    QVERIFY(clip.open(QIODevice::WriteOnly) && clip.write("pictures") > 0);
+    clip.close();
+    Project &project = *m_window->workspace().project();
+    RecordingRecord recording;
+    recording.camera = project.cameras().find("A")->id;
+    recording.path = path("home/clip.mkv").toStdString();
+    recording.sha256 = *fileSha256(recording.path, {});
+    recording.bytes = clip.size();
+    recording.frameTimes = {Nanoseconds(0)};
+    TrialRecord trial;
+    trial.name = "Imported";
+    QVERIFY(project.trials().add(trial, {recording}));
+    const std::size_t lost = lostVideos();
+
+    QVERIFY(QFile::rename(path("home/clip.mkv"), path("other name")));
+    QCOMPARE(lostVideos(), lost + 1);
+    run("Find lost videos…", {chooseFile(path("empty"))});
+    QVERIFY2(message().contains(QLatin1String("lost videos is there")), qPrintable(message()));
+    run("Find lost videos…", {chooseFile(m_folder.path())});
+    QVERIFY2(message().startsWith(QLatin1String("1 of ")) &&
+                 message().endsWith(QLatin1String(" lost videos were found, by their content.")),
+             qPrintable(message()));
+    QCOMPARE(lostVideos(), lost);
+}
+
+QTEST_MAIN(TestTransfer)
+#include "tst_transfer.moc"

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two windows on one project: the first changes it, the second shows it.
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "tests/ui/support/stored_example.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/message_bar.h"
+#include "ui/main_window/workspace.h"
+
+#include <QFile>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+class TestTwoWindows : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QCoreApplication::setOrganizationName(QStringLiteral("odograph-test"));
+        QCoreApplication::setApplicationName(QStringLiteral("tst_two_windows"));
+        QSettings().clear();
+        m_project = storeExample(m_folder.path().toStdString()).value();
+    }
+
+    void theSecondOnlyShows()
+    {
+        auto first = std::make_unique<MainWindow>();
+        QVERIFY(first->openProject(m_project));
+        QVERIFY(!first->workspace().isReadOnly());
+        QCOMPARE(message(*first), QString());
+
+        MainWindow second;
+        QVERIFY(second.openProject(m_project));
+        QVERIFY(second.workspace().isReadOnly());
+        QVERIFY2(message(second).startsWith(
+                     QLatin1String("project 'example.odo': it is open in another window (")) &&
+                     message(second).endsWith(
+                         QLatin1String("Here it can only be looked at; to change it, close it there "
+                                       "and open it here again.")),
+                 qPrintable(message(second)));
+        QVERIFY(second.showTrial("Trial 2"));
+
+        // The first goes on, and the second sees it.
+        QVERIFY(first->workspace().project()->setTitle("Changed meanwhile"));
+        QCOMPARE(second.workspace().project()->title(), std::string("Changed meanwhile"));
+
+        first.reset();
+        QVERIFY(second.openProject(m_project));
+        QVERIFY(!second.workspace().isReadOnly());
+        QVERIFY(second.workspace().project()->setTitle("Year 9 robotics"));
+    }
+
+    void theSameWindowOpensItAgain()
+    {
+        MainWindow window;
+        QVERIFY(window.openProject(m_project));
+        QVERIFY(window.openProject(m_project));
+        QVERIFY(!window.workspace().isReadOnly());
+        QVERIFY(QFile::exists(lock()));
+        QVERIFY(!window.openProject(m_folder.filePath(QStringLiteral("none.odo")).toStdString()));
+        QVERIFY(QFile::exists(lock())); // it still has the one before
+    }
+
+    void nothingIsLeftBeside()
+    {
+        {
+            MainWindow window;
+            QVERIFY(window.openProject(m_project));
+        }
+        QVERIFY(!QFile::exists(lock()));
+    }
+
+private:
+    static QString message(const MainWindow &window) { return window.findChild<MessageBar *>()->text(); }
+    QString lock() const { return QString::fromStdString(m_project.string() + ".lock"); }
+
+    QTemporaryDir m_folder;
+    std::filesystem::path m_project;
+};
+
+QTEST_MAIN(TestTwoWindows)
+#include "tst_two_windows.moc"

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A project packed with all that belongs to it and opened elsewhere; lost videos found again by their
+// content.
+#include "core/project/project.h"
+#include "core/project/recording_rows.h"
+#include "core/project/repositories.h"
+#include "core/workflow/pack_job.h"
+#include "core/workflow/relink_job.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+class TestPackJob : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void init();
+    void isOpenedElsewhere();
+    void theProjectStaysAsItWas();
+    void whatIsLostIsNamed();
+    void notWhileATrialIsRecorded();
+    void cancellingLeavesNothing();
+    void lostVideosAreFoundByTheirContent();
+    void sayingWhatIsMissing();
+
+private:
+    QString path(const char *name) const { return m_folder->filePath(QString::fromLatin1(name)); }
+    std::filesystem::path file(const char *name) const { return path(name).toStdString(); }
+    void write(const char *name, const QByteArray &content) const
+    {
+        QVERIFY(QDir().mkpath(QFileInfo(path(name)).path()));
+        QFile out(path(name));
+        QVERIFY(out.open(QIODevice::WriteOnly) && out.write(content) == content.size());
+    }
+    RecordingRecord recording(const char *name) const;
+    QStringList everything() const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Project> m_project;
+    RecordId m_camera = 0;
+};
+
+RecordingRecord TestPackJob::recording(const char *name) const
+{
+    RecordingRecord recording;
+    recording.camera = m_camera;
+    recording.path = file(name).string();
+    recording.sha256 = *fileSha256(recording.path, {});
+    recording.bytes = QFileInfo(path(name)).size();
+    recording.widthPx = 640;
+    recording.heightPx = 480;
+    recording.framesPerSecond = 30;
+    recording.frameTimes = {Nanoseconds(0), Nanoseconds(33'000'000)};
+    return recording;
+}
+
+/// One video beside the project, one elsewhere, of the same name.
+void TestPackJob::init()
+{
+    m_project.reset();
+    m_folder = std::make_unique<QTemporaryDir>();
+    QVERIFY(QDir().mkpath(path("school/lesson.media/calibration")));
+    QVERIFY(QDir().mkpath(path("elsewhere")));
+    write("school/lesson.media/run.mkv", QByteArray(70'000, 'a'));
+    write("school/lesson.media/calibration/board.png", "picture");
+    write("school/lesson.media/recording.lock", "");
+    write("elsewhere/run.mkv", QByteArray(70'000, 'b'));
+    m_project = std::move(*Project::create(file("school/lesson.odo"), "Lesson"));
+    m_camera = m_project->cameras().add({0, "A", ""})->id;
+    TrialRecord trial;
+    trial.name = "run";
+    const auto added = m_project->trials().add(
+        trial, {recording("school/lesson.media/run.mkv"), recording("elsewhere/run.mkv")});
+    QVERIFY2(added, added ? "" : added.error().message().c_str());
+}
+
+QStringList TestPackJob::everything() const
+{
+    QStringList files;
+    for (const auto &each : std::filesystem::recursive_directory_iterator(m_folder->path().toStdString()))
+        files << QString::fromStdString(each.path().string());
+    files.sort();
+    return files;
+}
+
+void TestPackJob::isOpenedElsewhere()
+{
+    PackJob job(file("lesson.zip"));
+    const auto packed = runToEnd(job, *m_project, {});
+    QVERIFY2(packed, packed ? "" : packed.error().message().c_str());
+    QVERIFY(job.warnings().empty());
+    m_project.reset();
+    std::filesystem::remove_all(file("school"));
+    std::filesystem::remove_all(file("elsewhere"));
+
+    const auto unpacked = unpackArchive(file("lesson.zip"), file("home"), {});
+    QVERIFY2(unpacked, unpacked ? "" : unpacked.error().message().c_str());
+    const auto project = Project::open(*unpacked, Project::Access::ReadWrite);
+    QVERIFY2(project, project ? "" : project.error().message().c_str());
+    QVERIFY((*project)->check(true)->empty()); // every video is there, of its hash
+    const auto recordings = (*project)->trials().recordings((*project)->trials().find("run")->id).value();
+    QCOMPARE(recordings[0].path, std::string("lesson.media/run.mkv"));
+    QCOMPARE(recordings[1].path, std::string("lesson.media/run_2.mkv"));
+    QVERIFY(QFile::exists(path("home/lesson.media/calibration/board.png")));
+    QVERIFY(!QFile::exists(path("home/lesson.media/recording.lock")));
+}
+
+void TestPackJob::theProjectStaysAsItWas()
+{
+    const QStringList before = everything();
+    PackJob job(file("lesson.zip"));
+    QVERIFY(runToEnd(job, *m_project, {}));
+    QCOMPARE(everything(), [&] {
+        QStringList after = before;
+        after << path("lesson.zip");
+        after.sort();
+        return after;
+    }());
+    const auto recordings = m_project->trials().recordings(m_project->trials().find("run")->id).value();
+    QCOMPARE(recordings[1].path, file("elsewhere/run.mkv").string());
+}
+
+void TestPackJob::whatIsLostIsNamed()
+{
+    QVERIFY(QFile::remove(path("elsewhere/run.mkv")));
+    PackJob job(file("lesson.zip"));
+    QVERIFY(runToEnd(job, *m_project, {}));
+    QCOMPARE(job.warnings(),
+             std::vector<std::string>{
+                 "the video of camera A in trial 'run' is lost, and not in the packed project"});
+}
+
+void TestPackJob::notWhileATrialIsRecorded()
+{
+    TrialRecord trial;
+    trial.name = "now";
+    QVERIFY(m_project->trials().begin(trial, {}));
+    PackJob job(file("lesson.zip"));
+    QCOMPARE(runToEnd(job, *m_project, {}).error().message(),
+             std::string("pack 'lesson.odo': trial 'now' is being recorded; end its recording first"));
+    QVERIFY(!QFile::exists(path("lesson.zip")));
+}
+
+void TestPackJob::cancellingLeavesNothing()
+{
+    const QStringList before = everything();
+    JobControl control;
+    control.cancel.cancel();
+    PackJob job(file("lesson.zip"));
+    QCOMPARE(runToEnd(job, *m_project, control).error().code, ErrorCode::Cancelled);
+    QCOMPARE(everything(), before);
+}
+
+void TestPackJob::lostVideosAreFoundByTheirContent()
+{
+    QVERIFY(QDir().mkpath(path("stick/deep/er")));
+    QVERIFY(QFile::rename(path("elsewhere/run.mkv"), path("stick/deep/er/renamed.bin")));
+    write("stick/run.mkv", QByteArray(70'000, 'c')); // of its name and size, and another
+    RelinkJob job(file("stick"));
+    const auto linked = runToEnd(job, *m_project, {});
+    QVERIFY2(linked, linked ? "" : linked.error().message().c_str());
+    QCOMPARE(job.lostCount(), std::size_t(1));
+    QCOMPARE(job.foundCount(), std::size_t(1));
+    QVERIFY(m_project->check(true)->empty());
+    QCOMPARE(m_project->undo().value(), std::string("link a lost video"));
+    QVERIFY(!m_project->check(true)->empty());
+}
+
+void TestPackJob::sayingWhatIsMissing()
+{
+    RelinkJob none(file("elsewhere"));
+    QCOMPARE(runToEnd(none, *m_project, {}).error().message(),
+             std::string("lost videos: no video of this project is lost; there is nothing to do"));
+    QVERIFY(QFile::remove(path("elsewhere/run.mkv")));
+    RelinkJob empty(file("elsewhere"));
+    QCOMPARE(runToEnd(empty, *m_project, {}).error().message(),
+             "look in '" + file("elsewhere").string() +
+                 "': the lost video is not there; choose the folder where they were copied to");
+    RelinkJob nowhere("/no/such/folder");
+    QCOMPARE(runToEnd(nowhere, *m_project, {}).error().code, ErrorCode::Io);
+    JobControl control;
+    control.cancel.cancel();
+    RelinkJob stopped(file("school"));
+    QCOMPARE(runToEnd(stopped, *m_project, control).error().code, ErrorCode::Cancelled);
+}
+
+QTEST_GUILESS_MAIN(TestPackJob)
+#include "tst_pack_job.moc"

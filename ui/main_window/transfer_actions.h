@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QObject>
+#include <filesystem>
+
+class QAction;
+class QMenu;
+class QWidget;
+
+namespace odo {
+
+class Workspace;
+
+/// Taking a project elsewhere: packing it into one file with its videos, unpacking such a file, and finding
+/// videos that were lost on the way. Owns the actions and asks for the files.
+class TransferActions : public QObject
+{
+    Q_OBJECT
+public:
+    static constexpr const char *archiveSuffix = ".zip";
+
+    /// window: parent of the dialogs.
+    TransferActions(Workspace &workspace, QWidget &window);
+
+    void fillMenu(QMenu &menu);
+    /// Asks where, unpacks and opens.
+    void askUnpack(const std::filesystem::path &archive);
+
+Q_SIGNALS:
+    void failed(const odo::Error &error);
+    void done(const QString &words);
+    /// A project was unpacked, and is open.
+    void unpacked(const std::filesystem::path &project);
+
+private:
+    void askPack();
+    void askArchive();
+    void askLostVideos();
+    void pack(const QString &archive);
+    void tellFailure(const Result<void> &result);
+
+    Workspace &m_workspace;
+    QWidget &m_window;
+    QAction *m_pack, *m_unpack, *m_relink;
+};
+
+} // namespace odo
