@@ -117,7 +117,7 @@ private Q_SLOTS:
         QVERIFY(teams.set(team));
         QVERIFY(!teams.find("Falcon"));
         QVERIFY(teams.find("Kestrel")->className == "9C" && teams.find("Kestrel")->pseudonym == "Team 4");
-        QCOMPARE(teams.classes().value(), (std::vector<std::string>{"9B", "9C"}));
+        QCOMPARE(teams.classes().value(), (std::vector<std::string>{"8b", "9B", "9C"})); // the first is the sample's
         team.name = "Heron";
         QCOMPARE(teams.set(team).error().code, ErrorCode::AlreadyExists);
         QCOMPARE(teams.set({99, "Owl", "", ""}).error().code, ErrorCode::NotFound);
