@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/column_blob.h"
 #include "core/project/connection.h"
+#include "core/project/named_rows.h"
 #include "core/project/repositories.h"
 #include "core/project/series_blobs.h"
 #include "core/project/stored_words.h"
@@ -307,15 +308,7 @@ Result<std::vector<TrialFigure>> AnalysisRepository::figures(const std::string &
 
 Result<std::vector<std::string>> AnalysisRepository::metricNames() const
 {
-    std::vector<std::string> names;
-    Statement select(m_connection, QStringLiteral("SELECT DISTINCT name FROM metric ORDER BY name"));
-    auto read = select.eachRow([&names](const Statement &row) -> Result<void> {
-        names.push_back(row.text(0));
-        return {};
-    });
-    if (!read)
-        return tl::unexpected(read.error());
-    return names;
+    return textsOf(m_connection, QStringLiteral("SELECT DISTINCT name FROM metric ORDER BY name"));
 }
 
 Result<std::vector<AnalysisRecord>> AnalysisRepository::currentMetrics(RecordId trial) const

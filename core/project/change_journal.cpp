@@ -2,6 +2,7 @@
 #include "core/project/change_journal.h"
 
 #include "core/project/connection.h"
+#include "core/project/instant_now.h"
 #include "core/project/names.h"
 #include "core/project/stored_words.h"
 
@@ -129,7 +130,7 @@ void ChangeJournal::forgetOldest()
 
 Result<void> ChangeJournal::tell(const std::string &words, ChangeEntry::Kind kind)
 {
-    const auto now = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+    const auto now = instantNow();
     Statement insert(m_connection,
                      QStringLiteral("INSERT INTO change_entry (made_ms, kind, words) VALUES (?,?,?)"));
     insert.bind(static_cast<std::int64_t>(now.time_since_epoch().count()));

@@ -25,4 +25,23 @@ Result<RecordId> idOfName(ProjectConnection &connection, const std::string &tabl
     return insert.insertedId();
 }
 
+Result<std::vector<std::string>> textsOf(const ProjectConnection &connection, const QString &sql)
+{
+    std::vector<std::string> texts;
+    Statement select(connection, sql);
+    auto read = select.eachRow([&texts](const Statement &row) -> Result<void> {
+        texts.push_back(row.text(0));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return texts;
+}
+
+Result<void> runFor(const ProjectConnection &connection, const char *sql, RecordId id)
+{
+    Statement statement(connection, QString::fromLatin1(sql));
+    return statement.bind(id).run();
+}
+
 } // namespace odo

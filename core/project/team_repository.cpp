@@ -92,15 +92,7 @@ Result<void> TeamRepository::set(const TeamRecord &team)
 
 Result<std::vector<std::string>> TeamRepository::classes() const
 {
-    std::vector<std::string> classes;
-    Statement select(m_connection, QStringLiteral("SELECT name FROM class ORDER BY name"));
-    auto read = select.eachRow([&classes](const Statement &row) -> Result<void> {
-        classes.push_back(row.text(0));
-        return {};
-    });
-    if (!read)
-        return tl::unexpected(read.error());
-    return classes;
+    return textsOf(m_connection, QStringLiteral("SELECT name FROM class ORDER BY name"));
 }
 
 } // namespace odo

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // TrialRepository's part of what people do with trials through the year: stars, tags, archive and bin.
 #include "core/project/connection.h"
+#include "core/project/instant_now.h"
+#include "core/project/named_rows.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 
@@ -10,16 +12,10 @@ namespace odo {
 
 namespace {
 
-Result<void> run(ProjectConnection &connection, const char *sql, RecordId trial)
-{
-    Statement statement(connection, QString::fromLatin1(sql));
-    return statement.bind(trial).run();
-}
-
 /// NULL, or now.
 Result<void> stamp(ProjectConnection &connection, const char *sql, RecordId trial, bool isSet)
 {
-    const auto now = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+    const auto now = instantNow();
     Statement update(connection, QString::fromLatin1(sql));
     return update.bindReference(isSet ? now.time_since_epoch().count() : 0).bind(trial).run();
 }
@@ -41,7 +37,7 @@ Result<void> TrialRepository::setTags(RecordId trial, const std::vector<std::str
     return transact(m_connection, [&]() -> Result<void> {
         if (auto known = get(trial); !known)
             return tl::unexpected(known.error());
-        if (auto removed = run(m_connection, "DELETE FROM trial_tag WHERE trial_id=?", trial); !removed)
+        if (auto removed = runFor(m_connection, "DELETE FROM trial_tag WHERE trial_id=?", trial); !removed)
             return removed;
         for (const std::string &tag : std::set(tags.begin(), tags.end())) {
             if (auto valid = checkName("tag", tag); !valid)
@@ -56,15 +52,7 @@ Result<void> TrialRepository::setTags(RecordId trial, const std::vector<std::str
 
 Result<std::vector<std::string>> TrialRepository::tags() const
 {
-    std::vector<std::string> tags;
-    Statement select(m_connection, QStringLiteral("SELECT DISTINCT tag FROM trial_tag ORDER BY tag"));
-    auto read = select.eachRow([&tags](const Statement &row) -> Result<void> {
-        tags.push_back(row.text(0));
-        return {};
-    });
-    if (!read)
-        return tl::unexpected(read.error());
-    return tags;
+    return textsOf(m_connection, QStringLiteral("SELECT DISTINCT tag FROM trial_tag ORDER BY tag"));
 }
 
 Result<void> TrialRepository::setArchived(RecordId trial, bool archived)
@@ -125,7 +113,7 @@ Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
               "DELETE FROM analysis WHERE trial_id=?", "DELETE FROM overrule WHERE trial_id=?",
               "DELETE FROM truth WHERE trial_id=?", "DELETE FROM trial_tag WHERE trial_id=?",
               "DELETE FROM trial_robot WHERE trial_id=?", "DELETE FROM trial WHERE id=?"}) {
-            if (auto done = run(m_connection, sql, trial); !done)
+            if (auto done = runFor(m_connection, sql, trial); !done)
                 return tl::unexpected(done.error());
         }
         return files;

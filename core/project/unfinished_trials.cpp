@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // TrialRepository's part of trials that are being recorded.
 #include "core/project/connection.h"
+#include "core/project/named_rows.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/project/series_blobs.h"
@@ -11,18 +12,12 @@ namespace odo {
 
 namespace {
 
-Result<void> remove(ProjectConnection &connection, const char *sql, RecordId id)
-{
-    Statement statement(connection, QString::fromLatin1(sql));
-    return statement.bind(id).run();
-}
-
 Result<void> removeRecording(ProjectConnection &connection, RecordId id)
 {
     for (const char *sql :
          {"DELETE FROM raw_time_chunk WHERE recording_id=?",
           "DELETE FROM frame_time_chunk WHERE recording_id=?", "DELETE FROM recording WHERE id=?"}) {
-        if (auto done = remove(connection, sql, id); !done)
+        if (auto done = runFor(connection, sql, id); !done)
             return done;
     }
     return {};
@@ -161,9 +156,9 @@ Result<void> TrialRepository::removeUnfinished(RecordId trial)
             if (auto removed = removeRecording(m_connection, recording.id); !removed)
                 return removed;
         }
-        if (auto removed = remove(m_connection, "DELETE FROM trial_robot WHERE trial_id=?", trial); !removed)
+        if (auto removed = runFor(m_connection, "DELETE FROM trial_robot WHERE trial_id=?", trial); !removed)
             return removed;
-        return remove(m_connection, "DELETE FROM trial WHERE id=?", trial);
+        return runFor(m_connection, "DELETE FROM trial WHERE id=?", trial);
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/calibration_storage.h"
 
+#include "core/project/instant_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/cameras.h"
@@ -46,7 +47,7 @@ Result<IntrinsicsRecord> CalibrationStorage::commit(Project &project)
         if (!camera)
             return tl::unexpected(camera.error());
         m_record.camera = camera->id;
-        m_record.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+        m_record.made = instantNow();
         auto added = project.cameras().addIntrinsics(m_record);
         if (!added)
             return tl::unexpected(added.error());

@@ -2,6 +2,7 @@
 #include "core/workflow/cameras.h"
 
 #include "core/exchange/intrinsics_yaml.h"
+#include "core/project/instant_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 
@@ -22,7 +23,7 @@ Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &c
     if (!intrinsics)
         return tl::unexpected(intrinsics.error());
     IntrinsicsRecord record;
-    record.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+    record.made = instantNow();
     record.origin = "imported from " + file.filename().string();
     record.calibration.intrinsics = std::move(*intrinsics);
     const auto stored = project.inTransaction([&]() -> Result<void> {

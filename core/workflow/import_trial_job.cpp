@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/import_trial_job.h"
 
+#include "core/project/instant_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
@@ -278,8 +279,7 @@ Result<void> ImportTrialJob::commit(Project &project)
             for (const RobotRecord &robot : m_robots)
                 m_trial.robots.push_back(robot.id);
         }
-        m_trial.date = m_settings.date.value_or(
-            std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now()));
+        m_trial.date = m_settings.date.value_or(instantNow());
         auto trial = project.trials().add(m_trial, m_recordings);
         if (!trial)
             return tl::unexpected(trial.error());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/live_trial.h"
 
+#include "core/project/instant_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/cameras.h"
@@ -40,7 +41,7 @@ Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecor
         return tl::unexpected(lock.error());
     std::shared_ptr<LiveTrial> live(new LiveTrial(session, std::move(*lock)));
     live->m_trial = std::move(trial);
-    live->m_trial.date = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+    live->m_trial.date = instantNow();
     live->m_trial.syncMethod = "none";
     if (auto added = project.inTransaction([&] { return live->addTo(project, cameras); }); !added)
         return tl::unexpected(added.error());

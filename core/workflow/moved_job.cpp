@@ -2,6 +2,7 @@
 #include "core/workflow/moved_job.h"
 
 #include "core/capture/settled_picture.h"
+#include "core/project/instant_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/picture_source.h"
@@ -13,8 +14,6 @@
 namespace odo {
 
 namespace {
-
-Instant now() { return std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now()); }
 
 RegistrationCheck::Outcome outcomeOf(MovedCheck::Verdict verdict)
 {
@@ -98,7 +97,8 @@ Result<void> MovedJob::run(const JobControl &control)
 
 Result<void> MovedJob::commit(Project &project)
 {
-    return project.cameras().addCheck(m_registration, {now(), outcomeOf(m_check.verdict), m_check.shiftPx, m_check.shiftM, m_check.words});
+    return project.cameras().addCheck(m_registration, {instantNow(), outcomeOf(m_check.verdict),
+                                                       m_check.shiftPx, m_check.shiftM, m_check.words});
 }
 
 Result<void> keepNotTold(Project &project, const std::string &camera, const Error &error)
@@ -106,8 +106,9 @@ Result<void> keepNotTold(Project &project, const std::string &camera, const Erro
     const auto registered = registeredCamera(project, camera);
     if (!registered)
         return tl::unexpected(registered.error());
-    return project.cameras().addCheck(registered->registration.id,
-                                      {now(), RegistrationCheck::Outcome::NotTold, 0, 0, error.message()});
+    return project.cameras().addCheck(
+        registered->registration.id,
+        {instantNow(), RegistrationCheck::Outcome::NotTold, 0, 0, error.message()});
 }
 
 } // namespace odo

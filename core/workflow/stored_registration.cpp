@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/stored_registration.h"
 
+#include "core/project/instant_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/cameras.h"
@@ -13,7 +14,7 @@ Result<RegistrationRecord> storeRegistration(Project &project, const std::string
     if (!owner)
         return tl::unexpected(owner.error());
     record.camera = owner->id;
-    record.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+    record.made = instantNow();
     record.softwareVersion = ODOGRAPH_VERSION;
     return project.cameras().addRegistration(record);
 }

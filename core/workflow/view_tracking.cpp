@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/view_tracking.h"
 
+#include "core/project/instant_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/tracking/colour_tracker.h"
@@ -165,7 +166,7 @@ AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
     analysis.trial = trial.id;
     analysis.robot = robot.id;
     analysis.robotName = robot.name;
-    analysis.made = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+    analysis.made = instantNow();
     analysis.softwareVersion = ODOGRAPH_VERSION;
     analysis.options = std::move(options);
     for (const RegisteredView &view : views) {

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "ui/history/filter_choice.h"
 #include "ui/history/trend_chart.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/metric_choice.h"
@@ -18,27 +19,6 @@
 #include <algorithm>
 
 namespace odo {
-namespace {
-
-/// Entries after the first; keeps what is chosen where it is still there.
-void fill(QComboBox &choice, const QStringList &words, const QStringList &shown, int kept)
-{
-    const QString current = choice.currentData().toString();
-    const QSignalBlocker quiet(&choice);
-    while (choice.count() > kept)
-        choice.removeItem(choice.count() - 1);
-    for (int i = 0; i < words.size(); ++i)
-        choice.addItem(shown.at(i), words.at(i));
-    choice.setCurrentIndex(std::max(0, choice.findData(current)));
-}
-
-std::string chosen(const QComboBox &choice)
-{
-    return choice.currentData().toString().toStdString();
-}
-
-} // namespace
-
 TeamsPanel::TeamsPanel(Project &project, QWidget *parent)
     : QWidget(parent), m_project(project), m_model(new StandingsModel(this)),
       m_card(new Card(tr("Teams"), this)), m_table(new QTableView), m_chart(new TrendChart)
@@ -91,9 +71,9 @@ void TeamsPanel::offer()
         metrics << QString::fromStdString(metric.name);
         metricNames << metricName(metric.name);
     }
-    fill(*m_class, classes, classes, 1);
-    fill(*m_task, tasks, tasks, 1);
-    fill(*m_metric, metrics, metricNames, 0);
+    fillChoice(*m_class, classes, classes, 1);
+    fillChoice(*m_task, tasks, tasks, 1);
+    fillChoice(*m_metric, metrics, metricNames, 0);
 }
 
 void TeamsPanel::showTrials(std::span<const TrialRecord *const> trials, bool pseudonyms)
@@ -101,7 +81,7 @@ void TeamsPanel::showTrials(std::span<const TrialRecord *const> trials, bool pse
     offer();
     const QModelIndex current = m_table->currentIndex();
     const std::string selected = current.isValid() ? m_model->team(current.row()).team : std::string();
-    const StandingsChoice choice{chosen(*m_class), chosen(*m_task), chosen(*m_metric)};
+    const StandingsChoice choice{chosenWord(*m_class), chosenWord(*m_task), chosenWord(*m_metric)};
     const auto figures = m_project.analyses().figures(choice.metric, Instant::min(), Instant::max());
     if (!figures) {
         Q_EMIT failed(figures.error());

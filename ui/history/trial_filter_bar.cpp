@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/history/trial_filter_bar.h"
 
+#include "ui/history/filter_choice.h"
 #include "ui/views/theme_icon.h"
 
 #include <QComboBox>
@@ -16,22 +17,6 @@ enum Dates { AnyDate, Today, LastWeek, LastMonth, LastYear, Between };
 Instant startOf(const QDate &day)
 {
     return Instant(std::chrono::milliseconds(day.startOfDay().toMSecsSinceEpoch()));
-}
-
-void fill(QComboBox &choice, const QStringList &words, const QStringList &shown)
-{
-    const QString current = choice.currentData().toString();
-    const QSignalBlocker quiet(&choice);
-    while (choice.count() > 1)
-        choice.removeItem(choice.count() - 1);
-    for (int i = 0; i < words.size(); ++i)
-        choice.addItem(shown.at(i), words.at(i));
-    choice.setCurrentIndex(std::max(0, choice.findData(current)));
-}
-
-std::string chosen(const QComboBox &choice)
-{
-    return choice.currentData().toString().toStdString();
 }
 
 } // namespace
@@ -100,10 +85,10 @@ QComboBox *TrialFilterBar::addChoice(QLayout &row, const QString &name, const QS
 
 void TrialFilterBar::setOffer(const FilterOffer &offer)
 {
-    fill(*m_class, offer.classes, offer.classes);
-    fill(*m_team, offer.teams, offer.teamsShown);
-    fill(*m_task, offer.tasks, offer.tasks);
-    fill(*m_robot, offer.robots, offer.robots);
+    fillChoice(*m_class, offer.classes, offer.classes);
+    fillChoice(*m_team, offer.teams, offer.teamsShown);
+    fillChoice(*m_task, offer.tasks, offer.tasks);
+    fillChoice(*m_robot, offer.robots, offer.robots);
 }
 
 void TrialFilterBar::showDates()
@@ -116,10 +101,10 @@ void TrialFilterBar::showDates()
 TrialFilter TrialFilterBar::filter() const
 {
     TrialFilter filter;
-    filter.className = chosen(*m_class);
-    filter.team = chosen(*m_team);
-    filter.task = chosen(*m_task);
-    filter.robot = chosen(*m_robot);
+    filter.className = chosenWord(*m_class);
+    filter.team = chosenWord(*m_team);
+    filter.task = chosenWord(*m_task);
+    filter.robot = chosenWord(*m_robot);
     filter.starred = m_starred->isChecked();
     filter.place = static_cast<TrialFilter::Place>(m_place->currentIndex());
     const QDate today = QDate::currentDate();

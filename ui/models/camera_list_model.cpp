@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/camera_list_model.h"
 
+#include "core/project/instant_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibration_warnings.h"
@@ -13,7 +14,7 @@ Result<std::vector<CameraRow>> loadCameraRows(Project &project)
     auto cameras = project.cameras().all();
     if (!cameras)
         return tl::make_unexpected(cameras.error());
-    const Instant now = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+    const Instant now = instantNow();
     std::vector<CameraRow> rows;
     rows.reserve(cameras->size());
     for (const CameraRecord &camera : *cameras) {
