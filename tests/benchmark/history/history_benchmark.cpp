@@ -6,6 +6,7 @@
 #include "tests/benchmark/history/year_project.h"
 #include "tests/ui/support/busy_watch.h"
 #include "ui/history/history_page.h"
+#include "ui/main_window/appearance.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 
@@ -89,6 +90,16 @@ std::vector<double> trialMs(MainWindow &window, int trials)
     return times;
 }
 
+/// The one in the folder, or a new one.
+Result<std::filesystem::path> yearProject(const std::filesystem::path &folder, int trials)
+{
+    const std::filesystem::path known = folder / yearProjectName;
+    if (std::filesystem::exists(known))
+        return known;
+    print(QStringLiteral("making a project of %1 trials…").arg(trials));
+    return makeYearProject(folder, trials);
+}
+
 Figure figure(const QString &name, const std::vector<double> &times, double atMost)
 {
     return {name,
@@ -137,21 +148,23 @@ int main(int argc, char **argv)
         qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication app(argc, argv);
     QStandardPaths::setTestModeEnabled(true);
+    applyAppearance(app, Theme::Light); // what is drawn without the style sheet costs less
     QCommandLineParser parser;
     parser.addHelpOption();
     parser.addOption({QStringLiteral("trials"), QStringLiteral("How many trials the project has."),
                       QStringLiteral("N"), QStringLiteral("10000")});
     parser.addOption({QStringLiteral("folder"), QStringLiteral("Where the project is made (3.6 GB)."),
                       QStringLiteral("DIR")});
+    parser.addOption({QStringLiteral("keep"), QStringLiteral("Leaves the project in the folder, and uses the one that is there.")});
     parser.addOption(
         {QStringLiteral("json"), QStringLiteral("A file for the figures."), QStringLiteral("FILE")});
     parser.process(app);
     const int trials = std::max(10, parser.value(QStringLiteral("trials")).toInt());
+    const bool keeps = parser.isSet(QStringLiteral("keep"));
     const QString parent =
         parser.isSet(QStringLiteral("folder")) ? parser.value(QStringLiteral("folder")) : QDir::tempPath();
-    const QTemporaryDir folder(parent + QStringLiteral("/year-XXXXXX"));
-    print(QStringLiteral("making a project of %1 trials…").arg(trials));
-    const auto file = makeYearProject(folder.path().toStdString(), trials);
+    const QTemporaryDir once(parent + QStringLiteral("/year-XXXXXX"));
+    const auto file = yearProject((keeps ? parent : once.path()).toStdString(), trials);
     if (!file) {
         print(QString::fromStdString(file.error().message()));
         return 1;

@@ -148,7 +148,7 @@ Result<std::filesystem::path> makeYearProject(const std::filesystem::path &folde
     const auto made = storeExample(folder, {.frames = samplesOfATrial, .widthPx = 320, .heightPx = 180});
     if (!made)
         return made;
-    const std::filesystem::path file = folder / "year.odo";
+    const std::filesystem::path file = folder / yearProjectName;
     // The recordings keep their place: they are in example.media.
     std::filesystem::rename(*made, file);
     const auto source = addLists(file);
