@@ -122,8 +122,10 @@ QWidget *HistoryPage::makeTable()
         if (!(index.flags() & (Qt::ItemIsEditable | Qt::ItemIsUserCheckable)))
             Q_EMIT trialChosen(currentTrial());
     });
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            &HistoryPage::showCurrent);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
+        m_wanted.clear();
+        showCurrent();
+    });
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &HistoryPage::showSelection);
 
@@ -239,7 +241,7 @@ void HistoryPage::endReading(std::vector<TrialRow> rows)
     m_readTimer->stop();
     m_reading.reset();
     m_read.clear();
-    const QString selected = currentTrial();
+    const QString selected = m_wanted.isEmpty() ? currentTrial() : std::exchange(m_wanted, {});
     m_trials->setRows(std::move(rows));
     offerFilters();
     m_table->resizeColumnsToContents();
@@ -269,8 +271,11 @@ void HistoryPage::offerFilters()
 
 void HistoryPage::selectTrial(const QString &name)
 {
+    const int place = m_trials->indexOf(name);
     if (m_trials->rowCount() > 0)
-        m_table->setCurrentIndex(m_trials->index(std::max(0, m_trials->indexOf(name)), 0));
+        m_table->setCurrentIndex(m_trials->index(std::max(0, place), 0));
+    if (m_reading && place < 0)
+        m_wanted = name;
 }
 
 void HistoryPage::saveNotes()

@@ -40,6 +40,7 @@ public:
     /// Reads the project, keeping the selection. Call it once the signals are connected, and after every
     /// change.
     void refresh();
+    /// At once, or as soon as it was read.
     void selectTrial(const QString &name);
     /// Stores what is being written now instead of in a moment.
     void saveNotes();
@@ -96,6 +97,7 @@ private:
     QTimer *m_readTimer;
     std::unique_ptr<TrialRows> m_reading; ///< null: all was read
     std::vector<TrialRow> m_read;         ///< so far
+    QString m_wanted;                     ///< to be selected once it was read; empty: none
 };
 
 } // namespace odo

@@ -2,8 +2,6 @@
 #include "ui/main_window/main_window.h"
 
 #include "core/project/project.h"
-#include "core/project/repositories.h"
-#include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/file_actions.h"
@@ -155,8 +153,8 @@ void MainWindow::connectActions()
             m_messages->showDone(words);
     });
     connect(m_undo, &UndoActions::aboutToLook, this, [this] {
-        if (m_history)
-            m_history->saveNotes();
+        if (m_pages)
+            m_pages->history().saveNotes();
     });
     connect(m_undo, &UndoActions::failed, this, &MainWindow::tellFailure);
     connect(m_undo, &UndoActions::changed, this, [this](const QString &words) {
@@ -164,10 +162,7 @@ void MainWindow::connectActions()
         m_messages->showDone(words);
     });
     for (const auto signal : {&TrialActions::trialImported, &TrialActions::trialTracked})
-        connect(m_trials, signal, this, [this](const QString &trial) {
-            if (const Result<void> shown = showTrial(trial.toStdString()); !shown)
-                tellFailure(shown.error());
-        });
+        connect(m_trials, signal, this, &MainWindow::openTrial);
 }
 
 void MainWindow::connectJobs()
@@ -189,134 +184,68 @@ void MainWindow::connectJobs()
 
 void MainWindow::closePages()
 {
-    if (!m_review)
+    if (!m_pages)
         return;
     m_views->setDesk(nullptr);
     m_playMenu->clear();
     m_recordMenu->clear();
     m_toolsMenu->clear();
     m_trials->setCurrentTrial({});
-    // What is being recorded is completed before anything else goes.
-    for (QWidget *page : {static_cast<QWidget *>(m_record), static_cast<QWidget *>(m_testbed), static_cast<QWidget *>(m_review),
-                          static_cast<QWidget *>(m_compare), static_cast<QWidget *>(m_history)})
-        delete page;
-    m_testbed = nullptr;
-    m_record = nullptr;
-    m_review = nullptr;
-    m_compare = nullptr;
-    m_history = nullptr;
+    m_pages.reset();
 }
 
 void MainWindow::makePages()
 {
-    Project &project = *m_workspace->project();
-    m_testbed = new TestbedPage(project);
-    m_record = new RecordPage(project, m_workspace->isReadOnly());
-    m_review = new ReviewPage(project);
-    m_compare = new ComparePage(project);
-    m_history = new HistoryPage(project, m_workspace->isReadOnly());
-    m_stack->addWidget(m_testbed);
-    m_stack->addWidget(m_record);
-    m_stack->addWidget(m_review);
-    m_stack->addWidget(m_compare);
-    m_stack->addWidget(m_history);
+    m_pages = std::make_unique<ProjectPages>(*m_workspace, *m_stack);
     connectPages();
-    connectRecording();
-    m_recordMenu->addActions(m_record->actions());
-    m_recordMenu->setEnabled(true);
-    m_toolsMenu->addActions(m_testbed->toolActions());
-    m_toolsMenu->setEnabled(true);
-    m_playMenu->addActions(m_review->timeline().actions());
-    m_playMenu->setEnabled(true);
-    m_viewMenu->addAction(m_history->pseudonyms()); // goes with the page
-    m_views->setDesk(&m_review->desk());
+    fillMenus();
     m_modeBar->setModesEnabled(true);
     m_messages->hide();
-    refreshPages();
     showMode(Mode::Review);
     showTitle();
 }
 
 void MainWindow::connectPages()
 {
-    connect(m_testbed, &TestbedPage::changed, this, [this](const QString &words) {
-        m_messages->showDone(words);
-        m_record->refresh();
-        m_review->refresh();
-    });
-    connect(m_testbed, &TestbedPage::failed, this, &MainWindow::tellFailure);
-    connect(m_testbed, &TestbedPage::settled, this, [this] {
-        if (isSettled())
-            Q_EMIT settled();
-    });
-    connect(m_review, &ReviewPage::trialShown, this, &MainWindow::showTitle);
-    connect(m_review, &ReviewPage::importRequested, m_trials, [this] { m_trials->askImport(); });
-    connect(m_review, &ReviewPage::trackRequested, m_trials, &TrialActions::askTrack);
-    connect(m_review, &ReviewPage::failed, this, &MainWindow::tellFailure);
-    connect(m_review, &ReviewPage::settled, this, [this] {
-        if (isSettled())
-            Q_EMIT settled();
-    });
-    connect(m_compare, &ComparePage::importRequested, m_trials, [this] { m_trials->askImport(); });
-    connect(m_compare, &ComparePage::failed, this, &MainWindow::tellFailure);
-    connect(m_compare, &ComparePage::settled, this, [this] {
-        if (isSettled())
-            Q_EMIT settled();
-    });
-    connect(m_history, &HistoryPage::compareRequested, this, [this](const QStringList &trials) {
-        if (const Result<void> shown = compareTrials(trials); !shown)
-            tellFailure(shown.error());
-    });
-    connect(m_history, &HistoryPage::trialChosen, this, [this](const QString &trial) {
-        if (const Result<void> shown = showTrial(trial.toStdString()); !shown)
-            tellFailure(shown.error());
-    });
-    connect(m_history, &HistoryPage::notesChanged, m_review, &ReviewPage::refresh);
-    connect(m_history, &HistoryPage::exportRequested, m_many, &HistoryActions::exportTrials);
-    connect(m_history, &HistoryPage::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
-    connect(m_history, &HistoryPage::trialsChanged, this, [this](const QString &words) {
-        m_record->refresh();
-        m_review->refresh();
-        m_compare->refresh();
-        if (!words.isEmpty())
-            m_messages->showDone(words);
-    });
-    connect(m_history, &HistoryPage::settled, this, [this] {
-        if (isSettled())
-            Q_EMIT settled();
-    });
-    connect(m_history, &HistoryPage::failed, this, &MainWindow::tellFailure);
-    const QList<QAction *> steps{m_review->chooser().previousAction(), m_review->chooser().nextAction()};
-    m_trialMenu->insertActions(m_playMenu->menuAction(), steps);
+    connect(m_pages.get(), &ProjectPages::shown, this, [this](Mode mode) { m_modeBar->setCurrent(static_cast<int>(mode)); });
+    connect(m_pages.get(), &ProjectPages::changed, this, &MainWindow::showState);
+    connect(m_pages.get(), &ProjectPages::told, m_messages, &MessageBar::showDone);
+    connect(m_pages.get(), &ProjectPages::failed, this, &MainWindow::tellFailure);
+    connect(m_pages.get(), &ProjectPages::settled, this, &MainWindow::settled);
+    ReviewPage *review = &m_pages->review();
+    connect(review, &ReviewPage::trialShown, this, &MainWindow::showTitle);
+    connect(review, &ReviewPage::importRequested, m_trials, [this] { m_trials->askImport(); });
+    connect(review, &ReviewPage::trackRequested, m_trials, &TrialActions::askTrack);
+    connect(&m_pages->compare(), &ComparePage::importRequested, m_trials, [this] { m_trials->askImport(); });
+    connect(&m_pages->history(), &HistoryPage::exportRequested, m_many, &HistoryActions::exportTrials);
+    connect(&m_pages->history(), &HistoryPage::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
 }
 
-void MainWindow::connectRecording()
+void MainWindow::fillMenus()
 {
-    connect(m_record, &RecordPage::changed, this, [this](const QString &words) {
-        m_messages->showDone(words);
-        m_review->refresh();
-        m_compare->refresh();
-        m_history->refresh();
-        showState();
-    });
-    connect(m_record, &RecordPage::failed, this, &MainWindow::tellFailure);
-    connect(m_record, &RecordPage::testbedRequested, this, [this] { showMode(Mode::Testbed); });
-    connect(m_record, &RecordPage::trialChosen, this, [this](const QString &trial) {
-        if (const Result<void> shown = showTrial(trial.toStdString()); !shown)
-            tellFailure(shown.error());
-    });
+    const ReviewPage &review = m_pages->review();
+    m_trialMenu->insertActions(m_playMenu->menuAction(),
+                               {review.chooser().previousAction(), review.chooser().nextAction()});
+    m_recordMenu->addActions(m_pages->record().actions());
+    m_recordMenu->setEnabled(true);
+    m_toolsMenu->addActions(m_pages->testbed().toolActions());
+    m_toolsMenu->setEnabled(true);
+    m_playMenu->addActions(review.timeline().actions());
+    m_playMenu->setEnabled(true);
+    m_viewMenu->addAction(m_pages->history().pseudonyms()); // goes with the page
+    m_views->setDesk(&review.desk());
 }
 
 void MainWindow::refreshPages()
 {
-    if (!m_review)
-        return;
-    m_testbed->refresh();
-    m_record->refresh();
-    m_review->refresh();
-    m_compare->refresh();
-    m_history->refresh();
-    showState();
+    if (m_pages)
+        m_pages->refresh();
+}
+
+void MainWindow::openTrial(const QString &trial)
+{
+    if (const Result<void> shown = showTrial(trial.toStdString()); !shown)
+        tellFailure(shown.error());
 }
 
 Result<void> MainWindow::openProject(const std::filesystem::path &file)
@@ -326,53 +255,29 @@ Result<void> MainWindow::openProject(const std::filesystem::path &file)
 
 void MainWindow::showMode(Mode mode)
 {
-    if (!m_review)
-        return;
-    QWidget *const pages[] = {m_testbed, m_record, m_review, m_compare, m_history};
-    if (mode == Mode::Compare && m_review->scene())
-        m_compare->suggestTrial(QString::fromStdString(m_review->scene()->trial.name));
-    m_modeBar->setCurrent(static_cast<int>(mode));
-    QWidget *page = pages[static_cast<int>(mode)];
-    m_stack->setCurrentWidget(page);
-    page->setFocus(Qt::OtherFocusReason); // so that the page's keys work at once
-    if (mode == Mode::History && m_review->scene())
-        m_history->selectTrial(QString::fromStdString(m_review->scene()->trial.name));
+    if (m_pages)
+        m_pages->show(mode);
 }
 
 Result<void> MainWindow::showTrial(const std::string &name)
 {
-    if (!m_review)
+    if (!m_pages)
         return fail(ErrorCode::NotFound, "trial '" + name + "'", tr("no project is open").toStdString(),
                     tr("open the project that it belongs to").toStdString());
-    const Result<void> shown = m_review->showTrial(QString::fromStdString(name));
-    if (shown)
-        showMode(Mode::Review);
-    return shown;
+    return m_pages->showTrial(name);
 }
 
 Result<void> MainWindow::compareTrials(const QStringList &names)
 {
-    if (!m_compare)
+    if (!m_pages)
         return fail(ErrorCode::NotFound, "comparison", tr("no project is open").toStdString(),
                     tr("open the project that the trials belong to").toStdString());
-    for (const QString &name : names)
-        if (const auto trial = m_workspace->project()->trials().find(name.toStdString()); !trial)
-            return tl::unexpected(trial.error());
-    m_compare->showTrials(names);
-    showMode(Mode::Compare);
-    return {};
+    return m_pages->compareTrials(names);
 }
 
 bool MainWindow::isSettled() const
 {
-    const QWidget *page = m_stack->currentWidget();
-    if (page == m_review)
-        return m_review->isSettled();
-    if (page == m_compare)
-        return m_compare->isSettled();
-    if (page == m_history)
-        return m_history->isSettled();
-    return page != m_testbed || m_testbed->isSettled();
+    return !m_pages || m_pages->isSettled();
 }
 
 void MainWindow::showTitle()
@@ -381,8 +286,8 @@ void MainWindow::showTitle()
     QString trial;
     if (const Project *project = m_workspace->project())
         parts << QString::fromStdString(project->title());
-    if (m_review && m_review->scene()) {
-        const TrialRecord &record = m_review->scene()->trial;
+    if (const TrialScenePtr scene = m_pages ? m_pages->review().scene() : nullptr) {
+        const TrialRecord &record = scene->trial;
         trial = QString::fromStdString(record.name);
         QStringList words{trial};
         if (!record.teamName.empty())
@@ -406,9 +311,9 @@ void MainWindow::showState()
     m_saved->setText(m_workspace->isReadOnly() ? tr("Read only: nothing can be changed")
                                                : tr("All changes saved"));
     QString analysis = tr("No trial");
-    if (m_review && m_review->scene()) {
+    if (const TrialScenePtr scene = m_pages ? m_pages->review().scene() : nullptr) {
         analysis = tr("Not tracked yet");
-        for (const SceneRobot &robot : m_review->scene()->robots)
+        for (const SceneRobot &robot : scene->robots)
             if (robot.analysis)
                 analysis = tr("Analysis %1, Odograph %2")
                                .arg(robot.analysis->id)
@@ -435,10 +340,8 @@ bool MainWindow::event(QEvent *event)
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     QSettings().setValue(geometryKey, saveGeometry());
-    if (m_review)
-        m_review->desk().saveLayout();
-    if (m_compare)
-        m_compare->desk().saveLayout();
+    if (m_pages)
+        m_pages->saveLayouts();
     QMainWindow::closeEvent(event);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/error.h"
+#include "ui/main_window/project_pages.h"
 
 #include <QMainWindow>
 #include <filesystem>
@@ -13,17 +13,12 @@ class QStackedWidget;
 
 namespace odo {
 
-class ComparePage;
 class FileActions;
 class HistoryActions;
-class HistoryPage;
 class JobIndicator;
 class MessageBar;
 class ModeBar;
 class RecentProjects;
-class RecordPage;
-class ReviewPage;
-class TestbedPage;
 class TrialActions;
 class UndoActions;
 class ViewActions;
@@ -36,7 +31,7 @@ class MainWindow : public QMainWindow
 {
     Q_OBJECT
 public:
-    enum class Mode { Testbed, Record, Review, Compare, History };
+    using Mode = ProjectPages::Mode;
 
     MainWindow();
     ~MainWindow() override;
@@ -72,8 +67,9 @@ private:
     void closePages();
     void makePages();
     void connectPages();
-    void connectRecording();
+    void fillMenus();
     void refreshPages();
+    void openTrial(const QString &trial);
     void showTitle();
     void showState();
     void tellFailure(const Error &error);
@@ -89,11 +85,7 @@ private:
     MessageBar *m_messages;
     QStackedWidget *m_stack;
     WelcomePage *m_welcome;
-    TestbedPage *m_testbed = nullptr;
-    RecordPage *m_record = nullptr;
-    ReviewPage *m_review = nullptr;
-    ComparePage *m_compare = nullptr;
-    HistoryPage *m_history = nullptr;
+    std::unique_ptr<ProjectPages> m_pages; ///< null: no project is open
     QMenu *m_viewMenu = nullptr, *m_toolsMenu = nullptr, *m_trialMenu = nullptr, *m_recordMenu = nullptr, *m_playMenu = nullptr;
     QLabel *m_saved, *m_analysis;
     JobIndicator *m_job;
