@@ -3,6 +3,7 @@
 
 #include "core/trajectory/circle_fit.h"
 #include "core/trajectory/curve_statistics.h"
+#include "core/trajectory/driven_way.h"
 #include "core/trajectory/heading.h"
 #include "core/trajectory/motion_stretches.h"
 
@@ -13,20 +14,6 @@
 namespace odo {
 
 namespace {
-
-/// Integral of the speed from the moment of starting to that of stopping, by the trapezoidal rule; below the
-/// threshold nothing is added but the ramp to it.
-double pathOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
-{
-    const auto speed = [&](std::size_t i) { return instants[i].point->speedMps; };
-    double path = 0;
-    for (std::size_t i = motion.first; i < motion.last; ++i)
-        path += (speed(i) + speed(i + 1)) / 2 * (instants[i + 1].timeS - instants[i].timeS);
-    const RunInstant &first = instants[motion.first], &last = instants[motion.last];
-    path += (first.thresholdMps + speed(motion.first)) / 2 * (first.timeS - motion.startS);
-    path += (last.thresholdMps + speed(motion.last)) / 2 * (motion.stopS - last.timeS);
-    return path;
-}
 
 /// σ of a stretch's length: of its two ends, and ∫ω·e dt of the error e across a path that turns at ω.
 double sigmaOfLengthOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
@@ -69,7 +56,7 @@ void addCourse(std::vector<Metric> &metrics, const std::vector<RunInstant> &inst
         duration = last.stopS - first.startS;
         sigmaDuration = std::hypot(sigmaOfMoment(instants, first.first), sigmaOfMoment(instants, last.last));
         for (const MotionStretch &motion : motions) {
-            path += pathOf(motion, instants);
+            path += lengthOf(motion, instants);
             movingTime += motion.stopS - motion.startS;
         }
         // An error of the path is, on a straight line, that of its ends; where it turns, errors across it

@@ -30,9 +30,14 @@ QuantityWords wordsOf(Quantity quantity)
     case Quantity::Heading:
         return {ProfileChart::tr("Heading"), ProfileChart::tr("Chart of the heading against time"), {}};
     case Quantity::TurnRate:
+        return {ProfileChart::tr("Turn rate"), ProfileChart::tr("Chart of the turn rate against time"),
+                "max_turn_rate"};
+    case Quantity::PositionX:
+        return {ProfileChart::tr("Position X"), ProfileChart::tr("Chart of the position along X against time"), {}};
+    case Quantity::PositionY:
         break;
     }
-    return {ProfileChart::tr("Turn rate"), ProfileChart::tr("Chart of the turn rate against time"), "max_turn_rate"};
+    return {ProfileChart::tr("Position Y"), ProfileChart::tr("Chart of the position along Y against time"), {}};
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/trajectory/quantity_curve.h"
 #include "ui/models/trial_scene.h"
 #include "ui/views/card.h"
 
@@ -11,9 +12,6 @@ namespace odo {
 class ChartArea;
 class SeriesKey;
 class Timeline;
-
-/// What a chart shows of a profile.
-enum class Quantity { Speed, Acceleration, Heading, TurnRate };
 
 /// One quantity against time for all robots of a trial: smoothed line with its 95 % band, measured points,
 /// spikes, and a cursor at the shared time with the value there. A click or drag moves the time. Of several

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profile_curve.h"
 
-#include "core/trajectory/heading.h"
-
 #include <algorithm>
 #include <numbers>
 
@@ -12,42 +10,15 @@ namespace {
 
 constexpr double band95 = 1.959964; // of the normal distribution
 
-double accelerationAlong(const ProfilePoint &point)
-{
-    constexpr double standing = 1e-9;
-    const double speed = point.velocity.norm();
-    return speed > standing ? point.acceleration.dot(point.velocity) / speed : point.accelMps2;
-}
-
 } // namespace
 
 std::vector<std::optional<CurveValue>> curveValues(const Profile &profile, Quantity quantity)
 {
-    constexpr double degrees = 180 / std::numbers::pi;
-    std::vector<std::optional<CurveValue>> values(profile.points.size());
-    const auto headings = quantity == Quantity::Heading ? headingsOf(profile.points)
-                                                        : std::vector<std::optional<Heading>>();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const ProfilePoint &point = profile.points[i];
-        if (!point.valid)
-            continue;
-        switch (quantity) {
-        case Quantity::Speed:
-            values[i] = {point.speedMps, point.sigmaSpeedMps};
-            break;
-        case Quantity::Acceleration:
-            values[i] = {accelerationAlong(point), point.sigmaAccelMps2};
-            break;
-        case Quantity::Heading:
-            if (headings[i])
-                values[i] = {degrees * headings[i]->radians, degrees * headings[i]->sigmaRad.value_or(0)};
-            break;
-        case Quantity::TurnRate:
-            if (const auto course = courseOf(point))
-                values[i] = {degrees * course->turnRateRadps, degrees * course->sigmaTurnRateRadps};
-            break;
-        }
-    }
+    auto values = quantityValues(profile, quantity);
+    const double factor = curveFactor(quantity);
+    for (auto &value : values)
+        if (value)
+            value = CurveValue{factor * value->value, factor * value->sigma};
     return values;
 }
 
@@ -61,9 +32,28 @@ QString curveUnit(Quantity quantity)
     case Quantity::Heading:
         return QStringLiteral("\u00b0");
     case Quantity::TurnRate:
+        return QStringLiteral("\u00b0/s");
+    case Quantity::PositionX:
+    case Quantity::PositionY:
         break;
     }
-    return QStringLiteral("\u00b0/s");
+    return QStringLiteral("mm");
+}
+
+double curveFactor(Quantity quantity)
+{
+    switch (quantity) {
+    case Quantity::Speed:
+    case Quantity::Acceleration:
+        return 1;
+    case Quantity::Heading:
+    case Quantity::TurnRate:
+        return 180 / std::numbers::pi;
+    case Quantity::PositionX:
+    case Quantity::PositionY:
+        break;
+    }
+    return toMillimetres(1);
 }
 
 std::vector<CurveRun> curveRuns(const Profile &profile, Quantity quantity)
@@ -91,29 +81,13 @@ std::vector<CurveRun> curveRuns(const Profile &profile, Quantity quantity)
     return runs;
 }
 
-std::optional<double> measuredSpeed(const Profile &profile, std::size_t sample)
-{
-    if (sample == 0 || sample + 1 >= profile.samples.size())
-        return std::nullopt;
-    const Sample &before = profile.samples[sample - 1], &after = profile.samples[sample + 1];
-    if (!before.position || !after.position || after.time <= before.time)
-        return std::nullopt;
-    return (*after.position - *before.position).norm() / toSeconds(after.time - before.time);
-}
-
 QList<QPointF> measuredPoints(const Profile &profile, Quantity quantity)
 {
     QList<QPointF> points;
-    if (quantity != Quantity::Speed)
-        return points;
-    for (std::size_t i = 1; i + 1 < profile.samples.size(); ++i) {
-        const bool rejected = isRejected(profile.samples[i - 1].flags) ||
-                              isRejected(profile.samples[i].flags) ||
-                              isRejected(profile.samples[i + 1].flags);
-        const auto speed = rejected ? std::nullopt : measuredSpeed(profile, i);
-        if (speed)
-            points.append({toSeconds(profile.samples[i].time), *speed});
-    }
+    const auto values = measuredValues(profile, quantity);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (values[i])
+            points.append({toSeconds(profile.samples[i].time), curveFactor(quantity) * values[i]->value});
     return points;
 }
 

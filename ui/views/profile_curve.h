@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/trajectory/profile.h"
-#include "ui/views/profile_chart.h"
+#include "core/trajectory/quantity_curve.h"
 
 #include <QList>
 #include <QPointF>
+#include <QString>
 #include <optional>
 
 namespace odo {
 
-/// A value of a quantity with its σ.
-struct CurveValue
-{
-    double value = 0, sigma = 0;
-};
-
-/// The values of a quantity at all points of a profile; nullopt where it has none. Speed: |v|. Acceleration:
-/// along the path, a·v/|v|, so that braking is negative; |a| while it stands. Heading: of the motion, without
-/// steps of a whole turn, while it stands the last one with a σ of 0. Turn rate: none while it stands. m/s,
-/// m/s², degrees, degrees a second: what people read.
+/// quantityValues in the unit that people read (curveUnit).
 std::vector<std::optional<CurveValue>> curveValues(const Profile &profile, Quantity quantity);
-/// "m/s", "m/s²", "°", "°/s".
+/// "m/s", "m/s²", "°", "°/s", "mm".
 QString curveUnit(Quantity quantity);
+/// By how much a value in SI is multiplied for curveUnit.
+double curveFactor(Quantity quantity);
 
 /// A stretch without gaps. x: seconds, y: as of curveValues.
 struct CurveRun
@@ -31,11 +24,8 @@ struct CurveRun
 };
 std::vector<CurveRun> curveRuns(const Profile &profile, Quantity quantity);
 
-/// The speed by central differences of the unsmoothed positions (Tracker's way), for samples that are not
-/// rejected and whose neighbours are there. Empty for what takes two differences or an angle of noise.
+/// measuredValues as points, in the unit of curveUnit; empty for the turn rate.
 QList<QPointF> measuredPoints(const Profile &profile, Quantity quantity);
-/// As measuredPoints for one sample, rejected or not.
-std::optional<double> measuredSpeed(const Profile &profile, std::size_t sample);
 
 /// The smoothed value at a time; nullopt in gaps.
 std::optional<CurveValue> curveValueAt(const Profile &profile, Quantity quantity, Nanoseconds time);

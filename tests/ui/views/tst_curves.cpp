@@ -134,7 +134,9 @@ private Q_SLOTS:
             for (const std::size_t index : {spike - 1, spike, spike + 1})
                 QVERIFY(std::abs(point.x() - toSeconds(profile.samples[index].time)) > 1e-6);
         }
-        QVERIFY(measuredPoints(profile, Quantity::Acceleration).isEmpty());
+        QVERIFY(measuredPoints(profile, Quantity::TurnRate).isEmpty());
+        const QList<QPointF> places = measuredPoints(profile, Quantity::PositionX);
+        QVERIFY(std::abs(places[0].y() - profile.samples[0].position->x() * 1e3) < 1e-9); // mm
         QVERIFY(!measuredSpeed(profile, 0));
     }
     void textStandsOutFromItsGround()
