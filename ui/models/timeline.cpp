@@ -6,6 +6,7 @@
 #include <QAction>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace odo {
 
@@ -39,39 +40,47 @@ void Timeline::makeActions()
     {
         Command command;
         const char *name;
+        QString text;
         QKeySequence key;
         std::function<void()> work;
     };
     const auto second = std::chrono::seconds(1);
     const std::vector<Entry> entries = {
-        {Command::PlayPause, "playPause", Qt::Key_Space, [this] { toggle(); }},
-        {Command::PreviousFrame, "previousFrame", Qt::Key_Left, [this] { step(-1); }},
-        {Command::NextFrame, "nextFrame", Qt::Key_Right, [this] { step(1); }},
-        {Command::BackOneSecond, "backOneSecond", Qt::SHIFT | Qt::Key_Left,
+        {Command::PlayPause, "playPause", tr("&Play or pause"), Qt::Key_Space, [this] { toggle(); }},
+        {Command::PreviousFrame, "previousFrame", tr("One frame &back"), Qt::Key_Left, [this] { step(-1); }},
+        {Command::NextFrame, "nextFrame", tr("One frame &forward"), Qt::Key_Right, [this] { step(1); }},
+        {Command::BackOneSecond, "backOneSecond", tr("One second back"), Qt::SHIFT | Qt::Key_Left,
          [this, second] { skip(-second); }},
-        {Command::ForwardOneSecond, "forwardOneSecond", Qt::SHIFT | Qt::Key_Right,
+        {Command::ForwardOneSecond, "forwardOneSecond", tr("One second forward"), Qt::SHIFT | Qt::Key_Right,
          [this, second] { skip(second); }},
-        {Command::ShuttleBack, "shuttleBack", Qt::Key_J, [this] { shuttle(-1); }},
-        {Command::ShuttleStop, "shuttleStop", Qt::Key_K,
+        {Command::ShuttleBack, "shuttleBack", tr("Play backwards, again: faster"), Qt::Key_J,
+         [this] { shuttle(-1); }},
+        {Command::ShuttleStop, "shuttleStop", tr("&Stop, at the usual pace"), Qt::Key_K,
          [this] {
              pause();
              setRate(1);
          }},
-        {Command::ShuttleForward, "shuttleForward", Qt::Key_L, [this] { shuttle(1); }},
-        {Command::First, "firstFrame", Qt::Key_Home,
+        {Command::ShuttleForward, "shuttleForward", tr("Play forwards, again: faster"), Qt::Key_L,
+         [this] { shuttle(1); }},
+        {Command::First, "firstFrame", tr("To the first frame"), Qt::Key_Home,
          [this] {
              pause();
              setCurrentFrame(0);
          }},
-        {Command::Last, "lastFrame", Qt::Key_End,
+        {Command::Last, "lastFrame", tr("To the last frame"), Qt::Key_End,
          [this] {
              pause();
              setCurrentFrame(frameCount() - 1);
          }},
-        {Command::Loop, "loop", Qt::CTRL | Qt::Key_L, [] {}},
+        {Command::Loop, "loop", tr("&Loop"), Qt::CTRL | Qt::Key_L, [] {}},
+        {Command::SelectionBegin, "rangeBegin", tr("Range beg&ins here"), Qt::Key_I,
+         [this] { beginSelection(); }},
+        {Command::SelectionEnd, "rangeEnd", tr("Range &ends here"), Qt::Key_O, [this] { endSelection(); }},
+        {Command::ClearSelection, "clearRange", tr("&Clear the range"), Qt::Key_Escape,
+         [this] { setSelection(std::nullopt); }},
     };
     for (const Entry &entry : entries) {
-        auto *action = new QAction(this);
+        auto *action = new QAction(entry.text, this);
         action->setObjectName(QString::fromLatin1(entry.name));
         action->setShortcut(entry.key);
         connect(action, &QAction::triggered, this, [work = entry.work] { work(); });
@@ -90,6 +99,8 @@ void Timeline::updateActions()
 {
     for (QAction *each : std::as_const(m_actions))
         each->setEnabled(!m_times.empty());
+    // So that Esc is free for others while there is no range.
+    action(Command::ClearSelection)->setEnabled(m_selection.has_value());
 }
 
 void Timeline::setFrameTimes(std::vector<Nanoseconds> times)
@@ -97,9 +108,12 @@ void Timeline::setFrameTimes(std::vector<Nanoseconds> times)
     pause();
     m_times = std::move(times);
     m_frame = 0;
+    const bool hadSelection = std::exchange(m_selection, std::nullopt).has_value();
     updateActions();
     Q_EMIT rangeChanged();
     Q_EMIT currentChanged();
+    if (hadSelection)
+        Q_EMIT selectionChanged();
 }
 
 Nanoseconds Timeline::startTime() const
@@ -122,10 +136,56 @@ qint64 Timeline::frameNotAfter(Nanoseconds time) const
     return std::max<qint64>(0, (after - m_times.begin()) - 1);
 }
 
-Nanoseconds Timeline::lastFrameEnd() const
+Nanoseconds Timeline::frameEnd(qint64 frame) const
 {
-    const std::size_t count = m_times.size();
-    return count < 2 ? endTime() : m_times[count - 1] + (m_times[count - 1] - m_times[count - 2]);
+    const auto i = static_cast<std::size_t>(frame), count = m_times.size();
+    if (count < 2)
+        return endTime();
+    return i + 1 < count ? m_times[i + 1] : m_times[i] + (m_times[i] - m_times[i - 1]);
+}
+
+/// What is played over and over: the last frame has its time as well.
+TimeSpan Timeline::playedSpan() const
+{
+    if (m_looping && m_selection)
+        return {m_selection->begin, frameEnd(frameNotAfter(m_selection->end))};
+    return {startTime(), frameEnd(frameCount() - 1)};
+}
+
+Nanoseconds Timeline::frameTimeNear(Nanoseconds time) const
+{
+    const auto frame = static_cast<std::size_t>(frameNotAfter(time));
+    const bool nextIsNearer = frame + 1 < m_times.size() && m_times[frame + 1] - time < time - m_times[frame];
+    return m_times[nextIsNearer ? frame + 1 : frame];
+}
+
+void Timeline::setSelection(std::optional<TimeSpan> selection)
+{
+    if (selection && !m_times.empty()) {
+        const auto [begin, end] = std::minmax(selection->begin, selection->end);
+        selection = TimeSpan{frameTimeNear(begin), frameTimeNear(end)};
+        if (selection->begin == selection->end)
+            selection.reset();
+    }
+    if (m_times.empty())
+        selection.reset();
+    if (selection == m_selection)
+        return;
+    m_selection = selection;
+    updateActions();
+    Q_EMIT selectionChanged();
+}
+
+void Timeline::beginSelection()
+{
+    const Nanoseconds now = currentTime();
+    setSelection(TimeSpan{now, m_selection && m_selection->end > now ? m_selection->end : endTime()});
+}
+
+void Timeline::endSelection()
+{
+    const Nanoseconds now = currentTime();
+    setSelection(TimeSpan{m_selection && m_selection->begin < now ? m_selection->begin : startTime(), now});
 }
 
 void Timeline::showFrame(qint64 frame)
@@ -149,11 +209,7 @@ void Timeline::setCurrentTime(Nanoseconds time)
 {
     if (m_times.empty())
         return;
-    qint64 frame = frameNotAfter(time);
-    const auto next = static_cast<std::size_t>(frame) + 1;
-    if (next < m_times.size() && m_times[next] - time < time - m_times[next - 1])
-        ++frame;
-    setCurrentFrame(frame);
+    setCurrentFrame(frameNotAfter(frameTimeNear(time)));
 }
 
 void Timeline::step(qint64 frames)
@@ -239,7 +295,7 @@ void Timeline::tick()
     const Nanoseconds now = m_clock();
     m_position += scaled(now - m_lastTick, m_rate);
     m_lastTick = now;
-    const Nanoseconds start = startTime(), end = lastFrameEnd();
+    const auto [start, end] = playedSpan();
     const bool passedEnd = m_rate > 0 ? m_position >= end : m_position < start;
     if (!passedEnd) {
         showFrame(frameNotAfter(m_position));

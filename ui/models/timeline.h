@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/units.h"
+#include "core/base/time_span.h"
 
 #include <QList>
 #include <QObject>
 #include <QTimer>
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QAction;
 
 namespace odo {
 
-/// The one shared time of a window: which frame of the first view is shown, and whether it plays. Everything
-/// that shows or moves time holds a reference to it. GUI thread only.
+/// The one shared time of a window: which frame of the first view is shown, whether it plays, and the range
+/// of it that a person has selected. Everything that shows or moves time holds a reference to it. GUI thread
+/// only.
 class Timeline : public QObject
 {
     Q_OBJECT
@@ -34,7 +36,10 @@ public:
         ShuttleForward,   ///< L
         First,            ///< Home
         Last,             ///< End
-        Loop,             ///< Ctrl+L, checkable
+        Loop,             ///< Ctrl+L, checkable: the selected range, or all
+        SelectionBegin,   ///< I: the range begins here
+        SelectionEnd,     ///< O: it ends here
+        ClearSelection,   ///< Esc, while there is one
     };
 
     static constexpr double slowestRate = 0.1, fastestRate = 8.0;
@@ -72,6 +77,11 @@ public:
     bool isLooping() const { return m_looping; }
     void setLooping(bool looping);
 
+    /// The range that is selected; nullopt: none.
+    const std::optional<TimeSpan> &selection() const { return m_selection; }
+    /// Kept within the time line, at frames, its ends in order; one of a single frame or none at all clears.
+    void setSelection(std::optional<TimeSpan> selection);
+
     QAction *action(Command command) const;
     /// All of them, in the order of Command.
     const QList<QAction *> &actions() const { return m_actions; }
@@ -85,13 +95,18 @@ Q_SIGNALS:
     void playingChanged(bool playing);
     void rateChanged(double rate);
     void loopingChanged(bool looping);
+    void selectionChanged();
 
 private:
     void makeActions();
     void updateActions();
     void showFrame(qint64 frame);
     qint64 frameNotAfter(Nanoseconds time) const;
-    Nanoseconds lastFrameEnd() const;
+    Nanoseconds frameEnd(qint64 frame) const;
+    TimeSpan playedSpan() const;
+    Nanoseconds frameTimeNear(Nanoseconds time) const;
+    void beginSelection();
+    void endSelection();
     void shuttle(double direction);
 
     Clock m_clock;
@@ -102,6 +117,7 @@ private:
     double m_rate = 1.0;
     bool m_playing = false;
     bool m_looping = false;
+    std::optional<TimeSpan> m_selection;
     Nanoseconds m_position{0}; ///< while playing: time between frames that is shown
     Nanoseconds m_lastTick{0};
 };

@@ -101,10 +101,13 @@ void ReviewPage::adopt(TrialScenePtr scene)
 {
     const bool sameTrial = m_scene && scene && m_scene->trial.id == scene->trial.id;
     const Nanoseconds time = m_timeline->currentTime();
+    const std::optional<TimeSpan> selection = m_timeline->selection();
     m_scene = std::move(scene);
     m_timeline->setFrameTimes(m_scene ? m_scene->frameTimes() : std::vector<Nanoseconds>());
-    if (sameTrial)
+    if (sameTrial) {
         m_timeline->setCurrentTime(time);
+        m_timeline->setSelection(selection);
+    }
     m_desk->setScene(m_scene);
     m_timelineBar->setScene(m_scene);
     m_column->setScene(m_scene);

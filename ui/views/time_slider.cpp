@@ -31,6 +31,7 @@ TimeSlider::TimeSlider(Timeline &timeline, QWidget *parent) : QAbstractSlider(pa
     connect(&m_timeline, &Timeline::rangeChanged, this, takeRange);
     connect(&m_timeline, &Timeline::currentChanged, this,
             [this] { setValue(static_cast<int>(m_timeline.currentFrame())); });
+    connect(&m_timeline, &Timeline::selectionChanged, this, qOverload<>(&QWidget::update));
     connect(this, &QAbstractSlider::valueChanged, this, [this](int frame) {
         if (frame != m_timeline.currentFrame())
             m_timeline.setCurrentFrame(frame);
@@ -129,6 +130,20 @@ void TimeSlider::paintSpikes(QPainter &painter, double y) const
     }
 }
 
+/// Brackets around the range that is selected.
+void TimeSlider::paintSelection(QPainter &painter, double y) const
+{
+    if (!m_timeline.selection())
+        return;
+    constexpr double reach = 8, lip = 4;
+    const double left = xOf(m_timeline.selection()->begin), right = xOf(m_timeline.selection()->end);
+    painter.setPen(QPen(ThemeColours::of(palette()).text, 2));
+    for (const auto &[x, inwards] : {std::pair(left, lip), std::pair(right, -lip)})
+        painter.drawPolyline(
+            QPolygonF({{x + inwards, y - reach}, {x, y - reach}, {x, y + reach}, {x + inwards, y + reach}}));
+    painter.setPen(Qt::NoPen);
+}
+
 void TimeSlider::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
@@ -143,6 +158,7 @@ void TimeSlider::paintEvent(QPaintEvent *)
     const double x = xOf(m_timeline.currentTime());
     painter.setBrush(colours.accent);
     painter.drawRoundedRect(QRectF(left, y - grooveHeight / 2, x - left, grooveHeight), 2, 2);
+    paintSelection(painter, y);
     paintSeconds(painter, y + handleRadius + 2);
     if (m_scene)
         paintSpikes(painter, y - handleRadius - 8);

@@ -32,6 +32,7 @@ protected:
 private:
     void goTo(double x);
     void paintSeconds(QPainter &painter, double y) const;
+    void paintSelection(QPainter &painter, double y) const;
     void paintSpikes(QPainter &painter, double y) const;
     double grooveY() const;
 

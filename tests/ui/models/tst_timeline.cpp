@@ -115,6 +115,82 @@ private Q_SLOTS:
         pass(*timeline, 300ms);
         QCOMPARE(timeline->currentFrame(), 9);
     }
+    void loopsOverTheSelection()
+    {
+        const auto timeline = tenFrames();
+        timeline->setSelection(TimeSpan{220ms, 480ms}); // to frames 2 and 5
+        QCOMPARE(timeline->selection()->begin, Nanoseconds(200ms));
+        QCOMPARE(timeline->selection()->end, Nanoseconds(500ms));
+        timeline->setLooping(true);
+        timeline->setCurrentFrame(4);
+        timeline->play();
+        pass(*timeline, 190ms);
+        QCOMPARE(timeline->currentFrame(), 5); // the last one has its time as well
+        pass(*timeline, 20ms);
+        QCOMPARE(timeline->currentFrame(), 2);
+        timeline->setRate(-1);
+        pass(*timeline, 50ms);
+        QCOMPARE(timeline->currentFrame(), 5);
+        timeline->setCurrentFrame(9); // outside: played into it
+        timeline->setRate(1);
+        pass(*timeline, 10ms);
+        QVERIFY(timeline->currentFrame() >= 2 && timeline->currentFrame() <= 5);
+        timeline->setLooping(false); // it plays on beyond it
+        timeline->setCurrentFrame(5);
+        pass(*timeline, 110ms);
+        QCOMPARE(timeline->currentFrame(), 6);
+    }
+    void selectionIsMadeByKeys()
+    {
+        const auto timeline = tenFrames();
+        QSignalSpy changes(timeline.get(), &Timeline::selectionChanged);
+        QAction *begin = timeline->action(Timeline::Command::SelectionBegin),
+                *end = timeline->action(Timeline::Command::SelectionEnd),
+                *clear = timeline->action(Timeline::Command::ClearSelection);
+        QVERIFY(!clear->isEnabled());
+        timeline->setCurrentFrame(3);
+        begin->trigger();
+        QCOMPARE(*timeline->selection(), (TimeSpan{300ms, 900ms})); // to the end
+        timeline->setCurrentFrame(6);
+        end->trigger();
+        QCOMPARE(*timeline->selection(), (TimeSpan{300ms, 600ms}));
+        timeline->setCurrentFrame(8);
+        begin->trigger(); // behind its end: a new one
+        QCOMPARE(*timeline->selection(), (TimeSpan{800ms, 900ms}));
+        timeline->setCurrentFrame(2);
+        end->trigger();
+        QCOMPARE(*timeline->selection(), (TimeSpan{0ms, 200ms}));
+        QCOMPARE(changes.count(), 4);
+        QVERIFY(clear->isEnabled());
+        clear->trigger();
+        QVERIFY(!timeline->selection() && !clear->isEnabled());
+        timeline->setCurrentFrame(0);
+        end->trigger(); // of a single frame: none
+        QVERIFY(!timeline->selection());
+    }
+    void selectionIsKeptInOrderAndInside()
+    {
+        const auto timeline = tenFrames();
+        timeline->setSelection(TimeSpan{5s, -1s});
+        QCOMPARE(*timeline->selection(), (TimeSpan{0ms, 900ms}));
+        timeline->setSelection(TimeSpan{310ms, 290ms});
+        QVERIFY(!timeline->selection());
+        timeline->setSelection(TimeSpan{100ms, 300ms});
+        QSignalSpy changes(timeline.get(), &Timeline::selectionChanged);
+        timeline->setFrameTimes({0ms, 100ms});
+        QVERIFY(!timeline->selection());
+        QCOMPARE(changes.count(), 1);
+        Timeline empty;
+        empty.setSelection(TimeSpan{0ms, 1s});
+        empty.action(Timeline::Command::SelectionBegin)->trigger();
+        QVERIFY(!empty.selection());
+    }
+    void everyActionHasWords()
+    {
+        const Timeline timeline;
+        for (const QAction *action : timeline.actions())
+            QVERIFY2(!action->text().isEmpty(), qPrintable(action->objectName()));
+    }
     void stepsAndSkips()
     {
         const auto timeline = tenFrames();
