@@ -4,6 +4,8 @@
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/paint_window.h"
+#include "ui/main_window/workspace.h"
+#include "ui/models/trial_scene.h"
 
 #include <QApplication>
 #include <QImage>
@@ -30,6 +32,9 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
     MainWindow window;
     if (auto opened = window.openProject(project); !opened)
         return opened;
+    // The window would tell what is wrong with it, and be painted nevertheless.
+    if (const auto readable = loadTrialScene(*window.workspace().project(), trial); !readable)
+        return tl::unexpected(readable.error());
     if (auto shown = window.showTrial(trial); !shown)
         return shown;
     if (mode == QStringLiteral("history"))

@@ -195,9 +195,9 @@ Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file
     return std::unique_ptr<Project>(new Project(std::move(impl)));
 }
 
-Result<std::unique_ptr<Project>> Project::openAgain(const std::filesystem::path &file)
+Result<std::unique_ptr<Project>> Project::openAgain(const std::filesystem::path &file, Access access)
 {
-    auto connection = ProjectConnection::open(file, DatabaseAccess::ReadWrite);
+    auto connection = ProjectConnection::open(file, databaseAccess(file, access));
     if (!connection)
         return tl::unexpected(connection.error());
     return std::unique_ptr<Project>(new Project(std::make_unique<Impl>(std::move(*connection))));

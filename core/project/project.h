@@ -41,10 +41,10 @@ public:
     /// Opens a file; older schemas are migrated after a verified backup ("<name>.odo.bak-<version>"). Errors: missing,
     /// not a project, corrupt, newer (NewerFormat), no write access (ReadOnly).
     static Result<std::unique_ptr<Project>> open(const std::filesystem::path &file, Access access);
-    /// Once more, to write, a file that this program has open and keeps open meanwhile: for another thread,
-    /// which must open it itself. Quick: what opening looks at and migrates has been done. Of all that a
-    /// program has open of one file, one writes at a time; the others wait.
-    static Result<std::unique_ptr<Project>> openAgain(const std::filesystem::path &file);
+    /// Once more a file that this program has open and keeps open meanwhile: for another thread, which must
+    /// open it itself. Quick: what opening looks at and migrates has been done. Of all that a program has open
+    /// of one file, one writes at a time; the others wait.
+    static Result<std::unique_ptr<Project>> openAgain(const std::filesystem::path &file, Access access);
     ~Project();
     Project(const Project &) = delete;
     Project &operator=(const Project &) = delete;

@@ -72,7 +72,7 @@ private Q_SLOTS:
         const auto project = Project::open(m_file, Access::ReadWrite);
         const std::size_t problems = (*project)->check(false)->size(); // its recordings are not there
         auto other = std::async(std::launch::async, [this]() -> Result<void> {
-            const auto again = Project::openAgain(m_file);
+            const auto again = Project::openAgain(m_file, Project::Access::ReadWrite);
             if (!again)
                 return tl::unexpected(again.error());
             for (int i = 0; i < changes; ++i) {

@@ -7,7 +7,8 @@
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_map.h"
 #include "ui/compare/run_chooser.h"
-#include "ui/models/comparison_loader.h"
+#include "ui/models/project_reader.h"
+#include "ui/models/run_choices.h"
 #include "ui/models/timeline.h"
 #include "ui/views/empty_state.h"
 #include "ui/views/page_keys.h"
@@ -23,18 +24,6 @@ namespace odo {
 
 namespace {
 
-QString choiceWords(const TrialRecord &trial, const std::string &robot)
-{
-    QStringList words{QString::fromStdString(trial.name)};
-    if (!robot.empty())
-        words << QString::fromStdString(robot);
-    if (!trial.teamName.empty())
-        words << QString::fromStdString(trial.teamName);
-    if (!trial.task.empty())
-        words << QString::fromStdString(trial.task);
-    return words.join(QStringLiteral(" · "));
-}
-
 bool areSameRuns(const CompareSettings &a, const CompareSettings &b)
 {
     return std::ranges::equal(a.runs, b.runs,
@@ -45,9 +34,24 @@ bool areSameRuns(const CompareSettings &a, const CompareSettings &b)
 
 } // namespace
 
+/// What is asked of the project.
+struct ComparePage::Wish
+{
+    CompareSettings settings;
+    bool withList = false;    ///< of all runs, among which the compared ones are looked up
+    bool withPartner = false; ///< with the list: for a single run another one is found
+};
+
+/// What it gave.
+struct ComparePage::Reading
+{
+    CompareSettings settings;
+    std::optional<QList<RunChoice>> list;
+    Result<ComparisonScenePtr> scene; ///< null: there are not two runs
+};
+
 ComparePage::ComparePage(Project &project, QWidget *parent)
-    : QWidget(parent), m_project(project), m_loader(new ComparisonLoader(project.file(), this)),
-      m_timeline(new Timeline(this)), m_chooser(new RunChooser), m_desk(new CompareDesk(*m_timeline)),
+    : QWidget(parent), m_reader(new ProjectReader(project.file(), this)), m_timeline(new Timeline(this)), m_chooser(new RunChooser), m_desk(new CompareDesk(*m_timeline)),
       m_timelineBar(new TimelineBar(*m_timeline)), m_column(new CompareColumn(*m_timeline, m_chooser)),
       m_stack(new QStackedWidget)
 {
@@ -69,14 +73,9 @@ ComparePage::ComparePage(Project &project, QWidget *parent)
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         addAction(action);
     }
-    connect(m_loader, &ComparisonLoader::loaded, this, &ComparePage::adopt);
-    connect(m_loader, &ComparisonLoader::failed, this, [this](const Error &error) {
-        showNone(tr("These runs cannot be compared"),
-                 tr("%1. What helps: %2.")
-                     .arg(QString::fromStdString(error.why), QString::fromStdString(error.advice)),
-                 false);
-    });
     connect(m_chooser, &RunChooser::runsChanged, this, [this] {
+        m_runs = m_chooser->runs();
+        m_wantsPartner = false;
         m_chooser->alignAutomatically();
         load();
     });
@@ -88,91 +87,63 @@ ComparePage::ComparePage(Project &project, QWidget *parent)
 
 ComparePage::~ComparePage() = default;
 
-std::vector<TrialRecord> ComparePage::readTrials()
-{
-    auto trials = m_project.trials().all();
-    if (trials) {
-        std::erase_if(*trials, [](const TrialRecord &trial) { return trial.binned.has_value(); });
-        return std::move(*trials);
-    }
-    Q_EMIT failed(trials.error());
-    return {};
-}
-
 void ComparePage::refresh()
 {
-    QList<RunChoice> choices;
-    for (const TrialRecord &trial : readTrials()) { // newest first; the list goes on in time
-        if (trial.robotNames.size() < 2)
-            choices.prepend({{trial.name, {}}, choiceWords(trial, {})});
-        else
-            for (auto robot = trial.robotNames.rbegin(); robot != trial.robotNames.rend(); ++robot)
-                choices.prepend({{trial.name, *robot}, choiceWords(trial, *robot)});
-    }
-    m_chooser->setChoices(std::move(choices));
-    m_isStale = true;
-    if (isVisible())
-        load();
+    m_isListStale = true;
+    load();
 }
 
 void ComparePage::showTrials(const QStringList &trials)
 {
-    std::vector<CompareSettings::Run> runs;
+    m_runs.clear();
     for (const QString &trial : trials)
-        runs.push_back({trial.toStdString(), {}});
-    if (runs.size() == 1)
-        if (const auto partner = partnerOf(runs.front().trial))
-            runs.push_back({*partner, {}});
-    m_chooser->setRuns(runs);
+        m_runs.push_back({trial.toStdString(), {}});
+    m_wantsPartner = m_runs.size() == 1;
+    m_isListStale = true; // the runs are looked up in it
     m_chooser->alignAutomatically();
-    m_isStale = true;
-    if (isVisible())
-        load();
+    load();
 }
 
 void ComparePage::suggestTrial(const QString &trial)
 {
-    if (m_chooser->runs().size() < 2 && !trial.isEmpty())
+    if (m_runs.size() < 2 && !trial.isEmpty())
         showTrials({trial});
 }
 
-/// The newest other trial of the same task that was tracked, or else the newest other one that was.
-std::optional<std::string> ComparePage::partnerOf(const std::string &name)
+/// On the reader's thread.
+Result<ComparePage::Reading> ComparePage::readRuns(Project &project, Wish wish)
 {
-    constexpr int mostAsked = 40; // a year's trials need not be gone through for a suggestion
-    const std::vector<TrialRecord> trials = readTrials();
-    const auto self = std::ranges::find(trials, name, &TrialRecord::name);
-    if (self == trials.end())
-        return std::nullopt;
-    for (const bool sameTask : {true, false}) {
-        int asked = 0;
-        for (const TrialRecord &trial : trials) {
-            if (trial.id == self->id || (trial.task == self->task) != sameTask || ++asked > mostAsked)
-                continue;
-            const auto analyses = m_project.analyses().currentMetrics(trial.id);
-            if (analyses && !analyses->empty())
-                return trial.name;
+    Reading reading{std::move(wish.settings), std::nullopt, nullptr};
+    auto &runs = reading.settings.runs;
+    if (wish.withList) {
+        const auto trials = project.trials().all();
+        if (!trials)
+            return tl::unexpected(trials.error());
+        reading.list = runChoices(*trials);
+        if (wish.withPartner && runs.size() == 1) {
+            const auto partner = partnerOf(project, *trials, runs.front().trial);
+            if (!partner)
+                return tl::unexpected(partner.error());
+            if (*partner)
+                runs.push_back({**partner, {}});
         }
+        std::vector<CompareSettings::Run> known;
+        for (const int place : placesOf(*reading.list, runs))
+            known.push_back(reading.list->at(place).run);
+        runs = std::move(known);
     }
-    return std::nullopt;
+    if (runs.size() >= 2)
+        reading.scene = loadComparisonScene(project, reading.settings);
+    return reading;
 }
 
 void ComparePage::load()
 {
-    m_isStale = false;
     CompareSettings settings;
-    settings.runs = m_chooser->runs();
+    settings.runs = m_runs;
     settings.alignBy = m_chooser->alignBy();
-    if (settings.runs.size() < 2) {
-        showNone(tr("Two runs are needed"),
-                 tr("Comparing shows where one run is faster than another, and whether that is more than the "
-                    "error. "
-                    "Choose two trials that have been tracked, or bring in another one."),
-                 true);
-        return;
-    }
     if (settings.alignBy == AlignBy::ByHand) {
-        if (m_handTimesS.size() != settings.runs.size()) {
+        if (m_runs.size() < 2 || m_handTimesS.size() != m_runs.size()) {
             m_chooser->alignAutomatically();
             settings.alignBy.reset();
         } else {
@@ -180,7 +151,39 @@ void ComparePage::load()
             settings.handTimesS[1] += m_chooser->shiftS();
         }
     }
-    m_loader->load(std::move(settings));
+    m_reader->read<Reading>([wish = Wish{std::move(settings), m_isListStale, m_wantsPartner}](
+                                Project &project) { return readRuns(project, wish); },
+                            [this](Result<Reading> reading) { take(std::move(reading)); });
+}
+
+void ComparePage::take(Result<Reading> reading)
+{
+    if (!reading) {
+        Q_EMIT failed(reading.error());
+        showSettled();
+        return;
+    }
+    m_runs = reading->settings.runs;
+    m_wantsPartner = false;
+    if (reading->list) {
+        m_isListStale = false;
+        m_chooser->setChoices(std::move(*reading->list));
+    }
+    m_chooser->setRuns(m_runs);
+    if (!reading->scene)
+        showNone(tr("These runs cannot be compared"),
+                 tr("%1. What helps: %2.")
+                     .arg(QString::fromStdString(reading->scene.error().why),
+                          QString::fromStdString(reading->scene.error().advice)),
+                 false);
+    else if (!*reading->scene)
+        showNone(tr("Two runs are needed"),
+                 tr("Comparing shows where one run is faster than another, and whether that is more than the "
+                    "error. "
+                    "Choose two trials that have been tracked, or bring in another one."),
+                 true);
+    else
+        adopt(*reading->scene);
 }
 
 void ComparePage::adopt(ComparisonScenePtr scene)
@@ -219,20 +222,13 @@ void ComparePage::showNone(const QString &headline, const QString &why, bool may
 
 bool ComparePage::isSettled() const
 {
-    return !m_isStale && !m_loader->isRunning() && m_desk->isSettled();
+    return !m_reader->isRunning() && m_desk->isSettled();
 }
 
 void ComparePage::showSettled()
 {
     if (isSettled())
         Q_EMIT settled();
-}
-
-void ComparePage::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    if (m_isStale)
-        load();
 }
 
 bool ComparePage::event(QEvent *event)

@@ -12,17 +12,16 @@ namespace odo {
 
 class CompareColumn;
 class CompareDesk;
-class ComparisonLoader;
-class EmptyState;
 class Project;
+class ProjectReader;
 class RunChooser;
 class Timeline;
 class TimelineBar;
 
 /// Compare: two runs or more at the same places of one path, their videos in step, each with the ghost of the
-/// other. What it shows is loaded on a thread of its own. The gates of the sectors belong to the comparison
+/// other. What it shows is read on a thread of its own. The gates of the sectors belong to the comparison
 /// on screen: a task is not changed once it is stored, so that dragging them changes nothing that was
-/// measured. Uses the project on its own thread otherwise; the project must outlive the page.
+/// measured. The project must outlive the page.
 class ComparePage : public QWidget
 {
     Q_OBJECT
@@ -35,8 +34,8 @@ public:
     void showTrials(const QStringList &trials);
     /// As showTrials, unless a comparison was chosen already.
     void suggestTrial(const QString &trial);
-    /// Reads the project: the list of runs, and what is on screen, at once or when the page is shown. Call it
-    /// once the signals are connected, and after every change.
+    /// Reads the project: the list of runs, and what is on screen. Call it once the signals are connected, and
+    /// after every change.
     void refresh();
     /// What is on screen; null where nothing can be compared.
     ComparisonScenePtr scene() const { return m_scene; }
@@ -53,21 +52,22 @@ Q_SIGNALS:
 
 protected:
     bool event(QEvent *event) override;
-    void showEvent(QShowEvent *event) override;
 
 private:
-    std::vector<TrialRecord> readTrials();
-    std::optional<std::string> partnerOf(const std::string &trial);
+    struct Reading;
+    struct Wish;
+    static Result<Reading> readRuns(Project &project, Wish wish);
     void load();
+    void take(Result<Reading> reading);
     void adopt(ComparisonScenePtr scene);
     void showNone(const QString &headline, const QString &why, bool mayImport);
     void showSettled();
 
-    Project &m_project;
-    ComparisonLoader *m_loader;
+    ProjectReader *m_reader;
     ComparisonScenePtr m_scene;
-    std::vector<double> m_handTimesS; ///< the moments that a shift by hand is counted from
-    bool m_isStale = false;           ///< to be loaded when the page is shown
+    std::vector<CompareSettings::Run> m_runs; ///< that are compared, or are to be
+    std::vector<double> m_handTimesS;         ///< the moments that a shift by hand is counted from
+    bool m_isListStale = false, m_wantsPartner = false;
     Timeline *m_timeline;
     RunChooser *m_chooser;
     CompareDesk *m_desk;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/compare/run_chooser.h"
 
+#include "ui/models/name_list_model.h"
 #include "ui/views/theme_icon.h"
 
 #include <QComboBox>
@@ -19,11 +20,7 @@ namespace odo {
 namespace {
 
 constexpr int automatic = -1;
-
-bool isSame(const CompareSettings::Run &a, const CompareSettings::Run &b)
-{
-    return a.trial == b.trial && (a.robot == b.robot || a.robot.empty() || b.robot.empty());
-}
+constexpr int mostOffered = 60; ///< of further runs, the newest: a longer menu serves nobody
 
 QToolButton *flatButton(const QString &icon, const QString &name)
 {
@@ -123,24 +120,20 @@ void RunChooser::setChoices(QList<RunChoice> choices)
 {
     const std::vector<CompareSettings::Run> before = runs();
     m_choices = std::move(choices);
+    QStringList words;
+    words.reserve(m_choices.size());
+    for (const RunChoice &choice : std::as_const(m_choices))
+        words << choice.words;
     for (QComboBox *list : {m_first, m_second}) {
         const QSignalBlocker quiet(list);
-        list->clear();
-        for (const RunChoice &choice : std::as_const(m_choices))
-            list->addItem(choice.words);
+        list->setModel(new NameListModel(words, words, list)); // the one before goes with it
     }
     setRuns(before);
 }
 
 void RunChooser::setRuns(const std::vector<CompareSettings::Run> &wanted)
 {
-    QList<int> indices;
-    for (const CompareSettings::Run &run : wanted)
-        for (int i = 0; i < m_choices.size(); ++i)
-            if (isSame(m_choices[i].run, run) && !indices.contains(i)) {
-                indices << i;
-                break;
-            }
+    QList<int> indices = placesOf(m_choices, wanted);
     m_first->setCurrentIndex(indices.isEmpty() ? -1 : indices.takeFirst());
     m_second->setCurrentIndex(indices.isEmpty() ? -1 : indices.takeFirst());
     m_further = indices;
@@ -201,8 +194,11 @@ void RunChooser::toggleFurther(int choice, bool isWanted)
 void RunChooser::fillMenu()
 {
     m_menu->clear();
+    const int oldest = std::max(0, static_cast<int>(m_choices.size()) - mostOffered);
     for (int i = 0; i < m_choices.size(); ++i) {
         if (i == m_first->currentIndex() || i == m_second->currentIndex())
+            continue;
+        if (i < oldest && !m_further.contains(i))
             continue;
         QAction *action = m_menu->addAction(m_choices[i].words);
         action->setCheckable(true);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/workflow/compare_trials.h"
+#include "ui/models/run_choices.h"
 
-#include <QList>
 #include <QWidget>
-#include <optional>
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -14,13 +12,6 @@ class QMenu;
 class QToolButton;
 
 namespace odo {
-
-/// A run that can be compared, and what it is called in lists.
-struct RunChoice
-{
-    CompareSettings::Run run;
-    QString words;
-};
 
 /// Which runs are compared and how they are aligned: two lists and a button that swaps them, further runs
 /// from a menu, the alignment, and by hand the seconds by which the second run's moment is moved.

@@ -132,8 +132,7 @@ void ProjectPages::read(QWidget *page)
 
 void ProjectPages::show(Mode mode)
 {
-    const QString trial =
-        m_review->scene() ? QString::fromStdString(m_review->scene()->trial.name) : QString();
+    const QString trial = m_review->trial();
     QWidget *page = m_pages.at(static_cast<std::size_t>(mode));
     read(page);
     if (mode == Mode::Compare)

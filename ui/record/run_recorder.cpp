@@ -104,7 +104,7 @@ bool RunRecorder::isEndWanted()
 void RunRecorder::work(Order order)
 {
     const QString trial = QString::fromStdString(order.run.trial);
-    const auto project = Project::openAgain(m_project);
+    const auto project = Project::openAgain(m_project, Project::Access::ReadWrite);
     if (!project)
         return tellEnd(trial, tl::unexpected(project.error()));
     const Result<QStringList> warnings = record(order, **project);

@@ -43,6 +43,7 @@ ReviewColumn::ReviewColumn(Timeline &timeline, QWidget *chooser, QWidget *parent
     layout->addWidget(m_spikes, 2);
     layout->addWidget(m_trial, 3);
     setFixedWidth(columnWidth);
+    setScene(nullptr);
 }
 
 Card *ReviewColumn::makeTrackCard()

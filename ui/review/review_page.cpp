@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "ui/models/project_reader.h"
 #include "ui/models/timeline.h"
 #include "ui/review/review_column.h"
 #include "ui/review/review_desk.h"
@@ -20,8 +21,28 @@
 
 namespace odo {
 
+/// What is asked of the project.
+struct ReviewPage::Wish
+{
+    std::string chosen; ///< shown, wherever it is; empty: none
+    std::string shown;  ///< shown again, unless it is in the bin now
+    bool withList = false;
+};
+
+/// What it gave.
+struct ReviewPage::Reading
+{
+    struct List
+    {
+        QStringList names, words;
+    };
+    std::optional<List> list;    ///< of the trials that are not in the bin, in the order of time
+    Result<TrialScenePtr> scene; ///< null: there is none
+};
+
 ReviewPage::ReviewPage(Project &project, QWidget *parent)
-    : QWidget(parent), m_project(project), m_timeline(new Timeline(this)), m_chooser(new TrialChooser),
+    : QWidget(parent), m_project(project), m_reader(new ProjectReader(project.file(), this)),
+      m_timeline(new Timeline(this)), m_chooser(new TrialChooser),
       m_desk(new ReviewDesk(*m_timeline)), m_timelineBar(new TimelineBar(*m_timeline)),
       m_column(new ReviewColumn(*m_timeline, m_chooser)),
       m_empty(new EmptyState(
@@ -66,35 +87,78 @@ ReviewPage::~ReviewPage() = default;
 
 Result<void> ReviewPage::showTrial(const QString &name)
 {
-    Result<TrialScenePtr> scene = loadTrialScene(m_project, name.toStdString());
-    if (!scene)
-        return tl::unexpected(scene.error());
-    adopt(*scene);
+    if (const Result<TrialRecord> known = m_project.trials().find(name.toStdString()); !known)
+        return tl::unexpected(known.error());
+    m_chosen = name;
+    m_chooser->setCurrent(name);
+    load();
     return {};
+}
+
+QString ReviewPage::trial() const
+{
+    if (!m_chosen.isEmpty() || !m_scene)
+        return m_chosen;
+    return QString::fromStdString(m_scene->trial.name);
 }
 
 void ReviewPage::refresh()
 {
-    const Result<std::vector<TrialName>> trials = m_project.trials().names();
-    if (!trials) {
-        Q_EMIT failed(trials.error());
+    m_isListStale = true;
+    load();
+}
+
+/// On the reader's thread.
+Result<ReviewPage::Reading> ReviewPage::readTrial(Project &project, const Wish &wish)
+{
+    Reading reading{std::nullopt, nullptr};
+    std::string name = wish.chosen.empty() ? wish.shown : wish.chosen;
+    if (wish.withList) {
+        const Result<std::vector<TrialName>> trials = project.trials().names();
+        if (!trials)
+            return tl::unexpected(trials.error());
+        reading.list.emplace();
+        std::string newest;
+        bool isThere = !wish.chosen.empty();
+        for (const TrialName &trial : *trials | std::views::reverse) { // the chooser goes on in time
+            if (trial.binned)
+                continue;
+            const QString shown = QString::fromStdString(trial.name), team = QString::fromStdString(trial.teamName);
+            reading.list->names << shown;
+            reading.list->words << (team.isEmpty() ? shown : QStringLiteral("%1 · %2").arg(shown, team));
+            newest = trial.name;
+            isThere |= trial.name == name;
+        }
+        if (!isThere)
+            name = newest;
+    }
+    if (!name.empty())
+        reading.scene = loadTrialScene(project, name);
+    return reading;
+}
+
+void ReviewPage::load()
+{
+    const Wish wish{m_chosen.toStdString(), m_scene ? m_scene->trial.name : std::string(), m_isListStale};
+    m_reader->read<Reading>([wish](Project &project) { return readTrial(project, wish); },
+                            [this](Result<Reading> reading) { take(std::move(reading)); });
+}
+
+void ReviewPage::take(Result<Reading> reading)
+{
+    m_chosen.clear();
+    if (reading && reading->list) {
+        m_isListStale = false;
+        m_chooser->setTrials(reading->list->names, reading->list->words);
+    }
+    const Result<TrialScenePtr> scene = reading ? reading->scene : tl::unexpected(reading.error());
+    if (scene) {
+        adopt(*scene);
         return;
     }
-    QStringList names, teams;
-    for (const TrialName &trial : *trials | std::views::reverse) { // the chooser goes on in time
-        if (trial.binned)
-            continue;
-        names << QString::fromStdString(trial.name);
-        teams << QString::fromStdString(trial.teamName);
-    }
-    m_chooser->setTrials(names, teams);
-    if (names.isEmpty()) {
-        adopt(nullptr);
-        return;
-    }
-    const QString shown = m_scene ? QString::fromStdString(m_scene->trial.name) : QString();
-    if (const Result<void> done = showTrial(names.contains(shown) ? shown : names.back()); !done)
-        Q_EMIT failed(done.error());
+    m_chooser->setCurrent(trial());
+    Q_EMIT failed(scene.error());
+    showSettled();
 }
 
 void ReviewPage::adopt(TrialScenePtr scene)
@@ -111,7 +175,7 @@ void ReviewPage::adopt(TrialScenePtr scene)
     m_desk->setScene(m_scene);
     m_timelineBar->setScene(m_scene);
     m_column->setScene(m_scene);
-    m_chooser->setCurrent(m_scene ? QString::fromStdString(m_scene->trial.name) : QString());
+    m_chooser->setCurrent(trial());
     m_stack->setCurrentIndex(m_scene ? 0 : 1);
     Q_EMIT trialShown();
     showSettled();
@@ -119,7 +183,7 @@ void ReviewPage::adopt(TrialScenePtr scene)
 
 bool ReviewPage::isSettled() const
 {
-    return m_desk->isSettled();
+    return !m_reader->isRunning() && m_desk->isSettled();
 }
 
 void ReviewPage::showSettled()

@@ -12,14 +12,16 @@ namespace odo {
 
 class EmptyState;
 class Project;
+class ProjectReader;
 class ReviewColumn;
 class ReviewDesk;
 class Timeline;
 class TimelineBar;
 class TrialChooser;
 
-/// Review: one trial, all its views, its map and curves under one time line, its figures at the right.
-/// Uses the project on its own thread. The project must outlive the page.
+/// Review: one trial, all its views, its map and curves under one time line, its figures at the right. What it
+/// shows is read on a thread of its own; a trial that another one was chosen instead of never appears. The
+/// project must outlive the page.
 class ReviewPage : public QWidget
 {
     Q_OBJECT
@@ -27,17 +29,20 @@ public:
     explicit ReviewPage(Project &project, QWidget *parent = nullptr);
     ~ReviewPage() override;
 
-    /// Shows a trial by its name; what was shown stays when it fails.
+    /// Begins to show a trial by its name; what was shown stays until it is read, or when that fails.
+    /// NotFound with the names there are.
     Result<void> showTrial(const QString &name);
+    /// The trial on screen, or the one that is to be; empty: none.
+    QString trial() const;
     /// Reads the project: the list of trials, and the one that is shown. Call it once the signals are
     /// connected, and after every change.
     void refresh();
-    /// The trial on screen; null when the project has none.
+    /// The trial on screen; null before it is read, or when the project has none.
     TrialScenePtr scene() const { return m_scene; }
     Timeline &timeline() const { return *m_timeline; }
     TrialChooser &chooser() const { return *m_chooser; }
     ReviewDesk &desk() const { return *m_desk; }
-    /// Every picture that belongs to the present time is on screen, or cannot be had.
+    /// The trial is read, and every picture that belongs to the present time is on screen, or cannot be had.
     bool isSettled() const;
 
 Q_SIGNALS:
@@ -51,11 +56,19 @@ protected:
     bool event(QEvent *event) override;
 
 private:
+    struct Wish;
+    struct Reading;
+    static Result<Reading> readTrial(Project &project, const Wish &wish);
+    void load();
+    void take(Result<Reading> reading);
     void adopt(TrialScenePtr scene);
     void showSettled();
 
     Project &m_project;
+    ProjectReader *m_reader;
     TrialScenePtr m_scene;
+    QString m_chosen; ///< to be shown instead; empty: none
+    bool m_isListStale = false;
     Timeline *m_timeline;
     TrialChooser *m_chooser;
     ReviewDesk *m_desk;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/trial_chooser.h"
 
+#include "ui/models/name_list_model.h"
 #include "ui/views/theme_icon.h"
 
-#include <QAbstractListModel>
 #include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -11,28 +11,6 @@
 
 namespace odo {
 namespace {
-
-/// Names with remarks. Thousands of them: a combo box's own items would take longer than the window may.
-class TrialNameModel : public QAbstractListModel
-{
-public:
-    TrialNameModel(QStringList names, QStringList remarks, QObject *parent)
-        : QAbstractListModel(parent), m_names(std::move(names)), m_remarks(std::move(remarks))
-    {
-    }
-    int rowCount(const QModelIndex &parent) const override { return parent.isValid() ? 0 : static_cast<int>(m_names.size()); }
-    QVariant data(const QModelIndex &index, int role) const override
-    {
-        const QString &name = m_names.at(index.row()), &remark = m_remarks.at(index.row());
-        if (role == Qt::DisplayRole)
-            return remark.isEmpty() ? name : QStringLiteral("%1 · %2").arg(name, remark);
-        return role == Qt::UserRole ? QVariant(name) : QVariant();
-    }
-    int indexOf(const QString &name) const { return static_cast<int>(m_names.indexOf(name)); }
-
-private:
-    const QStringList m_names, m_remarks;
-};
 
 QToolButton *buttonFor(QAction *action, QWidget *parent)
 {
@@ -69,16 +47,16 @@ TrialChooser::TrialChooser(QWidget *parent)
     updateActions();
 }
 
-void TrialChooser::setTrials(const QStringList &names, const QStringList &remarks)
+void TrialChooser::setTrials(const QStringList &names, const QStringList &words)
 {
     const QString current = m_trials->currentData().toString();
-    m_trials->setModel(new TrialNameModel(names, remarks, m_trials)); // the one before goes with it
+    m_trials->setModel(new NameListModel(names, words, m_trials)); // the one before goes with it
     setCurrent(current);
 }
 
 void TrialChooser::setCurrent(const QString &name)
 {
-    const auto *model = dynamic_cast<TrialNameModel *>(m_trials->model());
+    const auto *model = qobject_cast<NameListModel *>(m_trials->model());
     m_trials->setCurrentIndex(model ? model->indexOf(name) : -1);
     m_trials->setToolTip(m_trials->currentText().toHtmlEscaped());
     updateActions();

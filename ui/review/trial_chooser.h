@@ -15,8 +15,8 @@ class TrialChooser : public QWidget
     Q_OBJECT
 public:
     explicit TrialChooser(QWidget *parent = nullptr);
-    /// Names in the order of the list, with what stands beside each ("Falcon · 12 Nov").
-    void setTrials(const QStringList &names, const QStringList &remarks);
+    /// Names in the order of the list, and the words that each is shown by ("Trial 3 · Falcon"); as many.
+    void setTrials(const QStringList &names, const QStringList &words);
     /// Emits nothing.
     void setCurrent(const QString &name);
     QAction *previousAction() const { return m_previous; }

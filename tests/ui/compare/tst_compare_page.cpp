@@ -249,7 +249,7 @@ private Q_SLOTS:
         ComparePage page(**empty);
         page.refresh();
         page.show();
-        QVERIFY(emptyWords(page).startsWith(QLatin1String("Two runs are needed")));
+        QTRY_VERIFY(emptyWords(page).startsWith(QLatin1String("Two runs are needed")));
         QSignalSpy wanted(&page, &ComparePage::importRequested);
         page.findChild<EmptyState *>()->findChild<QPushButton *>()->click();
         QCOMPARE(wanted.count(), 1);

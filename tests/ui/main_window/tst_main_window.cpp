@@ -150,10 +150,10 @@ void TestMainWindow::opensAProject()
 {
     MainWindow window;
     QVERIFY(window.openProject(m_project));
-    QCOMPARE(window.windowTitle(), QStringLiteral("Year 9 robotics — Trial 1, Team Falcon — Odograph"));
+    QTRY_COMPARE(window.windowTitle(), QStringLiteral("Year 9 robotics — Trial 1, Team Falcon — Odograph"));
     QVERIFY(window.statusBar()->findChildren<QLabel *>().front()->text().contains(QLatin1String("saved")));
     QVERIFY(window.showTrial("Trial 2"));
-    QCOMPARE(window.windowTitle(), QStringLiteral("Year 9 robotics — Trial 2, Team Heron — Odograph"));
+    QTRY_COMPARE(window.windowTitle(), QStringLiteral("Year 9 robotics — Trial 2, Team Heron — Odograph"));
     MainWindow next;
     QVERIFY(next.menuBar()->findChildren<QAction *>().size() > 0);
     bool recent = false;
@@ -192,9 +192,10 @@ void TestMainWindow::switchesModesByKeys()
     QTest::keyClick(&window, Qt::Key_3, Qt::ControlModifier);
     auto *review = qobject_cast<ReviewPage *>(stack->currentWidget());
     QVERIFY(review);
+    QTRY_VERIFY(review->scene());
     review->setFocus();
     QTest::keyClick(review, Qt::Key_PageUp, Qt::ControlModifier);
-    QCOMPARE(QString::fromStdString(review->scene()->trial.name), QStringLiteral("Trial 2"));
+    QTRY_COMPARE(QString::fromStdString(review->scene()->trial.name), QStringLiteral("Trial 2"));
 }
 
 void TestMainWindow::refusesAnUnknownTrial()
@@ -206,7 +207,7 @@ void TestMainWindow::refusesAnUnknownTrial()
     QVERIFY(!shown);
     QCOMPARE(shown.error().code, ErrorCode::NotFound);
     QVERIFY2(shown.error().message().find("Trial 9") != std::string::npos, shown.error().message().c_str());
-    QVERIFY(window.windowTitle().contains(QLatin1String("Trial 1")));
+    QTRY_VERIFY(window.windowTitle().contains(QLatin1String("Trial 1")));
 }
 
 void TestMainWindow::saysThatATrialIsNotTracked()
@@ -216,7 +217,7 @@ void TestMainWindow::saysThatATrialIsNotTracked()
     auto *button = window.findChild<QPushButton *>(QStringLiteral("trackButton"));
     QVERIFY(!button->isVisibleTo(&window));
     QVERIFY(window.showTrial("Trial 3"));
-    QVERIFY(button->isVisibleTo(&window));
+    QTRY_VERIFY(button->isVisibleTo(&window));
     bool missing = false;
     for (const QLabel *label : window.findChildren<QLabel *>())
         missing |= label->text() == QLatin1String("video missing");

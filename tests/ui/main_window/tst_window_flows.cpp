@@ -309,7 +309,7 @@ void TestWindowFlows::importsATrial()
     const auto found = project().trials().find("found");
     QVERIFY2(found, qPrintable(message()));
     QCOMPARE(project().trials().recordings(found->id)->size(), std::size_t(2));
-    QVERIFY2(m_window->windowTitle().contains(QLatin1String("found")), qPrintable(m_window->windowTitle()));
+    QTRY_VERIFY2(m_window->windowTitle().contains(QLatin1String("found")), qPrintable(m_window->windowTitle()));
 }
 
 void TestWindowFlows::refusesABadTrial_data()
@@ -342,6 +342,7 @@ void TestWindowFlows::refusesABadTrial()
 void TestWindowFlows::cancelsTracking()
 {
     QVERIFY(m_window->showTrial("told"));
+    QTRY_VERIFY2(m_window->windowTitle().contains(QLatin1String("told")), qPrintable(m_window->windowTitle()));
     const QStringList before = content();
     runAndCancel("Track…", press);
     QCOMPARE(message(), QStringLiteral("Cancelled. Nothing was changed."));
