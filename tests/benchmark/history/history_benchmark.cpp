@@ -118,7 +118,15 @@ std::vector<Figure> measure(const std::filesystem::path &file, int trials)
     MainWindow window;
     window.show();
     QApplication::processEvents();
-    BusyWatch busy;
+    BusyWatch watch;
+    QStringList phases;
+    double longest = 0;
+    const auto endPhase = [&](const QString &name) {
+        QApplication::processEvents(); // so that the watch sees the last turn
+        const double busy = watch.takeLongestMs();
+        phases << QStringLiteral("%1 %2").arg(name).arg(busy, 0, 'f', 1);
+        longest = std::max(longest, busy);
+    };
     timer.start();
     if (const auto opened = window.openProject(file); !opened) {
         print(QString::fromStdString(opened.error().message()));
@@ -127,16 +135,28 @@ std::vector<Figure> measure(const std::filesystem::path &file, int trials)
     settle(window);
     figures.push_back(
         figure(QStringLiteral("open, the newest trial on screen"), {elapsedMs(timer)}, mostOpenMs));
+    endPhase(QStringLiteral("opening"));
+    timer.start();
     window.showMode(MainWindow::Mode::History);
     settle(window);
-    figures.push_back(figure(QStringLiteral("open, all trials in History"), {elapsedMs(timer)}, mostOpenMs));
+    figures.push_back(figure(QStringLiteral("all trials in History"), {elapsedMs(timer)}, mostOpenMs));
+    endPhase(QStringLiteral("History"));
     figures.push_back(figure(QStringLiteral("search, each letter typed"), searchMs(window), mostSearchMs));
+    endPhase(QStringLiteral("search"));
     const std::vector<double> shown = trialMs(window, trials);
     if (shown.empty())
         return {};
     figures.push_back(figure(QStringLiteral("a trial on screen, with its pictures"), shown, mostTrialMs));
-    figures.push_back({QStringLiteral("longest that the window's thread was busy (CPU)"), busy.longestMs(),
-                       std::nullopt, mostBusyMs, QStringLiteral(" ms"), QStringLiteral("all of the above")});
+    endPhase(QStringLiteral("trials"));
+    for (const auto &[mode, name] : {std::pair(MainWindow::Mode::Testbed, QStringLiteral("Testbed")),
+                                     std::pair(MainWindow::Mode::Compare, QStringLiteral("Compare")),
+                                     std::pair(MainWindow::Mode::Record, QStringLiteral("Record"))}) {
+        window.showMode(mode);
+        settle(window);
+        endPhase(name);
+    }
+    figures.push_back({QStringLiteral("longest that the window's thread was busy (CPU)"), longest, std::nullopt,
+                       mostBusyMs, QStringLiteral(" ms"), phases.join(QStringLiteral(", "))});
     return figures;
 }
 

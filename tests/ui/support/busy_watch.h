@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <utility>
 
 namespace odo {
 
@@ -11,6 +12,8 @@ class BusyWatch : public QObject
 public:
     BusyWatch();
     double longestMs() const { return m_longestMs; }
+    /// The longest since it was taken last.
+    double takeLongestMs() { return std::exchange(m_longestMs, 0); }
 
 protected:
     void timerEvent(QTimerEvent *event) override;
