@@ -3,14 +3,13 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/models/timeline.h"
-#include "ui/views/decimation.h"
+#include "ui/views/curve_painting.h"
 #include "ui/views/series_key.h"
 #include "ui/views/theme.h"
 
 #include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 
 namespace odo {
@@ -20,14 +19,6 @@ namespace {
 QString unitOf(Compared what)
 {
     return what == Compared::Speed ? QStringLiteral("m/s") : QStringLiteral("s");
-}
-
-QPolygonF placed(const QList<QPointF> &points, const ChartPlot &plot)
-{
-    QPolygonF places;
-    for (const QPointF &point : decimated(points, plot.low, plot.high, std::max(1, int(plot.rect.width()))))
-        places.append(plot.at(point.x(), point.y()));
-    return places;
 }
 
 } // namespace
@@ -81,22 +72,10 @@ ChartPlot DistanceArea::plot() const
 
 void DistanceArea::paintCurve(QPainter &painter, const ChartPlot &plot, const DistanceCurve &curve) const
 {
-    const QColor colour = seriesColour(int(curve.run), palette());
-    QColor haze = colour, faint = ThemeColours::of(palette()).muted;
-    haze.setAlpha(60);
-    for (const DistanceCurve::Stretch &stretch : curve.stretches) {
-        QPolygonF band = placed(stretch.curve.upper, plot);
-        const QPolygonF lower = placed(stretch.curve.lower, plot);
-        for (auto point = lower.crbegin(); point != lower.crend(); ++point)
-            band.append(*point);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(haze);
-        painter.drawPolygon(band);
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(stretch.faint ? faint : colour, 1.8, seriesDash(int(curve.run)), Qt::RoundCap,
-                            Qt::RoundJoin));
-        painter.drawPolyline(placed(stretch.curve.line, plot));
-    }
+    const QColor colour = seriesColour(int(curve.run), palette()), faint = ThemeColours::of(palette()).muted;
+    for (const DistanceCurve::Stretch &stretch : curve.stretches)
+        drawCurveRun(painter, plot, stretch.curve,
+                     {stretch.faint ? faint : colour, seriesDash(int(curve.run))});
 }
 
 void DistanceArea::paintStill(QPainter &painter) const
@@ -154,12 +133,8 @@ void DistanceArea::paintEvent(QPaintEvent *)
     painter.setFont(font());
     painter.setRenderHint(QPainter::Antialiasing);
     paintCursor(painter);
-    if (hasFocus()) {
-        painter.setRenderHint(QPainter::Antialiasing, false);
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(ThemeColours::of(palette()).accent, 1));
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    if (hasFocus())
+        drawChartFocus(painter, rect(), palette());
 }
 
 void DistanceArea::resizeEvent(QResizeEvent *)

@@ -53,10 +53,10 @@ void ViewActions::setDesk(ReviewDesk *desk)
 {
     m_desk = desk;
     m_resetLayout->setEnabled(desk != nullptr);
-    for (QAction *action : m_dockActions)
+    for (QAction *action : m_deskActions)
         m_menu->removeAction(action);
-    m_dockActions = desk ? desk->dockActions() : QList<QAction *>();
-    m_menu->insertActions(m_resetLayout, m_dockActions);
+    m_deskActions = desk ? desk->dockActions() + desk->chartActions() : QList<QAction *>();
+    m_menu->insertActions(m_resetLayout, m_deskActions);
 }
 
 void ViewActions::chooseTheme(Theme theme)

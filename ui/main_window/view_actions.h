@@ -14,7 +14,7 @@ namespace odo {
 
 class ReviewDesk;
 
-/// How the window looks: theme, full screen, which docks are there. Owns the actions; the theme is kept in
+/// How the window looks: theme, full screen, which docks are there, what the charts show. Owns the actions; the theme is kept in
 /// the settings.
 class ViewActions : public QObject
 {
@@ -34,7 +34,7 @@ private:
     ReviewDesk *m_desk = nullptr;
     QMenu *m_menu = nullptr;
     QActionGroup *m_themes;
-    QList<QAction *> m_dockActions;
+    QList<QAction *> m_deskActions;
     QAction *m_resetLayout, *m_fullScreen;
     Theme m_theme;
 };

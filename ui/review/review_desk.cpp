@@ -3,6 +3,7 @@
 
 #include "ui/review/dock_grip.h"
 #include "ui/views/camera_view.h"
+#include "ui/views/chart_span.h"
 #include "ui/views/floor_map.h"
 #include "ui/views/profile_chart.h"
 
@@ -20,12 +21,22 @@ const QString layoutKey = QStringLiteral("review/layout");
 const QString splitterKey = QStringLiteral("review/pictures");
 constexpr int gap = 8;
 
+/// All of them, beginning with this one.
+QList<Quantity> quantitiesFrom(Quantity first)
+{
+    QList<Quantity> all{Quantity::Speed,    Quantity::Acceleration, Quantity::Heading,
+                        Quantity::TurnRate, Quantity::PositionX,    Quantity::PositionY};
+    all.move(all.indexOf(first), 0);
+    return all;
+}
+
 } // namespace
 
 ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
     : QMainWindow(parent), m_timeline(timeline), m_pictures(new QSplitter), m_map(new FloorMap(timeline)),
-      m_speed(new ProfileChart(timeline, Quantity::Speed)),
-      m_acceleration(new ProfileChart(timeline, {Quantity::Acceleration, Quantity::Heading, Quantity::TurnRate}))
+      m_span(new ChartSpan(timeline, this)),
+      m_speed(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Speed))),
+      m_acceleration(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Acceleration)))
 {
     setWindowFlags(Qt::Widget);
     setDockNestingEnabled(true);
@@ -115,6 +126,11 @@ void ReviewDesk::restoreLayout()
 QList<QAction *> ReviewDesk::dockActions() const
 {
     return {m_speedDock->toggleViewAction(), m_accelerationDock->toggleViewAction()};
+}
+
+QList<QAction *> ReviewDesk::chartActions() const
+{
+    return m_span->actions();
 }
 
 void ReviewDesk::setViewCount(std::size_t count)

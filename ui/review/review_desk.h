@@ -14,6 +14,7 @@ class QSplitter;
 namespace odo {
 
 class CameraView;
+class ChartSpan;
 class FloorMap;
 class ProfileChart;
 class Timeline;
@@ -31,6 +32,8 @@ public:
     bool isSettled() const;
     /// One a dock: shows and hides it.
     QList<QAction *> dockActions() const;
+    /// What the charts show: more, less, all, against time or distance.
+    QList<QAction *> chartActions() const;
     void resetLayout();
     void saveLayout() const;
 
@@ -50,6 +53,7 @@ private:
     QSplitter *m_pictures;
     std::vector<CameraView *> m_views;
     FloorMap *m_map;
+    ChartSpan *m_span;
     ProfileChart *m_speed, *m_acceleration;
     QDockWidget *m_speedDock, *m_accelerationDock;
     bool m_restored = false;

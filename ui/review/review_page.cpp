@@ -68,7 +68,7 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_stack);
 
-    for (QAction *action : m_timeline->actions()) {
+    for (QAction *action : m_timeline->actions() + m_desk->chartActions()) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         addAction(action);
     }

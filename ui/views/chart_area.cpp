@@ -3,41 +3,31 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/models/timeline.h"
-#include "ui/views/decimation.h"
+#include "ui/views/chart_span.h"
+#include "ui/views/curve_painting.h"
 #include "ui/views/theme.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QtCharts/QAreaSeries>
-#include <QtCharts/QChart>
-#include <QtCharts/QLineSeries>
-#include <QtCharts/QScatterSeries>
-#include <QtCharts/QValueAxis>
+#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
 namespace odo {
 
-ChartArea::ChartArea(Timeline &timeline, Quantity quantity, QWidget *parent)
-    : QChartView(parent), m_timeline(timeline), m_quantity(quantity), m_timeAxis(new QValueAxis(this)),
-      m_valueAxis(new QValueAxis(this))
+ChartArea::ChartArea(Timeline &timeline, ChartSpan &span, Quantity quantity, QWidget *parent)
+    : QWidget(parent), m_timeline(timeline), m_span(span), m_quantity(quantity)
 {
-    setFrameShape(QFrame::NoFrame);
-    setRenderHint(QPainter::Antialiasing);
-    setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
+    setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
-    chart()->legend()->hide();
-    chart()->setBackgroundVisible(false);
-    chart()->setAnimationOptions(QChart::NoAnimation);
-    chart()->addAxis(m_timeAxis, Qt::AlignBottom);
-    chart()->addAxis(m_valueAxis, Qt::AlignLeft);
-    for (QValueAxis *axis : {m_timeAxis, m_valueAxis})
-        axis->setVisible(false); // drawn by drawAxes: round numbers in the words of the locale
-    connect(scene(), &QGraphicsScene::changed, this, &ChartArea::forget);
-    connect(&m_timeline, &Timeline::currentChanged, this, [this] { viewport()->update(); });
-    applyColours();
-    setRanges();
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    for (const auto signal : {&Timeline::currentChanged, &Timeline::selectionChanged})
+        connect(&m_timeline, signal, this, qOverload<>(&QWidget::update));
+    connect(&m_span, &ChartSpan::spanChanged, this, &ChartArea::forget);
+    connect(&m_span, &ChartSpan::axisChanged, this, &ChartArea::rebuild);
+    setTicks();
 }
 
 ChartArea::~ChartArea() = default;
@@ -45,146 +35,70 @@ ChartArea::~ChartArea() = default;
 void ChartArea::forget()
 {
     m_still = {};
-    viewport()->update();
-}
-
-void ChartArea::clearSeries()
-{
-    m_runs.clear();
-    m_measured.clear();
-    m_spikes.clear();
-    chart()->removeAllSeries();
+    update();
 }
 
 void ChartArea::setScene(TrialScenePtr scene)
 {
-    clearSeries();
     m_scene = std::move(scene);
-    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
-        const auto &analysis = m_scene->robots[robot].analysis;
-        m_measured.push_back(analysis ? measuredPoints(analysis->profile, m_quantity) : QList<QPointF>());
-        if (analysis)
-            addRobot(int(robot), analysis->profile);
-    }
-    setRanges();
-    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
-        if (m_scene->robots[robot].analysis && m_quantity == Quantity::Speed)
-            addSpikes(m_scene->robots[robot].analysis->profile);
-    }
-    refill();
-    applyColours();
+    m_fit.reset();
+    rebuild();
 }
 
 void ChartArea::setQuantity(Quantity quantity)
 {
     m_quantity = quantity;
-    setScene(m_scene);
+    rebuild();
 }
 
-void ChartArea::addRobot(int robot, const Profile &profile)
+void ChartArea::setFit(std::optional<FitOverlay> fit)
 {
-    const auto join = [this](QAbstractSeries *series) {
-        chart()->addSeries(series);
-        series->attachAxis(m_timeAxis);
-        series->attachAxis(m_valueAxis);
-    };
-    for (CurveRun &run : curveRuns(profile, m_quantity)) {
-        if (run.line.size() < 2)
-            continue;
-        auto *upper = new QLineSeries, *lower = new QLineSeries;
-        auto *band = new QAreaSeries(upper, lower);
-        upper->setParent(band);
-        lower->setParent(band);
-        auto *line = new QLineSeries;
-        join(band);
-        join(line);
-        m_runs.push_back({robot, std::move(run), line, upper, lower, band});
-    }
+    m_fit = std::move(fit);
+    update();
 }
 
-void ChartArea::addSpikes(const Profile &profile)
+void ChartArea::rebuild()
 {
-    auto *series = new QScatterSeries;
-    series->setMarkerShape(QScatterSeries::MarkerShapeTriangle);
-    series->setMarkerSize(11);
+    if (m_span.scene() != m_scene) // a scene comes to the span first, and to the charts one after the other
+        return;
+    m_curves.clear();
+    std::vector<const CurveRun *> runs;
+    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot)
+        m_curves.push_back(curvesOf(robot));
+    for (const RobotCurves &curves : m_curves)
+        for (const CurveRun &run : curves.runs)
+            runs.push_back(&run);
+    m_range = valueRange(runs, m_quantity);
+    setTicks();
+}
+
+ChartArea::RobotCurves ChartArea::curvesOf(std::size_t robot) const
+{
+    const auto &analysis = m_scene->robots[robot].analysis;
+    if (!analysis)
+        return {};
+    const Profile &profile = analysis->profile;
+    const std::vector<double> &places = m_span.places(robot);
+    RobotCurves curves;
+    curves.values = curveValues(profile, m_quantity);
+    curves.runs = curveRuns(curves.values, m_quantity, places);
+    std::erase_if(curves.runs, [](const CurveRun &run) { return run.line.size() < 2; });
+    curves.measured = measuredPoints(profile, m_quantity, places);
     for (const Spike &spike : profile.spikes) {
         const auto index = static_cast<std::size_t>(spike.sampleIndex);
-        if (index >= profile.points.size())
+        if (m_quantity != Quantity::Speed || index >= profile.points.size())
             continue;
         const auto measured = measuredSpeed(profile, index);
-        if (!measured && !profile.points[index].valid)
-            continue;
-        const double value = measured ? *measured : profile.points[index].speedMps;
-        // What lies beyond the axis is shown at its end: every spike is to be seen.
-        series->append(toSeconds(spike.time), std::clamp(value, m_valueTicks.first, m_valueTicks.last()));
+        if (measured || profile.points[index].valid)
+            curves.spikes.append({places[index], measured ? *measured : profile.points[index].speedMps});
     }
-    chart()->addSeries(series);
-    series->attachAxis(m_timeAxis);
-    series->attachAxis(m_valueAxis);
-    m_spikes.append(series);
+    return curves;
 }
 
-void ChartArea::setRanges()
+void ChartArea::setTicks()
 {
-    double low = 0, high = 0;
-    for (const Run &run : m_runs) {
-        for (const QPointF &point : run.data.line) {
-            low = std::min(low, point.y());
-            high = std::max(high, point.y());
-        }
-    }
-    // The band counts as long as it does not press the curve flat.
-    const double room = 0.25 * std::max(1e-3, high - low);
-    const double lineLow = low, lineHigh = high;
-    for (const Run &run : m_runs) {
-        for (qsizetype i = 0; i < run.data.line.size(); ++i) {
-            low = std::min(low, std::max(run.data.lower[i].y(), lineLow - room));
-            high = std::max(high, std::min(run.data.upper[i].y(), lineHigh + room));
-        }
-    }
-    if (high - low < 1e-6)
-        high = low + 1;
     const int most = std::max(2, int(plotRect().height() / 23));
-    m_valueTicks = coveringTicks(low, high, most);
-    m_valueAxis->setRange(m_valueTicks.first, m_valueTicks.last());
-    m_startS = toSeconds(m_timeline.startTime());
-    m_endS = toSeconds(m_timeline.endTime());
-    if (m_scene && !m_scene->frameTimes().empty()) {
-        m_startS = toSeconds(m_scene->frameTimes().front());
-        m_endS = toSeconds(m_scene->frameTimes().back());
-    }
-    if (m_endS <= m_startS)
-        m_endS = m_startS + 1;
-    m_timeAxis->setRange(m_startS, m_endS);
-}
-
-void ChartArea::refill()
-{
-    const int columns = std::max(1, int(plotRect().width()));
-    for (const Run &run : m_runs) {
-        run.line->replace(decimated(run.data.line, m_startS, m_endS, columns));
-        run.upper->replace(decimated(run.data.upper, m_startS, m_endS, columns));
-        run.lower->replace(decimated(run.data.lower, m_startS, m_endS, columns));
-    }
-    forget();
-}
-
-void ChartArea::applyColours()
-{
-    const ThemeColours colours = ThemeColours::of(palette());
-    setBackgroundBrush(colours.card);
-    for (const Run &run : m_runs) {
-        const QColor colour = seriesColour(run.robot, palette());
-        QColor haze = colour;
-        haze.setAlpha(60);
-        run.line->setPen(QPen(colour, 1.8, seriesDash(run.robot), Qt::RoundCap, Qt::RoundJoin));
-        run.band->setBrush(haze);
-        run.band->setPen(Qt::NoPen);
-    }
-    for (QScatterSeries *series : std::as_const(m_spikes)) {
-        series->setColor(colours.spike);
-        series->setBorderColor(colours.card);
-    }
+    m_valueTicks = coveringTicks(m_range.low, m_range.high, most);
     forget();
 }
 
@@ -195,118 +109,191 @@ QRectF ChartArea::plotRect() const
 
 ChartPlot ChartArea::plot() const
 {
-    return {plotRect(), m_startS, m_endS, m_valueTicks};
+    return {plotRect(), m_span.low(), m_span.high(), m_valueTicks};
 }
 
 QPointF ChartArea::positionOf(Nanoseconds time, double value) const
 {
-    return plot().at(toSeconds(time), value);
+    return plot().at(m_span.cursorPlace(time), value);
 }
 
-void ChartArea::drawPoints(QPainter &painter) const
+void ChartArea::drawSpikes(QPainter &painter) const
 {
-    QColor colour = ThemeColours::of(palette()).point;
+    const ThemeColours colours = ThemeColours::of(palette());
+    painter.setPen(QPen(colours.card, 1));
+    painter.setBrush(colours.spike);
+    for (const RobotCurves &curves : m_curves)
+        for (const QPointF &spike : curves.spikes) {
+            if (spike.x() < m_span.low() || spike.x() > m_span.high())
+                continue;
+            // What lies beyond the axis is shown at its end: every spike is to be seen.
+            const QPointF at =
+                plot().at(spike.x(), std::clamp(spike.y(), m_valueTicks.first, m_valueTicks.last()));
+            const QPointF triangle[] = {at + QPointF(-5.5, 5), at + QPointF(5.5, 5), at + QPointF(0, -6)};
+            painter.drawConvexPolygon(triangle, 3);
+        }
+}
+
+void ChartArea::drawStill(QPainter &painter) const
+{
+    drawChartAxes(painter, plot(), m_span.against() == ChartSpan::Against::Time ? tr("%1 s") : tr("%1 m"),
+                  font(), palette());
+    bool isEmpty = true;
+    for (const RobotCurves &curves : m_curves)
+        drawCurvePoints(painter, plot(), curves.measured, ThemeColours::of(palette()).point);
+    for (std::size_t robot = 0; robot < m_curves.size(); ++robot)
+        for (const CurveRun &run : m_curves[robot].runs) {
+            drawCurveRun(painter, plot(), run, {seriesColour(int(robot), palette()), seriesDash(int(robot))});
+            isEmpty = false;
+        }
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(colour, 2.6, Qt::SolidLine, Qt::RoundCap));
-    const QRectF plot = plotRect();
-    for (const QList<QPointF> &points : m_measured) {
-        QList<QPointF> places;
-        for (const QPointF &point : decimated(points, m_startS, m_endS, std::max(1, int(plot.width()))))
-            places.append(positionOf(fromSeconds(point.x()), point.y()));
-        painter.setClipRect(plot);
-        painter.drawPoints(places.constData(), int(places.size()));
+    drawSpikes(painter);
+    if (m_scene && isEmpty) {
+        painter.setPen(ThemeColours::of(palette()).muted);
+        painter.drawText(plotRect(), Qt::AlignCenter, tr("No curve yet: track the trial"));
     }
-    painter.setClipping(false);
 }
 
-void ChartArea::drawBackground(QPainter *painter, const QRectF &rect)
+void ChartArea::drawFit(QPainter &painter) const
 {
-    QChartView::drawBackground(painter, rect);
-    painter->save();
-    painter->setFont(font());
-    drawChartAxes(*painter, plot(), tr("%1 s"), font(), palette());
-    drawPoints(*painter);
-    if (m_scene && m_runs.empty()) {
-        painter->setPen(ThemeColours::of(palette()).muted);
-        painter->drawText(plotRect(), Qt::AlignCenter, tr("No curve yet: track the trial"));
+    constexpr int pieces = 120;
+    QList<QPointF> values;
+    for (int i = 0; i <= pieces; ++i) {
+        const Nanoseconds time = m_fit->span.begin + (m_fit->span.end - m_fit->span.begin) * i / pieces;
+        values << QPointF(m_span.placeOf(m_fit->robot, time),
+                          curveFactor(m_quantity) * m_fit->fit.at(toSeconds(time)));
     }
-    painter->restore();
+    drawChartFit(painter, plot(), values, palette());
+}
+
+std::optional<CurveValue> ChartArea::valueAt(std::size_t robot, Nanoseconds time) const
+{
+    const auto &analysis = m_scene->robots[robot].analysis;
+    if (!analysis)
+        return std::nullopt;
+    const std::vector<Sample> &samples = analysis->profile.samples;
+    const auto after =
+        std::upper_bound(samples.begin(), samples.end(), time,
+                         [](Nanoseconds wanted, const Sample &sample) { return wanted < sample.time; });
+    return after == samples.begin()
+               ? std::nullopt
+               : m_curves[robot].values[static_cast<std::size_t>(after - samples.begin()) - 1];
 }
 
 void ChartArea::drawCursor(QPainter &painter) const
 {
     if (m_timeline.frameCount() == 0)
         return;
-    const double seconds = toSeconds(m_timeline.currentTime());
-    drawChartCursor(painter, plot(), seconds, palette());
+    const Nanoseconds now = m_timeline.currentTime();
+    const auto isVisible = [this](double place) { return place >= m_span.low() && place <= m_span.high(); };
+    if (const double place = m_span.cursorPlace(now); isVisible(place))
+        drawChartCursor(painter, plot(), place, palette());
     const QString unit = curveUnit(m_quantity);
     double top = plotRect().top();
     for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
-        const auto &analysis = m_scene->robots[robot].analysis;
-        const auto value =
-            analysis ? curveValueAt(analysis->profile, m_quantity, m_timeline.currentTime()) : std::nullopt;
-        if (!value)
+        const auto value = valueAt(robot, now);
+        const double place = m_span.placeOf(robot, now);
+        if (!value || !isVisible(place))
             continue;
         QString text = figureText(value->value, value->sigma, unit).text();
         if (m_scene->robots.size() > 1)
             text.prepend(QString::fromStdString(m_scene->robots[robot].robot.name) + QStringLiteral(": "));
-        top = drawChartBubble(painter, plot(), {seconds, value->value}, top, text, seriesColour(int(robot), palette()),
-                              palette());
+        top = drawChartBubble(painter, plot(), {place, value->value}, top, text,
+                              seriesColour(int(robot), palette()), palette());
     }
 }
 
 void ChartArea::paintEvent(QPaintEvent *)
 {
-    const QSize size = (QSizeF(viewport()->size()) * devicePixelRatioF()).toSize();
-    if (m_still.size() != size) {
-        m_still = QPixmap(size);
+    if (m_still.isNull()) {
+        m_still = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
         m_still.setDevicePixelRatio(devicePixelRatioF());
         m_still.fill(ThemeColours::of(palette()).card);
         QPainter painter(&m_still);
-        painter.setRenderHint(QPainter::Antialiasing);
-        render(&painter, QRectF(viewport()->rect()), viewport()->rect());
+        painter.setFont(font());
+        drawStill(painter);
     }
-    QPainter painter(viewport());
+    QPainter painter(this);
     painter.drawPixmap(0, 0, m_still);
     painter.setFont(font());
     painter.setRenderHint(QPainter::Antialiasing);
+    if (const auto &range = m_timeline.selection())
+        drawChartRange(painter, plot(), m_span.cursorPlace(range->begin), m_span.cursorPlace(range->end),
+                       palette());
+    if (m_fit && m_fit->quantity == m_quantity)
+        drawFit(painter);
     drawCursor(painter);
+    if (hasFocus())
+        drawChartFocus(painter, rect(), palette());
 }
 
-void ChartArea::resizeEvent(QResizeEvent *event)
+void ChartArea::resizeEvent(QResizeEvent *)
 {
-    QChartView::resizeEvent(event);
-    chart()->setPlotArea(plotRect());
-    setRanges();
-    refill();
+    setTicks();
 }
 
 void ChartArea::changeEvent(QEvent *event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        applyColours();
-    QChartView::changeEvent(event);
+        forget();
+    QWidget::changeEvent(event);
 }
 
-void ChartArea::goTo(double x)
+Nanoseconds ChartArea::timeAt(double x) const
 {
-    m_timeline.setCurrentTime(fromSeconds(plot().xAt(x)));
+    return m_span.timeAt(plot().xAt(x));
 }
 
 void ChartArea::mousePressEvent(QMouseEvent *event)
 {
+    const double x = event->position().x();
+    if (event->button() == Qt::MiddleButton)
+        m_pannedX = x;
     if (event->button() != Qt::LeftButton)
         return;
+    m_pressedX = x;
+    m_isDragged = false;
     m_timeline.pause();
-    goTo(event->position().x());
+    m_timeline.setCurrentTime(timeAt(x));
 }
 
 void ChartArea::mouseMoveEvent(QMouseEvent *event)
 {
-    if (event->buttons().testFlag(Qt::LeftButton))
-        goTo(event->position().x());
+    const double x = event->position().x();
+    if (event->buttons().testFlag(Qt::MiddleButton)) {
+        m_span.pan((m_pannedX - x) / std::max(1.0, plotRect().width()));
+        m_pannedX = x;
+    }
+    if (!event->buttons().testFlag(Qt::LeftButton) || !m_pressedX)
+        return;
+    m_isDragged = m_isDragged || std::abs(x - *m_pressedX) >= QApplication::startDragDistance();
+    if (!m_isDragged)
+        return;
+    m_timeline.setSelection(TimeSpan{timeAt(*m_pressedX), timeAt(x)});
+    m_timeline.setCurrentTime(timeAt(x));
 }
 
-void ChartArea::mouseReleaseEvent(QMouseEvent *) {}
+void ChartArea::mouseReleaseEvent(QMouseEvent *)
+{
+    m_pressedX.reset();
+}
+
+void ChartArea::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    if (event->button() == Qt::LeftButton)
+        m_span.showAll();
+}
+
+void ChartArea::wheelEvent(QWheelEvent *event)
+{
+    constexpr double notch = 120, zoomStep = 1.25, panStep = 0.1;
+    const QPoint turned = event->angleDelta();
+    const bool isSideways = std::abs(turned.x()) > std::abs(turned.y());
+    if (isSideways || event->modifiers().testFlag(Qt::ShiftModifier))
+        m_span.pan(-panStep * (isSideways ? turned.x() : turned.y()) / notch);
+    else
+        m_span.zoom(std::pow(zoomStep, turned.y() / notch), plot().xAt(event->position().x()));
+    event->accept();
+}
 
 } // namespace odo

@@ -1,34 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/time_span.h"
+#include "core/trajectory/curve_fit.h"
+#include "ui/models/trial_scene.h"
 #include "ui/views/chart_painting.h"
-#include "ui/views/profile_chart.h"
 #include "ui/views/profile_curve.h"
 
 #include <QPixmap>
-#include <QtCharts/QChartView>
-
-class QAreaSeries;
-class QLineSeries;
-class QScatterSeries;
-class QValueAxis;
+#include <QWidget>
+#include <optional>
+#include <vector>
 
 namespace odo {
 
+class ChartSpan;
 class Timeline;
 
-/// The plot of one quantity; inside ProfileChart. What does not change with the time is kept as a picture, so
-/// that moving the cursor costs a copy. Raster only.
-class ChartArea : public QChartView
+/// A fit that is drawn over the curve of a robot.
+struct FitOverlay
+{
+    std::size_t robot = 0;
+    Quantity quantity = Quantity::Speed;
+    TimeSpan span;
+    CurveFit fit;
+};
+
+/// The plot of one quantity; inside ProfileChart. A click goes to a time, a drag selects a range; the wheel
+/// shows more or less, with Shift or the middle button what lies beside it; a double click shows all. What
+/// does not change with the time is kept as a picture, so that moving the cursor costs a copy. Raster only.
+class ChartArea : public QWidget
 {
     Q_OBJECT
 public:
-    ChartArea(Timeline &timeline, Quantity quantity, QWidget *parent = nullptr);
+    /// span: shared with other charts, with the same scene; must outlive this.
+    ChartArea(Timeline &timeline, ChartSpan &span, Quantity quantity, QWidget *parent = nullptr);
     ~ChartArea() override;
 
     void setScene(TrialScenePtr scene);
     void setQuantity(Quantity quantity);
-    /// Where a time and a value lie, in widget coordinates.
+    /// nullopt: none. It is drawn where its quantity is shown.
+    void setFit(std::optional<FitOverlay> fit);
+    /// Where a time of the first robot and a value lie, in widget coordinates.
     QPointF positionOf(Nanoseconds time, double value) const;
 
     QSize sizeHint() const override { return {640, 180}; }
@@ -36,45 +49,47 @@ public:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    void drawBackground(QPainter *painter, const QRectF &rect) override;
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
 
 private:
-    /// One stretch of one robot's curve: full data, and the series that show it.
-    struct Run
+    /// One robot's curves.
+    struct RobotCurves
     {
-        int robot;
-        CurveRun data;
-        QLineSeries *line, *upper, *lower;
-        QAreaSeries *band;
+        std::vector<std::optional<CurveValue>> values; ///< one a sample
+        std::vector<CurveRun> runs;
+        QList<QPointF> measured, spikes;
     };
-    void clearSeries();
-    void addRobot(int robot, const Profile &profile);
-    void addSpikes(const Profile &profile);
-    void setRanges();
-    void refill();
-    void applyColours();
+    void rebuild();
+    RobotCurves curvesOf(std::size_t robot) const;
+    void setTicks();
     void forget();
     QRectF plotRect() const;
     ChartPlot plot() const;
-    void drawPoints(QPainter &painter) const;
+    void drawStill(QPainter &painter) const;
+    void drawSpikes(QPainter &painter) const;
+    void drawFit(QPainter &painter) const;
     void drawCursor(QPainter &painter) const;
-    void goTo(double x);
+    std::optional<CurveValue> valueAt(std::size_t robot, Nanoseconds time) const;
+    Nanoseconds timeAt(double x) const;
 
     Timeline &m_timeline;
+    ChartSpan &m_span;
     Quantity m_quantity;
     TrialScenePtr m_scene;
-    std::vector<Run> m_runs;
-    std::vector<QList<QPointF>> m_measured; ///< a robot
-    QList<QScatterSeries *> m_spikes;
-    QValueAxis *m_timeAxis, *m_valueAxis;
+    std::vector<RobotCurves> m_curves; ///< one a robot
+    std::optional<FitOverlay> m_fit;
+    ValueRange m_range;
     AxisTicks m_valueTicks;
-    double m_startS = 0, m_endS = 1;
-    QPixmap m_still; ///< null: to be rendered
+    std::optional<double> m_pressedX; ///< of the left button
+    bool m_isDragged = false;
+    double m_pannedX = 0; ///< of the middle button
+    QPixmap m_still;      ///< null: to be rendered
 };
 
 } // namespace odo

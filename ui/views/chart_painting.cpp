@@ -51,6 +51,45 @@ void drawChartCursor(QPainter &painter, const ChartPlot &plot, double x, const Q
     painter.drawLine(QPointF(screenX, plot.rect.top()), QPointF(screenX, plot.rect.bottom()));
 }
 
+void drawChartRange(QPainter &painter, const ChartPlot &plot, double from, double to, const QPalette &palette)
+{
+    const double left = plot.at(from, 0).x(), right = plot.at(to, 0).x();
+    const QColor accent = ThemeColours::of(palette).accent;
+    QColor haze = accent;
+    haze.setAlpha(34);
+    painter.fillRect(
+        QRectF(QPointF(left, plot.rect.top()), QPointF(right, plot.rect.bottom())).intersected(plot.rect),
+        haze);
+    painter.setPen(QPen(accent, 1));
+    for (const double x : {left, right})
+        if (x >= plot.rect.left() && x <= plot.rect.right())
+            painter.drawLine(QPointF(x, plot.rect.top()), QPointF(x, plot.rect.bottom()));
+}
+
+void drawChartFit(QPainter &painter, const ChartPlot &plot, const QList<QPointF> &values,
+                  const QPalette &palette)
+{
+    QPolygonF line;
+    for (const QPointF &value : values)
+        line << plot.at(value.x(), value.y());
+    painter.save();
+    painter.setClipRect(plot.rect);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(ThemeColours::of(palette).card, 5)); // a rim, so that it stands out from the curve
+    painter.drawPolyline(line);
+    painter.setPen(QPen(ThemeColours::of(palette).text, 2, Qt::DashLine));
+    painter.drawPolyline(line);
+    painter.restore();
+}
+
+void drawChartFocus(QPainter &painter, const QRect &widget, const QPalette &palette)
+{
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(ThemeColours::of(palette).accent, 1));
+    painter.drawRect(widget.adjusted(0, 0, -1, -1));
+}
+
 double drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &value, double top,
                        const QString &text, const QColor &colour, const QPalette &palette)
 {

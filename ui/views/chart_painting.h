@@ -4,6 +4,7 @@
 #include "ui/views/axis_ticks.h"
 
 #include <QColor>
+#include <QList>
 #include <QPointF>
 #include <QRectF>
 #include <QString>
@@ -38,6 +39,17 @@ void drawChartAxes(QPainter &painter, const ChartPlot &plot, const QString &belo
 
 /// The dotted line at the present place.
 void drawChartCursor(QPainter &painter, const ChartPlot &plot, double x, const QPalette &palette);
+
+/// A light shade from one place to another, with a line at either end.
+void drawChartRange(QPainter &painter, const ChartPlot &plot, double from, double to,
+                    const QPalette &palette);
+
+/// A dashed line over the curves, within the plot.
+void drawChartFit(QPainter &painter, const ChartPlot &plot, const QList<QPointF> &values,
+                  const QPalette &palette);
+
+/// The frame of a chart that has the focus.
+void drawChartFocus(QPainter &painter, const QRect &widget, const QPalette &palette);
 
 /// A value beside the cursor, `top` from the upper end of the widget, and a dot on its curve. Gives where the
 /// next one goes.

@@ -30,22 +30,32 @@ void appendColumn(const QList<QPointF> &points, qsizetype first, qsizetype end, 
 
 QList<QPointF> decimated(const QList<QPointF> &points, double left, double right, int columns)
 {
-    if (columns <= 0 || right <= left || points.size() <= keptPerColumn * columns)
+    if (columns <= 0 || right <= left)
         return points;
+    const auto isLeft = [](const QPointF &point, double x) { return point.x() < x; };
+    const auto isRight = [](double x, const QPointF &point) { return x < point.x(); };
+    const qsizetype inside = std::lower_bound(points.begin(), points.end(), left, isLeft) - points.begin();
+    const qsizetype beyond = std::upper_bound(points.begin(), points.end(), right, isRight) - points.begin();
+    const qsizetype begin = std::max<qsizetype>(0, inside - 1), last = std::min(points.size(), beyond + 1);
+    if (last - begin <= keptPerColumn * columns)
+        return begin == 0 && last == points.size() ? points : points.mid(begin, last - begin);
     QList<QPointF> kept;
-    kept.reserve(keptPerColumn * columns);
-    const auto columnOf = [&](const QPointF &point) {
-        return static_cast<int>(std::clamp((point.x() - left) / (right - left), 0.0, 1.0) * columns);
-    };
-    qsizetype first = 0;
-    while (first < points.size()) {
-        const int column = columnOf(points[first]);
-        qsizetype end = first + 1;
-        while (end < points.size() && columnOf(points[end]) == column)
+    kept.reserve(keptPerColumn * (columns + 2));
+    if (begin < inside)
+        kept.append(points[begin]);
+    qsizetype first = inside;
+    for (int column = 1; first < beyond; ++column) {
+        // The last column takes what rounding leaves over.
+        const double edge = column < columns ? left + (right - left) * column / columns : right;
+        qsizetype end = first;
+        while (end < beyond && (points[end].x() < edge || column >= columns))
             ++end;
-        appendColumn(points, first, end, kept);
+        if (end > first)
+            appendColumn(points, first, end, kept);
         first = end;
     }
+    if (beyond < last)
+        kept.append(points[beyond]);
     return kept;
 }
 

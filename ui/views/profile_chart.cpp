@@ -3,6 +3,7 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/views/chart_area.h"
+#include "ui/views/chart_span.h"
 #include "ui/views/profile_curve.h"
 #include "ui/views/series_key.h"
 
@@ -13,55 +14,65 @@ namespace odo {
 
 namespace {
 
-struct QuantityWords
-{
-    QString name, spoken;
-    std::string metric; ///< that tells most of it; empty: none
-};
-
-QuantityWords wordsOf(Quantity quantity)
+/// The metric that tells most of a quantity; empty: none.
+std::string tellingMetric(Quantity quantity)
 {
     switch (quantity) {
     case Quantity::Speed:
-        return {ProfileChart::tr("Speed"), ProfileChart::tr("Chart of the speed against time"), "max_speed"};
+        return "max_speed";
     case Quantity::Acceleration:
-        return {ProfileChart::tr("Acceleration"), ProfileChart::tr("Chart of the acceleration against time"),
-                "max_accel"};
-    case Quantity::Heading:
-        return {ProfileChart::tr("Heading"), ProfileChart::tr("Chart of the heading against time"), {}};
+        return "max_accel";
     case Quantity::TurnRate:
-        return {ProfileChart::tr("Turn rate"), ProfileChart::tr("Chart of the turn rate against time"),
-                "max_turn_rate"};
-    case Quantity::PositionX:
-        return {ProfileChart::tr("Position X"), ProfileChart::tr("Chart of the position along X against time"), {}};
-    case Quantity::PositionY:
-        break;
+        return "max_turn_rate";
+    default:
+        return {};
     }
-    return {ProfileChart::tr("Position Y"), ProfileChart::tr("Chart of the position along Y against time"), {}};
 }
 
 } // namespace
 
-ProfileChart::ProfileChart(Timeline &timeline, Quantity quantity, QWidget *parent)
-    : ProfileChart(timeline, QList<Quantity>{quantity}, parent)
+QString quantityName(Quantity quantity)
 {
+    switch (quantity) {
+    case Quantity::Speed:
+        return ProfileChart::tr("Speed");
+    case Quantity::Acceleration:
+        return ProfileChart::tr("Acceleration");
+    case Quantity::Heading:
+        return ProfileChart::tr("Heading");
+    case Quantity::TurnRate:
+        return ProfileChart::tr("Turn rate");
+    case Quantity::PositionX:
+        return ProfileChart::tr("Position X");
+    case Quantity::PositionY:
+        break;
+    }
+    return ProfileChart::tr("Position Y");
 }
 
-ProfileChart::ProfileChart(Timeline &timeline, QList<Quantity> quantities, QWidget *parent)
-    : Card(wordsOf(quantities.first()).name, parent), m_area(new ChartArea(timeline, quantities.first(), this)),
-      m_key(new SeriesKey(this)), m_quantity(quantities.first())
+ProfileChart::ProfileChart(Timeline &timeline, Quantity quantity, QWidget *parent)
+    : ProfileChart(timeline, *new ChartSpan(timeline), {quantity}, parent)
+{
+    m_span.setParent(this);
+}
+
+ProfileChart::ProfileChart(Timeline &timeline, ChartSpan &span, QList<Quantity> quantities, QWidget *parent)
+    : Card(quantityName(quantities.first()), parent), m_span(span),
+      m_area(new ChartArea(timeline, span, quantities.first(), this)), m_key(new SeriesKey(this)),
+      m_quantities(quantities), m_quantity(quantities.first())
 {
     addToHeader(m_key);
     if (quantities.size() > 1) {
-        auto *choice = new QComboBox(this);
-        choice->setAccessibleName(tr("Quantity that the chart shows"));
+        m_choice = new QComboBox(this);
+        m_choice->setAccessibleName(tr("Quantity that the chart shows"));
         for (const Quantity quantity : quantities)
-            choice->addItem(wordsOf(quantity).name);
-        connect(choice, &QComboBox::currentIndexChanged, this,
-                [this, quantities](int index) { setQuantity(quantities.at(index)); });
-        addToHeader(choice);
+            m_choice->addItem(quantityName(quantity));
+        connect(m_choice, &QComboBox::currentIndexChanged, this,
+                [this](int index) { setQuantity(m_quantities.at(index)); });
+        addToHeader(m_choice);
     }
     setContent(m_area);
+    connect(&m_span, &ChartSpan::axisChanged, this, &ProfileChart::describe);
     setScene(nullptr);
 }
 
@@ -69,15 +80,26 @@ ProfileChart::~ProfileChart() = default;
 
 void ProfileChart::setQuantity(Quantity quantity)
 {
+    if (quantity == m_quantity)
+        return;
     m_quantity = quantity;
-    setTitle(wordsOf(quantity).name);
+    if (m_choice)
+        m_choice->setCurrentIndex(static_cast<int>(m_quantities.indexOf(quantity)));
+    setTitle(quantityName(quantity));
     m_area->setQuantity(quantity);
     describe();
+    Q_EMIT quantityChanged();
+}
+
+void ProfileChart::setFit(std::optional<FitOverlay> fit)
+{
+    m_area->setFit(std::move(fit));
 }
 
 void ProfileChart::setScene(TrialScenePtr scene)
 {
     m_scene = std::move(scene);
+    m_span.setScene(m_scene);
     m_area->setScene(m_scene);
     describe();
 }
@@ -95,16 +117,19 @@ void ProfileChart::describe()
         analysed = true;
         spikes += qsizetype(analysis->profile.spikes.size());
         for (const Metric &metric : analysis->profile.metrics) {
-            if (metric.name == wordsOf(m_quantity).metric)
+            if (metric.name == tellingMetric(m_quantity))
                 spoken += QStringLiteral("%1: %2 %3")
                               .arg(QString::fromStdString(m_scene->robots[robot].robot.name),
                                    metricName(metric.name), metricFigure(metric).text());
         }
     }
     QStringList remark{curveUnit(m_quantity)};
+    if (analysed)
+        remark += tr("smoothed \u00b195 %");
+    if (analysed && m_quantity != Quantity::TurnRate)
+        remark += tr("measured points");
     if (m_quantity == Quantity::Speed && analysed)
-        remark += {tr("smoothed \u00b195 %"), tr("measured points"),
-                   spikes == 1 ? tr("1 spike") : tr("%1 spikes").arg(spikes)};
+        remark += spikes == 1 ? tr("1 spike") : tr("%1 spikes").arg(spikes);
     if (m_quantity == Quantity::Acceleration && analysed)
         remark += tr("along the path");
     if (m_quantity == Quantity::Heading && analysed)
@@ -112,8 +137,10 @@ void ProfileChart::describe()
     if (m_quantity == Quantity::TurnRate && analysed)
         remark += tr("anticlockwise positive");
     setRemark(remark.join(QStringLiteral(" \u00b7 ")));
-    m_area->setAccessibleName(wordsOf(m_quantity).spoken);
-    m_area->viewport()->setAccessibleName(m_area->accessibleName()); // it takes the mouse and the focus frame
+    m_area->setAccessibleName((m_span.against() == ChartSpan::Against::Time
+                                   ? tr("Chart: %1 against time")
+                                   : tr("Chart: %1 against the distance"))
+                                  .arg(quantityName(m_quantity)));
     m_area->setAccessibleDescription(spoken.join(QStringLiteral("; ")));
     m_key->setNames(robots);
 }

@@ -6,36 +6,54 @@
 #include "ui/views/card.h"
 
 #include <QList>
+#include <optional>
+
+class QComboBox;
 
 namespace odo {
 
 class ChartArea;
+class ChartSpan;
 class SeriesKey;
 class Timeline;
+struct FitOverlay;
 
-/// One quantity against time for all robots of a trial: smoothed line with its 95 % band, measured points,
-/// spikes, and a cursor at the shared time with the value there. A click or drag moves the time. Of several
-/// quantities the one that is shown is chosen in its header.
+/// One quantity against time, or the way driven, for all robots of a trial: smoothed line with its 95 % band,
+/// measured points, spikes, the range that is selected, and a cursor at the shared time with the value there.
+/// ChartArea tells what the mouse does. Of several quantities the one that is shown is chosen in its header.
 class ProfileChart : public Card
 {
     Q_OBJECT
 public:
     ProfileChart(Timeline &timeline, Quantity quantity, QWidget *parent = nullptr);
-    /// The first one is shown at first; quantities must not be empty.
-    ProfileChart(Timeline &timeline, QList<Quantity> quantities, QWidget *parent = nullptr);
+    /// The first one is shown at first; quantities must not be empty. span: shared with other charts, must
+    /// outlive this.
+    ProfileChart(Timeline &timeline, ChartSpan &span, QList<Quantity> quantities, QWidget *parent = nullptr);
     ~ProfileChart() override;
 
     void setScene(TrialScenePtr scene);
     void setQuantity(Quantity quantity);
+    Quantity quantity() const { return m_quantity; }
+    /// Drawn where its quantity is shown; nullopt: none.
+    void setFit(std::optional<FitOverlay> fit);
     QWidget *chartArea() const;
+
+Q_SIGNALS:
+    void quantityChanged();
 
 private:
     void describe();
 
+    ChartSpan &m_span;
     ChartArea *m_area;
     SeriesKey *m_key;
+    QList<Quantity> m_quantities;
+    QComboBox *m_choice = nullptr; ///< nullptr: there is no choice
     Quantity m_quantity;
     TrialScenePtr m_scene;
 };
+
+/// "Speed": the name of a quantity.
+QString quantityName(Quantity quantity);
 
 } // namespace odo

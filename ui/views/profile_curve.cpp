@@ -56,11 +56,11 @@ double curveFactor(Quantity quantity)
     return toMillimetres(1);
 }
 
-std::vector<CurveRun> curveRuns(const Profile &profile, Quantity quantity)
+std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values, Quantity quantity,
+                                const std::vector<double> &places)
 {
     std::vector<CurveRun> runs;
     bool open = false;
-    const auto values = curveValues(profile, quantity);
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!values[i]) {
             open = false;
@@ -70,36 +70,44 @@ std::vector<CurveRun> curveRuns(const Profile &profile, Quantity quantity)
             runs.emplace_back();
         open = true;
         const CurveValue value = *values[i];
-        const double seconds = toSeconds(profile.samples[i].time), reach = band95 * value.sigma;
+        const double place = places[i], reach = band95 * value.sigma;
         CurveRun &run = runs.back();
-        run.line.append({seconds, value.value});
-        run.upper.append({seconds, value.value + reach});
+        run.line.append({place, value.value});
+        run.upper.append({place, value.value + reach});
         // A speed is not negative, whatever its σ.
-        run.lower.append({seconds, quantity == Quantity::Speed ? std::max(0.0, value.value - reach)
-                                                               : value.value - reach});
+        run.lower.append(
+            {place, quantity == Quantity::Speed ? std::max(0.0, value.value - reach) : value.value - reach});
     }
     return runs;
 }
 
-QList<QPointF> measuredPoints(const Profile &profile, Quantity quantity)
+ValueRange valueRange(const std::vector<const CurveRun *> &runs, Quantity quantity)
+{
+    const bool isPlace = quantity == Quantity::PositionX || quantity == Quantity::PositionY;
+    double low = isPlace && !runs.empty() ? runs.front()->line.front().y() : 0, high = low;
+    for (const CurveRun *run : runs)
+        for (const QPointF &point : run->line) {
+            low = std::min(low, point.y());
+            high = std::max(high, point.y());
+        }
+    const double room = 0.25 * std::max(1e-3, high - low);
+    const double lineLow = low, lineHigh = high;
+    for (const CurveRun *run : runs)
+        for (qsizetype i = 0; i < run->line.size(); ++i) {
+            low = std::min(low, std::max(run->lower[i].y(), lineLow - room));
+            high = std::max(high, std::min(run->upper[i].y(), lineHigh + room));
+        }
+    return {low, high - low < 1e-6 ? low + 1 : high};
+}
+
+QList<QPointF> measuredPoints(const Profile &profile, Quantity quantity, const std::vector<double> &places)
 {
     QList<QPointF> points;
     const auto values = measuredValues(profile, quantity);
     for (std::size_t i = 0; i < values.size(); ++i)
         if (values[i])
-            points.append({toSeconds(profile.samples[i].time), curveFactor(quantity) * values[i]->value});
+            points.append({places[i], curveFactor(quantity) * values[i]->value});
     return points;
-}
-
-std::optional<CurveValue> curveValueAt(const Profile &profile, Quantity quantity, Nanoseconds time)
-{
-    const auto after =
-        std::upper_bound(profile.samples.begin(), profile.samples.end(), time,
-                         [](Nanoseconds wanted, const Sample &sample) { return wanted < sample.time; });
-    if (after == profile.samples.begin())
-        return std::nullopt;
-    const auto index = static_cast<std::size_t>(after - profile.samples.begin()) - 1;
-    return curveValues(profile, quantity)[index];
 }
 
 } // namespace odo

@@ -17,17 +17,24 @@ QString curveUnit(Quantity quantity);
 /// By how much a value in SI is multiplied for curveUnit.
 double curveFactor(Quantity quantity);
 
-/// A stretch without gaps. x: seconds, y: as of curveValues.
+/// A stretch without gaps. x: the places of the samples, y: as of curveValues.
 struct CurveRun
 {
     QList<QPointF> line, upper, lower; ///< of equal length; the 95 % band (1.96 σ)
 };
-std::vector<CurveRun> curveRuns(const Profile &profile, Quantity quantity);
+/// values: curveValues of the quantity. places: one a sample (ChartSpan::places).
+std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values, Quantity quantity,
+                                const std::vector<double> &places);
 
-/// measuredValues as points, in the unit of curveUnit; empty for the turn rate.
-QList<QPointF> measuredPoints(const Profile &profile, Quantity quantity);
+/// From the lowest to the highest value of curves, with their bands as long as those do not press the curves
+/// flat; 0 is contained unless they are places.
+struct ValueRange
+{
+    double low = 0, high = 1;
+};
+ValueRange valueRange(const std::vector<const CurveRun *> &runs, Quantity quantity);
 
-/// The smoothed value at a time; nullopt in gaps.
-std::optional<CurveValue> curveValueAt(const Profile &profile, Quantity quantity, Nanoseconds time);
+/// measuredValues as points at the places of the samples, in the unit of curveUnit; empty for the turn rate.
+QList<QPointF> measuredPoints(const Profile &profile, Quantity quantity, const std::vector<double> &places);
 
 } // namespace odo

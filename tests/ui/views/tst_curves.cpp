@@ -31,6 +31,20 @@ private Q_SLOTS:
         QCOMPARE(kept.last(), points.last());
         QVERIFY(std::is_sorted(kept.begin(), kept.end(), [](auto a, auto b) { return a.x() < b.x(); }));
     }
+    void decimationOfAPartHasItsNeighbours()
+    {
+        QList<QPointF> points;
+        for (int i = 0; i < 216'000; ++i) // an hour at 60 frames/s
+            points.append({i / 60.0, std::sin(i * 0.01)});
+        points[100'000].setY(99);
+        const QList<QPointF> kept = decimated(points, 1600, 1700, 500);
+        QVERIFY(kept.size() <= 4 * 501 + 2);
+        QVERIFY(kept.contains(points[100'000]));
+        QVERIFY(kept.first().x() < 1600 && kept.last().x() > 1700); // so that the line runs out of the plot
+        QVERIFY(kept.first().x() > 1599.9 && kept.last().x() < 1700.1);
+        QCOMPARE(decimated(points, 10, 10.1, 500).size(), 9); // few enough: 7 inside, one beyond either end
+        QVERIFY(decimated(points, 5000, 6000, 500).size() <= 1);
+    }
     void shortCurvesStayWhole()
     {
         const QList<QPointF> points{{0, 1}, {1, 2}, {2, 1}};
@@ -115,28 +129,32 @@ private Q_SLOTS:
     {
         Profile profile = exampleScene({.frames = 60})->robots[0].analysis->profile;
         profile.points[20].valid = profile.points[21].valid = false;
-        const auto runs = curveRuns(profile, Quantity::Speed);
+        std::vector<double> places;
+        for (const Sample &sample : profile.samples)
+            places.push_back(toSeconds(sample.time));
+        const auto runs = curveRuns(curveValues(profile, Quantity::Speed), Quantity::Speed, places);
         QCOMPARE(runs.size(), std::size_t(2));
         QCOMPARE(runs[0].line.size(), 20);
         QCOMPARE(runs[1].line.size(), 38);
         for (const QPointF &low : runs[0].lower)
             QVERIFY(low.y() >= 0);
-        QVERIFY(!curveValueAt(profile, Quantity::Speed, profile.samples[20].time));
-        QVERIFY(!curveValueAt(profile, Quantity::Speed, Nanoseconds(-1)));
     }
     void measuredPointsLeaveSpikesOut()
     {
         const Profile profile = exampleScene({.frames = 300})->robots[0].analysis->profile;
+        std::vector<double> places;
+        for (const Sample &sample : profile.samples)
+            places.push_back(toSeconds(sample.time));
         const auto spike = static_cast<std::size_t>(profile.spikes[1].sampleIndex); // a jump
         QVERIFY(measuredSpeed(profile, spike).has_value());
-        for (const QPointF &point : measuredPoints(profile, Quantity::Speed)) {
+        for (const QPointF &point : measuredPoints(profile, Quantity::Speed, places)) {
             // Neighbours too would be wrong: central differences use the spike.
             for (const std::size_t index : {spike - 1, spike, spike + 1})
                 QVERIFY(std::abs(point.x() - toSeconds(profile.samples[index].time)) > 1e-6);
         }
-        QVERIFY(measuredPoints(profile, Quantity::TurnRate).isEmpty());
-        const QList<QPointF> places = measuredPoints(profile, Quantity::PositionX);
-        QVERIFY(std::abs(places[0].y() - profile.samples[0].position->x() * 1e3) < 1e-9); // mm
+        QVERIFY(measuredPoints(profile, Quantity::TurnRate, places).isEmpty());
+        const QList<QPointF> measured = measuredPoints(profile, Quantity::PositionX, places);
+        QVERIFY(std::abs(measured[0].y() - profile.samples[0].position->x() * 1e3) < 1e-9); // mm
         QVERIFY(!measuredSpeed(profile, 0));
     }
     void textStandsOutFromItsGround()

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How fast Review's charts of an hour are panned, painted on the raster.
+#include "tests/benchmark/cpu_clock.h"
+#include "tests/benchmark/figures.h"
+#include "tests/ui/support/example_scene.h"
+#include "ui/models/timeline.h"
+#include "ui/views/chart_span.h"
+#include "ui/views/profile_chart.h"
+#include "ui/views/theme.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QJsonDocument>
+#include <QTextStream>
+
+using namespace odo;
+using namespace odo::test;
+
+namespace {
+
+constexpr int samples = 216'000, robots = 2, steps = 40; // an hour at 60 frames/s
+constexpr QSize chartSize(1100, 240);
+
+/// CPU time of one step of panning, both charts painted, in ms: the median of many.
+double panMs(ChartSpan &span, ProfileChart &speed, ProfileChart &acceleration, double share)
+{
+    const double whole = span.wholeHigh() - span.wholeLow();
+    span.show(span.wholeLow(), span.wholeLow() + share * whole);
+    // Steps of a twentieth of what is visible, or as many as fit into the whole.
+    const double step = std::min(0.05, (1 / share - 1) / steps);
+    std::vector<double> times;
+    for (int i = 0; i < steps; ++i) {
+        const double begin = threadCpuS();
+        span.pan(step);
+        speed.grab();
+        acceleration.grab();
+        times.push_back(1e3 * workS(begin, threadCpuS()));
+    }
+    return median(times);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication application(argc, argv);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    QApplication::setPalette(lightPalette());
+    const TrialScenePtr scene = exampleScene({.frames = samples, .robots = robots});
+    Timeline timeline;
+    ChartSpan span(timeline);
+    timeline.setFrameTimes(scene->frameTimes());
+    ProfileChart speed(timeline, span, {Quantity::Speed}), acceleration(timeline, span, {Quantity::Acceleration});
+    for (ProfileChart *chart : {&speed, &acceleration}) {
+        chart->resize(chartSize);
+        chart->show();
+        chart->setScene(scene);
+    }
+    constexpr double frameMs = 1000.0 / 30;
+    std::vector<Figure> figures;
+    for (const double share : {0.5, 0.05, 0.005}) {
+        const double ms = panMs(span, speed, acceleration, share);
+        figures.push_back({QStringLiteral("two charts panned, %1 of an hour visible").arg(share), ms, std::nullopt, frameMs,
+                           QStringLiteral("ms"), QStringLiteral("%1 frames/s").arg(1000 / ms, 0, 'f', 0)});
+    }
+    QTextStream(stdout) << figuresTable(figures);
+    return std::all_of(figures.begin(), figures.end(), [](const Figure &figure) { return figure.isMet(); }) ? 0 : 1;
+}
