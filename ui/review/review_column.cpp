@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/review_column.h"
 
+#include "ui/review/range_card.h"
 #include "ui/review/trial_facts.h"
 #include "ui/views/card.h"
 #include "ui/views/fact_list.h"
@@ -28,7 +29,7 @@ bool isTracked(const TrialScene &scene)
 
 ReviewColumn::ReviewColumn(Timeline &timeline, QWidget *chooser, QWidget *parent)
     : QWidget(parent), m_track(makeTrackCard()), m_result(new ResultPanel), m_spikes(new SpikeList(timeline)),
-      m_trial(new Card(tr("Trial"))), m_facts(new FactList)
+      m_range(new RangeCard(timeline)), m_trial(new Card(tr("Trial"))), m_facts(new FactList)
 {
     auto *scroll = scrolled(m_facts, tr("Facts of the trial"));
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -41,7 +42,9 @@ ReviewColumn::ReviewColumn(Timeline &timeline, QWidget *chooser, QWidget *parent
     layout->addWidget(m_track);
     layout->addWidget(m_result);
     layout->addWidget(m_spikes, 2);
+    layout->addWidget(m_range, 5);
     layout->addWidget(m_trial, 3);
+    connect(m_range, &RangeCard::shownChanged, m_trial, &QWidget::setHidden);
     setFixedWidth(columnWidth);
     setScene(nullptr);
 }
@@ -77,6 +80,7 @@ void ReviewColumn::setScene(TrialScenePtr scene)
     m_spikes->setVisible(tracked);
     m_result->setScene(scene);
     m_spikes->setScene(scene);
+    m_range->setScene(scene);
     m_facts->setFacts(scene ? trialFacts(*scene) : QList<Fact>());
 }
 

@@ -9,12 +9,13 @@ namespace odo {
 
 class Card;
 class FactList;
+class RangeCard;
 class ResultPanel;
 class SpikeList;
 class Timeline;
 
 /// The right column of Review: which trial, its figures, its spikes, its facts; or, before it was tracked,
-/// the way to get them.
+/// the way to get them. While a range is selected, its figures take the place of the facts.
 class ReviewColumn : public QWidget
 {
     Q_OBJECT
@@ -22,6 +23,7 @@ public:
     /// chooser: stands at the top.
     ReviewColumn(Timeline &timeline, QWidget *chooser, QWidget *parent = nullptr);
     void setScene(TrialScenePtr scene);
+    RangeCard &range() const { return *m_range; }
 
 Q_SIGNALS:
     void trackRequested();
@@ -32,6 +34,7 @@ private:
     Card *m_track;
     ResultPanel *m_result;
     SpikeList *m_spikes;
+    RangeCard *m_range;
     Card *m_trial;
     FactList *m_facts;
 };

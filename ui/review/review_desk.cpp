@@ -3,6 +3,7 @@
 
 #include "ui/review/dock_grip.h"
 #include "ui/views/camera_view.h"
+#include "ui/views/chart_area.h"
 #include "ui/views/chart_span.h"
 #include "ui/views/floor_map.h"
 #include "ui/views/profile_chart.h"
@@ -48,6 +49,8 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
     setCentralWidget(m_pictures);
     m_speedDock = addDock(m_speed, QStringLiteral("speedDock"));
     m_accelerationDock = addDock(m_acceleration, QStringLiteral("accelerationDock"));
+    for (ProfileChart *chart : {m_speed, m_acceleration})
+        connect(chart, &ProfileChart::quantityChanged, this, &ReviewDesk::quantitiesChanged);
     connect(m_map, &FloorMap::settled, this, &ReviewDesk::settled);
     resetLayout();
 }
@@ -131,6 +134,17 @@ QList<QAction *> ReviewDesk::dockActions() const
 QList<QAction *> ReviewDesk::chartActions() const
 {
     return m_span->actions();
+}
+
+QList<Quantity> ReviewDesk::quantities() const
+{
+    return {m_speed->quantity(), m_acceleration->quantity()};
+}
+
+void ReviewDesk::setFit(const std::optional<FitOverlay> &fit)
+{
+    m_speed->setFit(fit);
+    m_acceleration->setFit(fit);
 }
 
 void ReviewDesk::setViewCount(std::size_t count)

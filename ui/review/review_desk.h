@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/trajectory/quantity_curve.h"
 #include "ui/models/trial_scene.h"
 
 #include <QList>
 #include <QMainWindow>
+#include <optional>
 #include <vector>
 
 class QAction;
@@ -18,6 +20,7 @@ class ChartSpan;
 class FloorMap;
 class ProfileChart;
 class Timeline;
+struct FitOverlay;
 
 /// The part of Review that a person can arrange: the views and the map side by side, the charts in docks
 /// around them. The arrangement is read from the settings when first shown, and written there by saveLayout.
@@ -34,11 +37,16 @@ public:
     QList<QAction *> dockActions() const;
     /// What the charts show: more, less, all, against time or distance.
     QList<QAction *> chartActions() const;
+    /// What the charts show, from above.
+    QList<Quantity> quantities() const;
+    /// Drawn over the curve that it is of; nullopt: none.
+    void setFit(const std::optional<FitOverlay> &fit);
     void resetLayout();
     void saveLayout() const;
 
 Q_SIGNALS:
     void settled();
+    void quantitiesChanged();
 
 protected:
     void showEvent(QShowEvent *event) override;

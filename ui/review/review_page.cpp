@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "ui/models/project_reader.h"
 #include "ui/models/timeline.h"
+#include "ui/review/range_card.h"
 #include "ui/review/review_column.h"
 #include "ui/review/review_desk.h"
 #include "ui/review/trial_chooser.h"
@@ -81,6 +82,9 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
             Q_EMIT failed(shown.error());
     });
     connect(m_desk, &ReviewDesk::settled, this, &ReviewPage::showSettled);
+    connect(m_desk, &ReviewDesk::quantitiesChanged, this, [this] { m_column->range().setQuantities(m_desk->quantities()); });
+    connect(&m_column->range(), &RangeCard::fitChanged, m_desk, &ReviewDesk::setFit);
+    m_column->range().setQuantities(m_desk->quantities());
 }
 
 ReviewPage::~ReviewPage() = default;

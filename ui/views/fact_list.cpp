@@ -2,12 +2,14 @@
 #include "ui/views/fact_list.h"
 
 #include "ui/views/badge_label.h"
+#include "ui/views/explanation_dialog.h"
 #include "ui/views/theme.h"
 
 #include <QGridLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QScrollArea>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace odo {
@@ -21,6 +23,19 @@ void empty(QGridLayout *layout)
         delete item->widget();
         delete item;
     }
+}
+
+QToolButton *howButton(const Fact &fact, QWidget *parent)
+{
+    auto *button = new QToolButton(parent);
+    button->setText(QStringLiteral("?"));
+    button->setProperty("flat", true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setToolTip(howComputedWords());
+    button->setAccessibleName(QStringLiteral("%1: %2").arg(fact.name, howComputedWords()));
+    QObject::connect(button, &QToolButton::clicked, button,
+                     [button, how = *fact.how] { showExplanation(button->window(), how); });
+    return button;
 }
 
 } // namespace
@@ -55,7 +70,9 @@ void FactList::addRow(int row, const Fact &fact)
     }
     m_layout->addWidget(name, row, 0);
     const bool hasBadge = !fact.badge.text.isEmpty();
-    m_layout->addWidget(value, row, 1, 1, hasBadge ? 1 : 2);
+    m_layout->addWidget(value, row, 1, 1, hasBadge || fact.how ? 1 : 2);
+    if (fact.how)
+        m_layout->addWidget(howButton(fact, this), row, 2, Qt::AlignRight | Qt::AlignTop);
     if (hasBadge)
         m_layout->addWidget(new BadgeLabel(fact.badge, this), row, 2, Qt::AlignRight | Qt::AlignVCenter);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/models/badge.h"
+#include "ui/models/explanation.h"
 
 #include <QList>
 #include <QString>
@@ -18,9 +19,11 @@ struct Fact
     QString name;
     QString value;
     Badge badge;
+    std::optional<Explanation> how = {}; ///< a button shows it
 };
 
-/// Facts beneath one another, names on the left, values wrapping on the right. Plain text.
+/// Facts beneath one another, names on the left, values wrapping on the right, perhaps a button that tells
+/// how it was computed. Plain text.
 class FactList : public QWidget
 {
     Q_OBJECT

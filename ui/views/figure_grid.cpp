@@ -3,6 +3,8 @@
 
 #include "ui/views/theme.h"
 
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QStringList>
 
@@ -24,12 +26,91 @@ FigureGrid::FigureGrid(QWidget *parent) : QWidget(parent)
 void FigureGrid::setFigures(std::vector<NamedFigure> figures)
 {
     m_figures = std::move(figures);
+    m_current = 0;
     QStringList words;
     for (const NamedFigure &each : m_figures)
         words += QStringLiteral("%1: %2").arg(each.name, each.figure.text());
     setAccessibleDescription(words.join(QStringLiteral("; ")));
     updateGeometry();
     update();
+}
+
+void FigureGrid::setChoosable(const QString &toolTip)
+{
+    m_isChoosable = true;
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::PointingHandCursor);
+    setToolTip(toolTip);
+}
+
+QRect FigureGrid::cellOf(std::size_t figure) const
+{
+    const int row = static_cast<int>(figure) / columnCount, column = static_cast<int>(figure) % columnCount;
+    const int cellWidth = width() / columnCount;
+    return {column * cellWidth, row * rowHeight(), cellWidth, rowHeight()};
+}
+
+bool FigureGrid::wants(const QKeyEvent &event) const
+{
+    switch (event.key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+    case Qt::Key_Space:
+        return m_isChoosable && !m_figures.empty() && event.modifiers() == Qt::NoModifier;
+    default:
+        return false;
+    }
+}
+
+bool FigureGrid::event(QEvent *event)
+{
+    // Before the time line, whose keys some of these are.
+    if (event->type() == QEvent::ShortcutOverride && wants(*static_cast<QKeyEvent *>(event))) {
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void FigureGrid::keyPressEvent(QKeyEvent *event)
+{
+    if (!wants(*event)) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    const auto move = [this](int by) {
+        const int wanted = static_cast<int>(m_current) + by;
+        if (wanted >= 0 && wanted < static_cast<int>(m_figures.size()))
+            m_current = static_cast<std::size_t>(wanted);
+        update();
+    };
+    switch (event->key()) {
+    case Qt::Key_Left:
+        return move(-1);
+    case Qt::Key_Right:
+        return move(1);
+    case Qt::Key_Up:
+        return move(-columnCount);
+    case Qt::Key_Down:
+        return move(columnCount);
+    default:
+        Q_EMIT chosen(m_current);
+    }
+}
+
+void FigureGrid::mouseReleaseEvent(QMouseEvent *event)
+{
+    for (std::size_t i = 0; m_isChoosable && event->button() == Qt::LeftButton && i < m_figures.size(); ++i)
+        if (cellOf(i).contains(event->position().toPoint())) {
+            m_current = i;
+            update();
+            Q_EMIT chosen(i);
+            return;
+        }
 }
 
 int FigureGrid::rowCount() const
@@ -100,13 +181,15 @@ void FigureGrid::paintEvent(QPaintEvent *)
         return;
     }
     const int height = rowHeight(), columnWidth = width() / columnCount;
-    for (std::size_t i = 0; i < m_figures.size(); ++i) {
-        const int row = static_cast<int>(i) / columnCount, column = static_cast<int>(i) % columnCount;
-        paintFigure(painter, m_figures[i], QRect(column * columnWidth, row * height, columnWidth, height));
-    }
+    for (std::size_t i = 0; i < m_figures.size(); ++i)
+        paintFigure(painter, m_figures[i], cellOf(i));
     for (int row = 1; row < rowCount(); ++row)
         painter.fillRect(0, row * height, width(), 1, colours.border);
     painter.fillRect(columnWidth, 0, 1, rowCount() * height, colours.border);
+    if (hasFocus() && m_isChoosable) {
+        painter.setPen(QPen(colours.accent, 2));
+        painter.drawRect(cellOf(m_current).adjusted(2, 2, -2, -2));
+    }
 }
 
 } // namespace odo

@@ -15,18 +15,27 @@ struct NamedFigure
 };
 
 /// Large figures in two columns, divided by thin lines: name above, value large, unit and ± small beside it.
+/// If they can be chosen (setChoosable), a click on one does, or the arrow keys and Enter.
 class FigureGrid : public QWidget
 {
     Q_OBJECT
 public:
     explicit FigureGrid(QWidget *parent = nullptr);
     void setFigures(std::vector<NamedFigure> figures);
+    /// toolTip: what choosing a figure does.
+    void setChoosable(const QString &toolTip);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
+Q_SIGNALS:
+    void chosen(std::size_t figure);
+
 protected:
+    bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
 
 private:
     int rowCount() const;
@@ -35,7 +44,12 @@ private:
     QFont fittingFont(const QString &text, int width) const;
     void paintFigure(QPainter &painter, const NamedFigure &figure, const QRect &cell) const;
 
+    QRect cellOf(std::size_t figure) const;
+    bool wants(const QKeyEvent &event) const;
+
     std::vector<NamedFigure> m_figures;
+    std::size_t m_current = 0; ///< that Enter chooses
+    bool m_isChoosable = false;
 };
 
 } // namespace odo

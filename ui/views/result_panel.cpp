@@ -3,6 +3,7 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/models/metric_choice.h"
+#include "ui/views/explanation_dialog.h"
 #include "ui/views/figure_grid.h"
 
 #include <QComboBox>
@@ -24,6 +25,10 @@ ResultPanel::ResultPanel(QWidget *parent)
     m_robots->hide();
     addToHeader(m_robots);
     connect(m_robots, &QComboBox::currentIndexChanged, this, &ResultPanel::showRobot);
+    m_grid->setChoosable(howComputedWords());
+    connect(m_grid, &FigureGrid::chosen, this, [this](std::size_t figure) {
+        showExplanation(window(), explainMetric(*m_scene, m_robot, m_shown.at(figure)));
+    });
 }
 
 void ResultPanel::setScene(TrialScenePtr scene)
@@ -53,10 +58,11 @@ void ResultPanel::showRobot(int robot)
         remark += tr("robot \u201c%1\u201d").arg(QString::fromStdString(shown.robot.name));
     setRemark(remark.join(QStringLiteral(" \u00b7 ")));
     std::vector<NamedFigure> figures;
-    if (shown.analysis) {
-        for (const Metric &metric : tellingMetrics(shown.analysis->profile.metrics, shownFigures))
-            figures.push_back({metricName(metric.name), metricFigure(metric)});
-    }
+    m_robot = static_cast<std::size_t>(robot);
+    m_shown = shown.analysis ? tellingMetrics(shown.analysis->profile.metrics, shownFigures)
+                             : std::vector<Metric>();
+    for (const Metric &metric : m_shown)
+        figures.push_back({metricName(metric.name), metricFigure(metric)});
     m_grid->setFigures(std::move(figures));
 }
 

@@ -10,7 +10,8 @@ namespace odo {
 
 class FigureGrid;
 
-/// The figures of one robot's run, two in a row, each with its unit and ±.
+/// The figures of one robot's run, two in a row, each with its unit and ±. Choosing one tells how it was
+/// computed.
 class ResultPanel : public Card
 {
     Q_OBJECT
@@ -22,6 +23,8 @@ private:
     void showRobot(int robot);
 
     TrialScenePtr m_scene;
+    std::size_t m_robot = 0;
+    std::vector<Metric> m_shown;
     FigureGrid *m_grid;
     QComboBox *m_robots; ///< shown for more than one robot
 };

@@ -4,8 +4,10 @@
 #include "ui/models/spike_model.h"
 #include "ui/models/timeline.h"
 
+#include "ui/views/explanation_dialog.h"
 #include "ui/views/theme.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QHeaderView>
 #include <QPainter>
@@ -73,6 +75,14 @@ SpikeList::SpikeList(Timeline &timeline, QWidget *parent)
     m_table->horizontalHeader()->setSectionResizeMode(SpikeModel::ReasonColumn, QHeaderView::Stretch);
     m_table->horizontalHeader()->setSectionResizeMode(SpikeModel::StateColumn, QHeaderView::ResizeToContents);
     setContent(m_table);
+    auto *how = new QAction(howComputedWords(), this);
+    how->setObjectName(QStringLiteral("howComputed"));
+    how->setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_F1));
+    how->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    m_table->addAction(how);
+    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(how, &QAction::triggered, this, &SpikeList::explain);
+    connect(m_table, &QTableView::activated, this, &SpikeList::explain); // Enter or a double click
     applyColours();
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex &row) {
@@ -88,9 +98,24 @@ SpikeList::SpikeList(Timeline &timeline, QWidget *parent)
 
 void SpikeList::setScene(TrialScenePtr scene)
 {
+    m_scene = scene;
     m_model->setScene(std::move(scene));
     setRemark(m_model->summary());
     followTime();
+}
+
+void SpikeList::explain()
+{
+    const QModelIndex row = m_table->currentIndex();
+    if (!row.isValid())
+        return;
+    const auto robot = static_cast<std::size_t>(row.data(SpikeModel::RobotRole).toInt());
+    const qint64 sample = row.data(SpikeModel::SampleIndexRole).toLongLong();
+    for (const Spike &spike : m_scene->robots.at(robot).analysis->profile.spikes)
+        if (spike.sampleIndex == sample) {
+            showExplanation(window(), explainSpike(*m_scene, robot, spike));
+            return;
+        }
 }
 
 void SpikeList::changeEvent(QEvent *event)

@@ -12,7 +12,7 @@ class SpikeModel;
 class Timeline;
 
 /// The spikes with their reasons; choosing one moves the time there, and the time chooses the one it stands
-/// on.
+/// on. Enter, a double click or Shift+F1 tells how it was found.
 class SpikeList : public Card
 {
     Q_OBJECT
@@ -25,10 +25,12 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    void explain();
     void followTime();
     void applyColours();
 
     Timeline &m_timeline;
+    TrialScenePtr m_scene;
     SpikeModel *m_model;
     QTableView *m_table;
 };

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/explanation.h"
+
+#include "ui/models/figure_text.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <array>
+
+namespace odo {
+
+namespace {
+
+class Words
+{
+    Q_DECLARE_TR_FUNCTIONS(Explanation)
+};
+
+struct MetricWords
+{
+    const char *name, *formula, *uncertainty, *source;
+};
+
+const char *const ofTheCurve = QT_TRANSLATE_NOOP(
+    "Explanation", "that of the smoothed curve there, and the calibration's error of scale");
+
+constexpr const char *none = "";
+
+/// The formulas are those of core/trajectory/metrics.h and task_metrics.h.
+const std::array<MetricWords, 25> &metricWords()
+{
+    static const std::array<MetricWords, 25> words{{
+        {"duration",
+         QT_TRANSLATE_NOOP(
+             "Explanation",
+             "From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ "
+             "of the speed, for at least three frames; the moment between two frames is interpolated."),
+         QT_TRANSLATE_NOOP("Explanation", "of both moments: σ of the speed over its steepness there"), none},
+        {"path_length",
+         QT_TRANSLATE_NOOP("Explanation", "∫|v|dt while it moves, by the trapezoidal rule over the smoothed "
+                                          "speed. A gap that is not bridged counts as straight."),
+         QT_TRANSLATE_NOOP("Explanation", "of the ends' positions, of errors across the path where it turns, "
+                                          "and the calibration's error of scale"),
+         none},
+        {"mean_speed", QT_TRANSLATE_NOOP("Explanation", "path length / time"),
+         QT_TRANSLATE_NOOP("Explanation", "of both, taken as independent"), none},
+        {"max_speed",
+         QT_TRANSLATE_NOOP("Explanation", "The speed |v| of the smoothed curve where |v| − 2σ is largest, so "
+                                          "that a badly known point does not win by its error."),
+         ofTheCurve, none},
+        {"rms_speed", QT_TRANSLATE_NOOP("Explanation", "√(mean of |v|²) while it moves"),
+         QT_TRANSLATE_NOOP("Explanation",
+                           "the bound for errors that all go together, and the calibration's error of scale"),
+         none},
+        {"max_accel",
+         QT_TRANSLATE_NOOP("Explanation",
+                           "The acceleration |a| of the smoothed curve where |a| − 2σ is largest."),
+         ofTheCurve, none},
+        {"rms_accel", QT_TRANSLATE_NOOP("Explanation", "√(mean of |a|²) while it moves"),
+         QT_TRANSLATE_NOOP("Explanation",
+                           "the bound for errors that all go together, and the calibration's error of scale"),
+         none},
+        {"straightness",
+         QT_TRANSLATE_NOOP("Explanation",
+                           "distance from the first to the last place of the motion / path length"),
+         QT_TRANSLATE_NOOP("Explanation", "of the ends' positions"), none},
+        {"moving_time",
+         QT_TRANSLATE_NOOP("Explanation",
+                           "The time in which it moves: faster than 20 mm/s and than three σ of the speed."),
+         QT_TRANSLATE_NOOP("Explanation", "of each start and stop: σ of the speed over its steepness"), none},
+        {"stops",
+         QT_TRANSLATE_NOOP("Explanation",
+                           "The pauses between the onset of motion and the last stop, counted."),
+         none, none},
+        {"standing_time", QT_TRANSLATE_NOOP("Explanation", "time − time in motion"),
+         QT_TRANSLATE_NOOP("Explanation", "of each start and stop"), none},
+        {"median_speed",
+         QT_TRANSLATE_NOOP("Explanation", "The speed that half of the time in motion stays below."),
+         QT_TRANSLATE_NOOP("Explanation", "of the stretches within 1.5 σ of it, each by its mean"), none},
+        {"p95_speed",
+         QT_TRANSLATE_NOOP("Explanation", "The speed that 95 % of the time in motion stays below."),
+         QT_TRANSLATE_NOOP("Explanation", "of the stretches within 1.5 σ of it, each by its mean"), none},
+        {"p95_accel",
+         QT_TRANSLATE_NOOP("Explanation", "The acceleration that 95 % of the time in motion stays below."),
+         QT_TRANSLATE_NOOP("Explanation", "of the stretches within 1.5 σ of it, each by its mean"), none},
+        {"max_turn_rate",
+         QT_TRANSLATE_NOOP(
+             "Explanation",
+             "(vx·ay − vy·ax)/|v|² of the smoothed curve, either way, where it less 2σ is largest."),
+         QT_TRANSLATE_NOOP("Explanation", "σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order"), none},
+        {"circle_radius",
+         QT_TRANSLATE_NOOP("Explanation",
+                           "The circle with the least squared distances from the places of the motion."),
+         QT_TRANSLATE_NOOP("Explanation", "of the distances' scatter, neighbours counted as fewer by 1 + "
+                                          "2Σρ, and the calibration's error of scale"),
+         "Kåsa 1976; Gauss–Newton"},
+        {"gate_time",
+         QT_TRANSLATE_NOOP(
+             "Explanation",
+             "From passing the start gate to passing the finish, each interpolated between frames."),
+         QT_TRANSLATE_NOOP("Explanation",
+                           "of both passages: σ of the position across the gate over the speed"),
+         none},
+        {"laps",
+         QT_TRANSLATE_NOOP("Explanation", "Complete laps or runs, counted by the passages of the gates."),
+         none, none},
+        {"best_lap", QT_TRANSLATE_NOOP("Explanation", "The shortest lap."),
+         QT_TRANSLATE_NOOP("Explanation",
+                           "of its two passages; the calibration's error of a gate passed twice cancels"),
+         none},
+        {"mean_lap", QT_TRANSLATE_NOOP("Explanation", "The mean of the laps' times."),
+         QT_TRANSLATE_NOOP("Explanation", "of the first and the last passage, over the number of laps"),
+         none},
+        {"cross_track_mean",
+         QT_TRANSLATE_NOOP("Explanation", "The mean distance from the reference path, over the way."),
+         QT_TRANSLATE_NOOP("Explanation",
+                           "of the position across the path, and of its noise, which has no sign there"),
+         none},
+        {"cross_track_rms",
+         QT_TRANSLATE_NOOP("Explanation",
+                           "√(mean of the squared distance from the reference path), over the way"),
+         QT_TRANSLATE_NOOP("Explanation", "of the position across the path"), none},
+        {"cross_track_max", QT_TRANSLATE_NOOP("Explanation", "The largest distance from the reference path."),
+         QT_TRANSLATE_NOOP("Explanation", "of the position across the path, there"), none},
+        {"cross_track_bias",
+         QT_TRANSLATE_NOOP("Explanation",
+                           "The mean of the distance from the reference path, to the left positive."),
+         QT_TRANSLATE_NOOP("Explanation", "of the position across the path, mostly the calibration's"), none},
+        {"path_completed",
+         QT_TRANSLATE_NOOP("Explanation", "The share of the reference path that was followed."), none, none},
+    }};
+    return words;
+}
+
+QString smootherSource(Smoother smoother)
+{
+    switch (smoother) {
+    case Smoother::Rts:
+        return Words::tr("smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, "
+                         "Tung, Striebel 1965; Bar-Shalom et al. 2001)");
+    case Smoother::SavGol:
+        return Words::tr("smoothed by a cubic through eleven points (Savitzky and Golay 1964)");
+    case Smoother::Tracker:
+        return Words::tr("differences as in Tracker, positions not smoothed");
+    case Smoother::None:
+        break;
+    }
+    return Words::tr("raw differences (Park 2018, eq. 6 to 8), nothing smoothed");
+}
+
+QString viewNames(const TrialScene &scene)
+{
+    QStringList names;
+    for (const SceneView &view : scene.views)
+        if (view.floorView)
+            names << QString::fromStdString(view.camera);
+    return names.join(QStringLiteral(", "));
+}
+
+/// What a flag means: the words of SampleFlag.
+QStringList flagMeanings(SampleFlags flags)
+{
+    struct Meaning
+    {
+        SampleFlag flag;
+        QString words;
+    };
+    const std::array<Meaning, 9> meanings{{
+        {SampleFlag::Jump, Words::tr("Jump: the place is beyond what the motion before and after allows for "
+                                     "(χ² of two degrees of freedom, 99.9 %).")},
+        {SampleFlag::SpeedLimit,
+         Words::tr("Limit: to get there it had to be faster than the limit of the task or of the analysis.")},
+        {SampleFlag::AccelerationLimit, Words::tr("Limit: to get there it had to accelerate harder than the "
+                                                  "limit of the task or of the analysis.")},
+        {SampleFlag::ViewsDisagree, Words::tr("Views disagree: their places differ by more than their errors "
+                                              "and their usual disagreement explain (χ², 99.9 %).")},
+        {SampleFlag::LowScore, Words::tr("Low score: the tracker was not sure of what it saw.")},
+        {SampleFlag::Lost, Words::tr("Lost: no view found the robot.")},
+        {SampleFlag::DuplicateFrame,
+         Words::tr("Repeated picture: the camera gave the same picture twice, so its time is not known.")},
+        {SampleFlag::Interpolated, Words::tr("Bridged: the curve goes across without a measurement.")},
+        {SampleFlag::ByHand, Words::tr("By hand: a person judged it, over the analysis.")},
+    }};
+    QStringList words;
+    for (const Meaning &meaning : meanings)
+        if (hasFlag(flags, meaning.flag))
+            words << meaning.words;
+    return words;
+}
+
+} // namespace
+
+QString Explanation::text() const
+{
+    QStringList parts{value.isEmpty() ? what : what + QStringLiteral(": ") + value};
+    const auto add = [&parts](const QString &name, const QString &words) {
+        if (!words.isEmpty())
+            parts << QString() << name << words;
+    };
+    add(Words::tr("How it is computed"), formula);
+    add(Words::tr("What ± contains (one standard deviation)"), uncertainty);
+    add(Words::tr("What went into it"), inputs.join(u'\n'));
+    add(Words::tr("Source"), source);
+    return parts.join(u'\n');
+}
+
+QStringList analysisInputs(const TrialScene &scene, std::size_t robot)
+{
+    QStringList lines;
+    const SceneRobot &shown = scene.robots.at(robot);
+    lines << Words::tr("trial %1, robot %2")
+                 .arg(QString::fromStdString(scene.trial.name), QString::fromStdString(shown.robot.name));
+    if (!shown.analysis)
+        return lines;
+    const AnalysisRecord &analysis = *shown.analysis;
+    const auto &samples = analysis.profile.samples;
+    const auto used = std::count_if(samples.begin(), samples.end(), [](const Sample &sample) {
+        return sample.position && !isRejected(sample.flags);
+    });
+    lines << Words::tr("%1 of %2 samples used").arg(used).arg(samples.size());
+    lines << Words::tr("views: %1").arg(viewNames(scene));
+    lines << smootherSource(analysis.options.smoother);
+    lines << (analysis.profile.heightEstimated ? Words::tr("robot %1 high (estimated)")
+                                               : Words::tr("robot %1 high"))
+                 .arg(millimetresText(analysis.profile.heightM));
+    lines << Words::tr("analysis %1 by Odograph %2")
+                 .arg(analysis.id)
+                 .arg(QString::fromStdString(analysis.softwareVersion));
+    return lines;
+}
+
+Explanation explainMetric(const TrialScene &scene, std::size_t robot, const Metric &metric)
+{
+    Explanation explanation{
+        metricName(metric.name), metricFigure(metric).text(), {}, {}, analysisInputs(scene, robot), {}};
+    for (const MetricWords &words : metricWords())
+        if (metric.name == words.name) {
+            explanation.formula = Words::tr(words.formula);
+            if (metric.sigma && *words.uncertainty)
+                explanation.uncertainty = Words::tr(words.uncertainty);
+            explanation.source = QString::fromUtf8(words.source);
+        }
+    return explanation;
+}
+
+Explanation explainSpike(const TrialScene &scene, std::size_t robot, const Spike &spike)
+{
+    Explanation explanation{Words::tr("Spike at %1").arg(secondsText(spike.time)),
+                            QString::fromStdString(spike.reason),
+                            flagMeanings(spike.flags).join(u'\n'),
+                            {},
+                            analysisInputs(scene, robot),
+                            {}};
+    explanation.formula += u'\n';
+    explanation.formula += isRejected(spike.flags)
+                               ? Words::tr("The sample is kept, but not used for the curve.")
+                               : Words::tr("The sample is used for the curve nevertheless: what is wrong "
+                                           "with it was left out, or a person restored it.");
+    const auto index = static_cast<std::size_t>(spike.sampleIndex);
+    const Profile &profile = scene.robots.at(robot).analysis->profile;
+    if (index < profile.samples.size() && profile.samples[index].viewDisagreementM)
+        explanation.inputs.prepend(Words::tr("the views are %1 apart there")
+                                       .arg(millimetresText(*profile.samples[index].viewDisagreementM)));
+    return explanation;
+}
+
+} // namespace odo
