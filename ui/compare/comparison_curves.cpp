@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/compare/comparison_curves.h"
 
+#include "ui/models/shown_units.h"
+
 #include <algorithm>
 
 namespace odo {
@@ -45,10 +47,11 @@ DistanceCurve curveOf(const ComparisonScene &scene, std::size_t run, bool isNeve
 std::vector<DistanceCurve> speedCurves(const ComparisonScene &scene)
 {
     std::vector<DistanceCurve> curves;
+    const double perSi = shownUnits().speed.perSi;
     for (std::size_t run = 0; run < scene.runCount(); ++run)
         curves.push_back(curveOf(scene, run, true, [&](std::size_t station) -> std::optional<Difference> {
             const auto &at = scene.compared.comparison.runs[run].stations[station];
-            return at ? std::optional(Difference{at->speedMps, at->sigmaSpeedMps}) : std::nullopt;
+            return at ? std::optional(Difference{perSi * at->speedMps, perSi * at->sigmaSpeedMps}) : std::nullopt;
         }));
     return curves;
 }
@@ -67,7 +70,9 @@ std::optional<CurveValue> speedAt(const ComparisonScene &scene, std::size_t run,
 {
     const RunComparison &comparison = scene.compared.comparison;
     const auto arrival = comparison.runs[run].arrivals.at(comparison.originM + distanceM);
-    return arrival ? std::optional(CurveValue{arrival->speedMps, arrival->sigmaSpeedMps}) : std::nullopt;
+    const double perSi = shownUnits().speed.perSi;
+    return arrival ? std::optional(CurveValue{perSi * arrival->speedMps, perSi * arrival->sigmaSpeedMps})
+                   : std::nullopt;
 }
 
 std::optional<CurveValue> differenceAt(const ComparisonScene &scene, std::size_t run, double distanceM)

@@ -21,7 +21,7 @@ struct DistanceCurve
     std::vector<Stretch> stretches;
 };
 
-/// The speed of every run where it first came to each station, m/s.
+/// The speed of every run where it first came to each station, in the unit that is shown.
 std::vector<DistanceCurve> speedCurves(const ComparisonScene &scene);
 /// How much later each run but the first is, seconds; faint where that is within its error.
 std::vector<DistanceCurve> differenceCurves(const ComparisonScene &scene);

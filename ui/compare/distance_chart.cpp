@@ -2,6 +2,7 @@
 #include "ui/compare/distance_chart.h"
 
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_units.h"
 #include "ui/models/timeline.h"
 #include "ui/views/curve_painting.h"
 #include "ui/views/series_key.h"
@@ -18,7 +19,7 @@ namespace {
 
 QString unitOf(Compared what)
 {
-    return what == Compared::Speed ? QStringLiteral("m/s") : QStringLiteral("s");
+    return what == Compared::Speed ? shownUnits().speed.name : QStringLiteral("s");
 }
 
 } // namespace
@@ -81,7 +82,7 @@ void DistanceArea::paintCurve(QPainter &painter, const ChartPlot &plot, const Di
 void DistanceArea::paintStill(QPainter &painter) const
 {
     const ChartPlot shown = plot();
-    drawChartAxes(painter, shown, tr("%1 m"), font(), palette());
+    drawChartAxes(painter, shown, shownUnits().distance, font(), palette());
     painter.setClipRect(shown.rect);
     painter.setRenderHint(QPainter::Antialiasing, false);
     if (m_what == Compared::TimeDifference) { // neither is ahead on this line
@@ -193,7 +194,7 @@ void DistanceChart::setScene(ComparisonScenePtr scene)
         m_key->setNames(names);
     QString remark;
     if (scene && m_what == Compared::Speed)
-        remark = tr("m/s \u00b7 smoothed \u00b195 %");
+        remark = tr("%1 \u00b7 smoothed \u00b195 %").arg(shownUnits().speed.name);
     else if (scene)
         remark =
             scene->runCount() == 2

@@ -6,6 +6,7 @@
 #include "ui/main_window/recent_projects.h"
 #include "ui/main_window/transfer_actions.h"
 #include "ui/main_window/workspace.h"
+#include "ui/views/command_names.h"
 #include "ui/views/path_field.h"
 #include "ui/views/theme_icon.h"
 
@@ -50,6 +51,7 @@ FileActions::FileActions(Workspace &workspace, RecentProjects &recent, QWidget &
       m_copy(new QAction(tr("Save a &copy as…"), this)), m_quit(new QAction(tr("&Quit"), this)),
       m_transfer(new TransferActions(workspace, window))
 {
+    nameCommands({{m_new, "newProject"}, {m_open, "openProject"}, {m_demo, "demo"}, {m_copy, "saveCopy"}, {m_quit, "quit"}});
     m_new->setShortcut(QKeySequence::New);
     m_open->setShortcut(QKeySequence::Open);
     m_copy->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
@@ -137,7 +139,7 @@ void FileActions::askDemo()
         return;
     const QString folder = freeFolder(QDir(parent).filePath(tr("Odograph demo")));
     const auto make = [folder = pathOf(folder)](const JobControl &control) { return makeDemo(folder, control); };
-    tellFailure(m_workspace.makeAndOpen(make, tr("Making the demo lesson")));
+    tellFailure(m_workspace.makeAndOpen(make, tr("Making the demo lesson"), [this] { Q_EMIT demoOpened(); }));
 }
 
 void FileActions::askCopy()

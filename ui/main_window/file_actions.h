@@ -36,6 +36,7 @@ public:
 Q_SIGNALS:
     void failed(const odo::Error &error);
     void done(const QString &words);
+    void demoOpened();
 
 private:
     void askNew();

@@ -8,6 +8,7 @@
 #include "ui/history/changes_dialog.h"
 #include "ui/main_window/trial_batch.h"
 #include "ui/main_window/workspace.h"
+#include "ui/views/command_names.h"
 #include "ui/views/path_field.h"
 #include "ui/views/theme_icon.h"
 
@@ -23,6 +24,7 @@ HistoryActions::HistoryActions(Workspace &workspace, QWidget &window)
       m_roster(new QAction(themeIcon(QStringLiteral("import")), tr("Import &roster…"), this)),
       m_changes(new QAction(tr("&Changes of the project…"), this))
 {
+    nameCommands({{m_roster, "importRoster"}, {m_changes, "changes"}});
     connect(m_roster, &QAction::triggered, this, &HistoryActions::askRoster);
     connect(m_changes, &QAction::triggered, this, &HistoryActions::showChanges);
     connect(m_batch, &TrialBatch::ended, this, &HistoryActions::tellEnd);

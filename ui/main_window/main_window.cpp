@@ -5,11 +5,16 @@
 #include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/file_actions.h"
-#include "ui/main_window/help_dialogs.h"
+#include "ui/main_window/help/help_actions.h"
+#include "ui/main_window/help/help_panel.h"
+#include "ui/main_window/help/lesson_bar.h"
 #include "ui/main_window/history_actions.h"
 #include "ui/main_window/job_indicator.h"
 #include "ui/main_window/message_bar.h"
 #include "ui/main_window/mode_bar.h"
+#include "ui/main_window/preferences/command_keys.h"
+#include "ui/main_window/preferences/general_page.h"
+#include "ui/main_window/preferences/preferences_dialog.h"
 #include "ui/main_window/recent_projects.h"
 #include "ui/main_window/transfer_actions.h"
 #include "ui/main_window/trial_actions.h"
@@ -17,12 +22,15 @@
 #include "ui/main_window/view_actions.h"
 #include "ui/main_window/welcome_page.h"
 #include "ui/main_window/workspace.h"
+#include "ui/models/shown_units.h"
 #include "ui/models/timeline.h"
 #include "ui/record/record_page.h"
 #include "ui/review/review_desk.h"
 #include "ui/review/review_page.h"
+#include "ui/review/spike_actions.h"
 #include "ui/review/trial_chooser.h"
 #include "ui/testbed/testbed_page.h"
+#include "ui/views/command_names.h"
 #include "ui/views/path_field.h"
 
 #include <QCloseEvent>
@@ -46,11 +54,13 @@ MainWindow::MainWindow()
     : m_recent(new RecentProjects(this)), m_workspace(new Workspace(this)),
       m_files(new FileActions(*m_workspace, *m_recent, *this)),
       m_trials(new TrialActions(*m_workspace, *this)), m_many(new HistoryActions(*m_workspace, *this)),
-      m_undo(new UndoActions(*m_workspace, this)), m_views(new ViewActions(*this)),
+      m_undo(new UndoActions(*m_workspace, this)), m_views(new ViewActions(*this)), m_keys(new CommandKeys(this)),
+      m_helpPanel(new HelpPanel), m_help(new HelpActions(*m_keys, *m_helpPanel, *this)),
       m_modeBar(new ModeBar), m_messages(new MessageBar), m_stack(new QStackedWidget),
-      m_welcome(new WelcomePage(*m_files, *m_recent)), m_saved(new QLabel), m_analysis(new QLabel),
+      m_welcome(new WelcomePage(*m_files, *m_recent)), m_saved(new QLabel), m_analysis(new QLabel), m_units(new QLabel),
       m_job(new JobIndicator)
 {
+    GeneralPage::applySettings();
     setAcceptDrops(true);
     setContextMenuPolicy(Qt::NoContextMenu);
     resize(usualSize.boundedTo(screen()->availableSize()));
@@ -82,12 +92,14 @@ void MainWindow::makeCentre()
     right->setSpacing(0);
     right->addWidget(m_messages);
     right->addWidget(m_stack, 1);
+    right->addWidget(new LessonBar(m_help->lesson()));
     auto *centre = new QWidget;
     auto *layout = new QHBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_modeBar);
     layout->addLayout(right, 1);
+    layout->addWidget(m_helpPanel);
     setCentralWidget(centre);
 }
 
@@ -98,6 +110,11 @@ void MainWindow::makeMenus()
     m_undo->fillMenu(*edit);
     edit->addSeparator();
     m_many->fillMenu(*edit);
+    edit->addSeparator();
+    QAction *preferences = edit->addAction(tr("Pr&eferences…"), this, &MainWindow::showPreferences);
+    preferences->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Comma));
+    preferences->setMenuRole(QAction::PreferencesRole);
+    nameCommands({{preferences, "preferences"}});
     m_viewMenu = menuBar()->addMenu(tr("&View"));
     m_viewMenu->addActions(m_modeBar->modeActions());
     m_viewMenu->addSeparator();
@@ -106,24 +123,23 @@ void MainWindow::makeMenus()
     m_trialMenu = menuBar()->addMenu(tr("T&rial"));
     m_trials->fillMenu(*m_trialMenu);
     m_trialMenu->addSeparator();
+    m_spikeMenu = m_trialMenu->addMenu(tr("&Spikes"));
+    m_spikeMenu->setEnabled(false);
     m_recordMenu = m_trialMenu->addMenu(tr("Re&cord"));
     m_recordMenu->setEnabled(false);
     m_playMenu = m_trialMenu->addMenu(tr("&Play"));
     m_playMenu->setEnabled(false);
     m_toolsMenu = menuBar()->addMenu(tr("&Tools"));
     m_toolsMenu->setEnabled(false);
-    QMenu *help = menuBar()->addMenu(tr("&Help"));
-    QAction *keys = help->addAction(tr("&Keys"));
-    keys->setShortcut(QKeySequence(Qt::Key_F1));
-    connect(keys, &QAction::triggered, this, [this] { showKeys(*this); });
-    connect(help->addAction(tr("&About Odograph")), &QAction::triggered, this, [this] { showAbout(*this); });
+    m_help->fillMenu(*menuBar()->addMenu(tr("&Help")));
+    m_keys->adopt(*menuBar());
 }
 
 void MainWindow::makeStatusBar()
 {
-    auto *units = new QLabel(tr("mm · m/s · s"));
-    units->setToolTip(tr("Units: positions in millimetres, speeds in metres a second, times in seconds"));
-    for (QLabel *label : {m_saved, m_analysis, units}) {
+    m_units->setToolTip(tr("Units of lengths, speeds and times; to be chosen in the preferences"));
+    showUnits();
+    for (QLabel *label : {m_saved, m_analysis, m_units}) {
         label->setTextFormat(Qt::PlainText);
         label->setContentsMargins(8, 2, 8, 2);
     }
@@ -132,7 +148,13 @@ void MainWindow::makeStatusBar()
     statusBar()->addWidget(m_saved);
     statusBar()->addWidget(m_analysis);
     statusBar()->addPermanentWidget(m_job);
-    statusBar()->addPermanentWidget(units);
+    statusBar()->addPermanentWidget(m_units);
+}
+
+void MainWindow::showUnits()
+{
+    const ShownUnits &units = shownUnits();
+    m_units->setText(QStringLiteral("%1 \u00b7 %2 \u00b7 s").arg(units.length.name, units.speed.name));
 }
 
 void MainWindow::connectActions()
@@ -142,6 +164,8 @@ void MainWindow::connectActions()
         if (const Result<void> opened = openProject(pathOf(file)); !opened)
             tellFailure(opened.error());
     });
+    connect(m_files, &FileActions::demoOpened, m_help, &HelpActions::beginLesson);
+    connect(m_help, &HelpActions::demoWanted, m_files->demo(), &QAction::trigger);
     connect(m_files, &FileActions::failed, this, &MainWindow::tellFailure);
     connect(m_files, &FileActions::done, m_messages, &MessageBar::showDone);
     connect(m_trials, &TrialActions::failed, this, &MainWindow::tellFailure);
@@ -187,6 +211,8 @@ void MainWindow::closePages()
     if (!m_pages)
         return;
     m_views->setDesk(nullptr);
+    m_help->setPages(nullptr);
+    m_spikeMenu->clear();
     m_playMenu->clear();
     m_recordMenu->clear();
     m_toolsMenu->clear();
@@ -216,6 +242,7 @@ void MainWindow::connectPages()
     connect(review, &ReviewPage::trialShown, this, &MainWindow::showTitle);
     connect(review, &ReviewPage::importRequested, m_trials, [this] { m_trials->askImport(); });
     connect(review, &ReviewPage::trackRequested, m_trials, &TrialActions::askTrack);
+    connect(&review->spikes(), &SpikeActions::said, m_trials, &TrialActions::overrule);
     connect(&m_pages->compare(), &ComparePage::importRequested, m_trials, [this] { m_trials->askImport(); });
     connect(&m_pages->history(), &HistoryPage::exportRequested, m_many, &HistoryActions::exportTrials);
     connect(&m_pages->history(), &HistoryPage::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
@@ -226,6 +253,8 @@ void MainWindow::fillMenus()
     const ReviewPage &review = m_pages->review();
     m_trialMenu->insertActions(m_playMenu->menuAction(),
                                {review.chooser().previousAction(), review.chooser().nextAction()});
+    m_spikeMenu->addActions(review.spikes().actions());
+    m_spikeMenu->setEnabled(true);
     m_recordMenu->addActions(m_pages->record().actions());
     m_recordMenu->setEnabled(true);
     m_toolsMenu->addActions(m_pages->testbed().toolActions());
@@ -234,12 +263,41 @@ void MainWindow::fillMenus()
     m_playMenu->setEnabled(true);
     m_viewMenu->addAction(m_pages->history().pseudonyms()); // goes with the page
     m_views->setDesk(&review.desk());
+    m_help->setPages(m_pages.get());
+    m_keys->adopt(*menuBar());
 }
 
 void MainWindow::refreshPages()
 {
     if (m_pages)
         m_pages->refresh();
+}
+
+void MainWindow::showPreferences()
+{
+    PreferencesDialog dialog(*m_keys, m_views->theme(), this);
+    connect(&dialog, &PreferencesDialog::themeChosen, m_views, &ViewActions::chooseTheme);
+    connect(&dialog, &PreferencesDialog::lookChanged, this, &MainWindow::remakePages);
+    dialog.exec();
+}
+
+/// Pages hold what they show in the units and colours of when they were made.
+void MainWindow::remakePages()
+{
+    showUnits();
+    if (!m_pages)
+        return;
+    if (m_pages->record().isRecording()) {
+        m_messages->showDone(tr("The pages follow when the project is opened again, for a recording goes on."));
+        return;
+    }
+    const Mode mode = m_pages->mode();
+    const QString trial = m_pages->review().trial();
+    closePages();
+    makePages();
+    if (!trial.isEmpty())
+        openTrial(trial);
+    showMode(mode);
 }
 
 void MainWindow::openTrial(const QString &trial)

@@ -13,7 +13,10 @@ class QStackedWidget;
 
 namespace odo {
 
+class CommandKeys;
 class FileActions;
+class HelpActions;
+class HelpPanel;
 class HistoryActions;
 class JobIndicator;
 class MessageBar;
@@ -62,6 +65,7 @@ private:
     void makeCentre();
     void makeMenus();
     void makeStatusBar();
+    void showUnits();
     void connectActions();
     void connectJobs();
     void closePages();
@@ -69,6 +73,8 @@ private:
     void connectPages();
     void fillMenus();
     void refreshPages();
+    void showPreferences();
+    void remakePages();
     void openTrial(const QString &trial);
     void showTitle();
     void showState();
@@ -81,13 +87,16 @@ private:
     HistoryActions *m_many;
     UndoActions *m_undo;
     ViewActions *m_views;
+    CommandKeys *m_keys;
+    HelpPanel *m_helpPanel;
+    HelpActions *m_help;
     ModeBar *m_modeBar;
     MessageBar *m_messages;
     QStackedWidget *m_stack;
     WelcomePage *m_welcome;
     std::unique_ptr<ProjectPages> m_pages; ///< null: no project is open
-    QMenu *m_viewMenu = nullptr, *m_toolsMenu = nullptr, *m_trialMenu = nullptr, *m_recordMenu = nullptr, *m_playMenu = nullptr;
-    QLabel *m_saved, *m_analysis;
+    QMenu *m_viewMenu = nullptr, *m_toolsMenu = nullptr, *m_trialMenu = nullptr, *m_spikeMenu = nullptr, *m_recordMenu = nullptr, *m_playMenu = nullptr;
+    QLabel *m_saved, *m_analysis, *m_units;
     JobIndicator *m_job;
 };
 

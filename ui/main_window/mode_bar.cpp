@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/mode_bar.h"
 
+#include "ui/views/command_names.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
@@ -31,6 +32,7 @@ void ModeBar::addMode(const QString &icon, const QString &name)
 {
     const int mode = static_cast<int>(m_group->actions().size());
     auto *action = new QAction(themeIcon(icon, iconColour), name, m_group);
+    nameCommands({{action, icon.toLatin1().constData()}});
     action->setCheckable(true);
     action->setIconVisibleInMenu(false); // it is drawn for the dark bar
     action->setData(mode);

@@ -134,6 +134,7 @@ void ProjectPages::show(Mode mode)
 {
     const QString trial = m_review->trial();
     QWidget *page = m_pages.at(static_cast<std::size_t>(mode));
+    m_mode = mode;
     read(page);
     if (mode == Mode::Compare)
         m_compare->suggestTrial(trial);

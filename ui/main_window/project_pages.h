@@ -42,6 +42,7 @@ public:
     HistoryPage &history() const { return *m_history; }
 
     void show(Mode mode);
+    Mode mode() const { return m_mode; } ///< that was shown last
     /// As MainWindow's.
     Result<void> showTrial(const std::string &name);
     Result<void> compareTrials(const QStringList &names);
@@ -78,6 +79,7 @@ private:
     ComparePage *m_compare;
     HistoryPage *m_history;
     std::array<QWidget *, 5> m_pages; ///< in the order of the modes
+    Mode m_mode = Mode::Review;
     std::set<QWidget *> m_stale;
 };
 

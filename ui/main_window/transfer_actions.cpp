@@ -5,6 +5,7 @@
 #include "core/workflow/pack_job.h"
 #include "core/workflow/relink_job.h"
 #include "ui/main_window/workspace.h"
+#include "ui/views/command_names.h"
 #include "ui/views/path_field.h"
 
 #include <QAction>
@@ -21,6 +22,7 @@ TransferActions::TransferActions(Workspace &workspace, QWidget &window)
       m_unpack(new QAction(tr("&Unpack a packed project…"), this)),
       m_relink(new QAction(tr("Find &lost videos…"), this))
 {
+    nameCommands({{m_pack, "pack"}, {m_unpack, "unpack"}, {m_relink, "relink"}});
     m_pack->setEnabled(false);
     m_relink->setEnabled(false);
     connect(m_pack, &QAction::triggered, this, &TransferActions::askPack);

@@ -14,6 +14,7 @@
 #include "ui/main_window/workspace.h"
 #include "ui/models/camera_list_model.h"
 #include "ui/models/figure_text.h"
+#include "ui/views/command_names.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
@@ -95,6 +96,7 @@ TrialActions::TrialActions(Workspace &workspace, QWidget &window)
       m_export(new QAction(themeIcon(QStringLiteral("export")), tr("&Export…"), this)),
       m_addRobot(new QAction(themeIcon(QStringLiteral("add")), tr("Add &robot…"), this))
 {
+    nameCommands({{m_import, "import"}, {m_track, "track"}, {m_export, "export"}, {m_addRobot, "addRobot"}});
     m_import->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_I));
     m_track->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
     connect(m_import, &QAction::triggered, this, [this] { askImport(); });
@@ -183,6 +185,27 @@ void TrialActions::askTrack(const QString &trial)
     const Result<void> started = m_workspace.start(job, tr("Tracking %1").arg(trial), [this, job] {
         Q_EMIT trialTracked(QString::fromStdString(job->outcome().trial));
         Q_EMIT done(trackedWords(job->outcome()));
+    });
+    if (!started)
+        Q_EMIT failed(started.error());
+}
+
+void TrialActions::overrule(const OverruleRequest &word)
+{
+    if (m_workspace.isReadOnly()) {
+        Q_EMIT failed(fail(ErrorCode::InvalidInput, tr("the sample").toStdString(),
+                           tr("this project can only be read").toStdString(),
+                           tr("save a copy and work on that").toStdString())
+                          .value());
+        return;
+    }
+    const auto job = std::make_shared<OverruleJob>(word);
+    const QString trial = QString::fromStdString(word.trial);
+    const Result<void> started = m_workspace.start(job, tr("Measuring %1 again").arg(trial), [this, job, trial] {
+        const QString time = secondsText(job->outcome().time);
+        Q_EMIT done(isRejected(job->outcome().flags)
+                        ? tr("The sample at %1 of %2 is not used. Undo takes it back.").arg(time, trial)
+                        : tr("The sample at %1 of %2 is used. Undo takes it back.").arg(time, trial));
     });
     if (!started)
         Q_EMIT failed(started.error());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/workflow/overrule_job.h"
 
 #include <QObject>
 #include <QStringList>
@@ -26,6 +27,8 @@ public:
     void setCurrentTrial(const QString &name);
     void askImport(const QStringList &videos = {});
     void askTrack(const QString &trial);
+    /// Stores a person's word on a sample and analyses the trial again.
+    void overrule(const OverruleRequest &word);
 
 Q_SIGNALS:
     void failed(const odo::Error &error);

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "ui/main_window/workspace.h"
+#include "ui/views/command_names.h"
 
 #include <QAction>
 #include <QMenu>
@@ -24,12 +25,14 @@ QString inMenu(QString words)
 UndoActions::UndoActions(Workspace &workspace, QObject *parent)
     : QObject(parent), m_workspace(workspace), m_undo(new QAction(this)), m_redo(new QAction(this))
 {
+    nameCommands({{m_undo, "undo"}, {m_redo, "redo"}});
     m_undo->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
     m_redo->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     connect(m_undo, &QAction::triggered, this, [this] { apply(&Project::undo, tr("Undone: %1.")); });
     connect(m_redo, &QAction::triggered, this, [this] { apply(&Project::redo, tr("Made again: %1.")); });
-    showWords();
+    m_undo->setText(tr("&Undo"));
+    m_redo->setText(tr("&Redo"));
 }
 
 void UndoActions::fillMenu(QMenu &menu)

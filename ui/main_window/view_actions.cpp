@@ -2,6 +2,7 @@
 #include "ui/main_window/view_actions.h"
 
 #include "ui/review/review_desk.h"
+#include "ui/views/command_names.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -30,6 +31,7 @@ ViewActions::ViewActions(QMainWindow &window)
     addTheme(Theme::System, tr("Colours of the &desktop"));
     addTheme(Theme::Light, tr("&Light"));
     addTheme(Theme::Dark, tr("Da&rk"));
+    nameCommands({{m_fullScreen, "fullScreen"}, {m_resetLayout, "resetLayout"}});
     m_fullScreen->setShortcut(QKeySequence(Qt::Key_F11));
     m_fullScreen->setCheckable(true);
     connect(m_fullScreen, &QAction::toggled, this,
@@ -62,6 +64,7 @@ void ViewActions::setDesk(ReviewDesk *desk)
 void ViewActions::chooseTheme(Theme theme)
 {
     m_theme = theme;
+    m_themes->actions().at(static_cast<int>(theme))->setChecked(true);
     QSettings().setValue(themeKey, themeName(theme));
     applyAppearance(*qApp, theme);
 }

@@ -26,9 +26,10 @@ public:
     void setDesk(ReviewDesk *desk);
     /// The desktop may have changed its own theme.
     void followDesktop();
+    Theme theme() const { return m_theme; }
+    void chooseTheme(odo::Theme theme);
 
 private:
-    void chooseTheme(Theme theme);
 
     QMainWindow &m_window;
     ReviewDesk *m_desk = nullptr;

@@ -15,7 +15,7 @@ Badge registrationBadge(const std::optional<FloorRegistration> &registration)
         return {QCoreApplication::translate("odo::Badge", "not registered"), BadgeState::Bad};
     // Markers may fit by chance, and closely under a lens that is hardly known: the worse of the two counts.
     const double worseM = std::max(registration->rmsM, registration->floorSigmaM);
-    const QString text = QChar(0x00b1) + millimetresText(worseM);
+    const QString text = QChar(0x00b1) + lengthText(worseM);
     if (worseM <= goodBelowM)
         return {text, BadgeState::Good};
     return {text, worseM < badFromM ? BadgeState::Warning : BadgeState::Bad};
@@ -29,9 +29,9 @@ Badge cameraBadge(const std::optional<RegistrationRecord> &registration)
         const RegistrationCheck &check = *registration->lastCheck;
         switch (check.outcome) {
         case RegistrationCheck::Outcome::CameraMoved:
-            return {QCoreApplication::translate("odo::Badge", "moved %1").arg(millimetresText(check.shiftM)), BadgeState::Bad};
+            return {QCoreApplication::translate("odo::Badge", "moved %1").arg(lengthText(check.shiftM)), BadgeState::Bad};
         case RegistrationCheck::Outcome::MarkersMoved:
-            return {QCoreApplication::translate("odo::Badge", "marker moved %1").arg(millimetresText(check.shiftM)), BadgeState::Warning};
+            return {QCoreApplication::translate("odo::Badge", "marker moved %1").arg(lengthText(check.shiftM)), BadgeState::Warning};
         case RegistrationCheck::Outcome::NotTold:
             return {QCoreApplication::translate("odo::Badge", "markers not found"), BadgeState::Warning};
         case RegistrationCheck::Outcome::Still:

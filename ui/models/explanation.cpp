@@ -222,7 +222,7 @@ QStringList analysisInputs(const TrialScene &scene, std::size_t robot)
     lines << smootherSource(analysis.options.smoother);
     lines << (analysis.profile.heightEstimated ? Words::tr("robot %1 high (estimated)")
                                                : Words::tr("robot %1 high"))
-                 .arg(millimetresText(analysis.profile.heightM));
+                 .arg(lengthText(analysis.profile.heightM));
     lines << Words::tr("analysis %1 by Odograph %2")
                  .arg(analysis.id)
                  .arg(QString::fromStdString(analysis.softwareVersion));
@@ -260,7 +260,7 @@ Explanation explainSpike(const TrialScene &scene, std::size_t robot, const Spike
     const Profile &profile = scene.robots.at(robot).analysis->profile;
     if (index < profile.samples.size() && profile.samples[index].viewDisagreementM)
         explanation.inputs.prepend(Words::tr("the views are %1 apart there")
-                                       .arg(millimetresText(*profile.samples[index].viewDisagreementM)));
+                                       .arg(lengthText(*profile.samples[index].viewDisagreementM)));
     return explanation;
 }
 

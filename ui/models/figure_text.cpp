@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/figure_text.h"
 
+#include "ui/models/shown_units.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 #include <array>
@@ -41,6 +43,25 @@ QString rounded(double value, int decimals, const QLocale &locale)
     QLocale plain = locale;
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
     return plain.toString(result, 'f', std::clamp(decimals, 0, mostDecimals));
+}
+
+/// What a metric's unit is shown in; nullopt: itself.
+std::optional<ShownUnit> shownUnitOf(const std::string &unit)
+{
+    const ShownUnits &units = shownUnits();
+    if (unit == "m")
+        return units.distance;
+    if (unit == "mm")
+        return ShownUnit{units.length.name, fromMillimetres(units.length.perSi)};
+    if (unit == "m/s")
+        return units.speed;
+    return unit == "m/s\u00b2" ? std::optional(units.acceleration) : std::nullopt;
+}
+
+FigureText shownFigure(double value, std::optional<double> sigma, const ShownUnit &unit, const QLocale &locale)
+{
+    return figureText(value * unit.perSi, sigma ? std::optional(*sigma * unit.perSi) : std::nullopt, unit.name,
+                      locale);
 }
 
 } // namespace
@@ -89,6 +110,8 @@ FigureText metricFigure(const Metric &metric, const QLocale &locale)
     }
     if (metric.name == "path_completed")
         return figureText(100 * metric.value, std::nullopt, QStringLiteral("%"), locale);
+    if (const auto unit = shownUnitOf(metric.unit))
+        return shownFigure(metric.value, metric.sigma, *unit, locale);
     const QString unit = metric.unit == "1" ? QString() : QString::fromStdString(metric.unit);
     return figureText(metric.value, metric.sigma, unit, locale);
 }
@@ -152,12 +175,26 @@ QString secondsText(Nanoseconds time, const QLocale &locale)
     return rounded(toSeconds(time), 2, locale) + QStringLiteral("\u00a0s");
 }
 
-QString millimetresText(double metres, const QLocale &locale)
+QString lengthText(double metres, const QLocale &locale)
 {
-    const double millimetres = toMillimetres(metres);
-    if (!std::isfinite(millimetres))
+    const ShownUnit &unit = shownUnits().length;
+    if (!std::isfinite(metres))
         return QStringLiteral("\u2013");
-    return rounded(millimetres, std::abs(millimetres) < 100 ? 1 : 0, locale) + QStringLiteral("\u00a0mm");
+    constexpr double finestM = 0.0001; // 0.1 mm
+    const int most = std::max(0, int(std::ceil(-std::log10(finestM * unit.perSi) - 0.5)));
+    const int decimals = std::max(0, std::abs(metres) < 0.1 ? most : most - 1);
+    return rounded(metres * unit.perSi, decimals, locale) + QChar(u'\u00a0') + unit.name;
+}
+
+QString distanceText(double metres, const QLocale &locale)
+{
+    const ShownUnit &unit = shownUnits().distance;
+    return rounded(metres * unit.perSi, unit.perSi < 100 ? 2 : 0, locale) + QChar(u'\u00a0') + unit.name;
+}
+
+QString speedText(double metresPerSecond, std::optional<double> sigma, const QLocale &locale)
+{
+    return shownFigure(metresPerSecond, sigma, shownUnits().speed, locale).text();
 }
 
 } // namespace odo

@@ -27,7 +27,7 @@ struct FigureText
 FigureText figureText(double value, std::optional<double> sigma, const QString &unit,
                       const QLocale &locale = QLocale());
 
-/// The figure of a metric, in the unit that it is named in.
+/// The figure of a metric, in the units that are shown (shown_units.h).
 FigureText metricFigure(const Metric &metric, const QLocale &locale = QLocale());
 /// "max_speed" → "Top speed"; a name that is not known is made readable.
 QString metricName(const std::string &name);
@@ -36,7 +36,11 @@ QString metricName(const std::string &name);
 QString timeCode(Nanoseconds time);
 /// "3.27 s"
 QString secondsText(Nanoseconds time, const QLocale &locale = QLocale());
-/// "1.6 mm"; from 100 mm on without decimals
-QString millimetresText(double metres, const QLocale &locale = QLocale());
+/// An error or a height: "1.6 mm"; from 100 mm on without decimals. In the unit that is shown.
+QString lengthText(double metres, const QLocale &locale = QLocale());
+/// A place or a way, to about a centimetre: "1.23 m"; in the unit that is shown.
+QString distanceText(double metres, const QLocale &locale = QLocale());
+/// "1.83 ±0.02 m/s"; in the unit that is shown.
+QString speedText(double metresPerSecond, std::optional<double> sigma, const QLocale &locale = QLocale());
 
 } // namespace odo

@@ -4,6 +4,7 @@
 #include "ui/models/figure_text.h"
 
 #include <QStringList>
+#include <algorithm>
 
 namespace odo {
 
@@ -24,10 +25,23 @@ void SpikeModel::setScene(TrialScenePtr scene)
             const bool restored = hasFlag(spike.flags, SampleFlag::ByHand) && (spike.flags & ~beside) == 0;
             m_rows.push_back({static_cast<int>(robot), spike, restored});
         }
+        addUsedByHand(static_cast<int>(robot), analysis->profile);
     }
     std::stable_sort(m_rows.begin(), m_rows.end(),
                      [](const Row &a, const Row &b) { return a.spike.time < b.spike.time; });
     endResetModel();
+}
+
+/// Those that are no spikes any more because a person said so.
+void SpikeModel::addUsedByHand(int robot, const Profile &profile)
+{
+    for (std::size_t i = 0; i < profile.samples.size(); ++i) {
+        const auto index = static_cast<std::int64_t>(i);
+        const Sample &sample = profile.samples[i];
+        const bool isListed = std::ranges::find(profile.spikes, index, &Spike::sampleIndex) != profile.spikes.end();
+        if (hasFlag(sample.flags, SampleFlag::ByHand) && !isRejected(sample.flags) && !isListed)
+            m_rows.push_back({robot, {index, sample.time, sample.flags, {}}, true});
+    }
 }
 
 QString SpikeModel::summary() const
@@ -58,6 +72,8 @@ QVariant SpikeModel::display(const Row &row, int column) const
         return secondsText(row.spike.time);
     case ReasonColumn: {
         const QString reason = QString::fromStdString(row.spike.reason);
+        if (reason.isEmpty())
+            return tr("used, by hand");
         return row.restored ? tr("%1 (restored by hand)").arg(reason) : reason;
     }
     case StateColumn:

@@ -39,6 +39,7 @@ private:
         Spike spike;
         bool restored;
     };
+    void addUsedByHand(int robot, const Profile &profile);
     QVariant display(const Row &row, int column) const;
 
     TrialScenePtr m_scene;

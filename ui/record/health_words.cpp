@@ -57,11 +57,10 @@ Fact robotFact(const SeenRobot &robot)
     if (!robot.now || !robot.now->point.valid)
         return {name, Words::tr("not seen"), {Words::tr("unseen"), BadgeState::Warning}};
     const ProfilePoint &point = robot.now->point;
-    const QLocale locale;
     const QString place =
-        Words::tr("x %1 m, y %2 m, %3")
-            .arg(locale.toString(point.position.x(), 'f', 2), locale.toString(point.position.y(), 'f', 2),
-                 figureText(point.speedMps, point.sigmaSpeedMps, QStringLiteral("m/s")).text());
+        Words::tr("x %1, y %2, %3")
+            .arg(distanceText(point.position.x()), distanceText(point.position.y()),
+                 speedText(point.speedMps, point.sigmaSpeedMps));
     if (std::popcount(robot.now->sample.views) == 1)
         return {name, place + Words::tr("; one camera sees it"), {Words::tr("seen"), BadgeState::Neutral}};
     return {name, place, {Words::tr("seen"), BadgeState::Good}};

@@ -13,6 +13,7 @@
 #include "ui/record/run_recorder.h"
 #include "ui/record/start_card.h"
 #include "ui/record/trouble_bar.h"
+#include "ui/views/command_names.h"
 #include "ui/views/empty_state.h"
 #include "ui/views/theme_icon.h"
 
@@ -98,6 +99,7 @@ void RecordPage::makeActions()
     doctor->setIconText(tr("Doctor…"));
     doctor->setToolTip(tr("Look for what makes cameras lose pictures, or measure wrongly, with advice"));
     connect(doctor, &QAction::triggered, this, &RecordPage::examine);
+    nameCommands({{cameras, "chooseCameras"}, {doctor, "doctor"}});
     m_actions = {m_start->action(), cameras, doctor};
     addAction(m_start->action());
 }

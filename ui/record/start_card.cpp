@@ -2,6 +2,7 @@
 #include "ui/record/start_card.h"
 
 #include "ui/models/figure_text.h"
+#include "ui/views/command_names.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
@@ -48,6 +49,7 @@ StartCard::StartCard(QWidget *parent)
     layout->addWidget(m_words);
     setContent(content);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    nameCommands({{m_action, "recordOrStop"}});
     m_action->setShortcut(QKeySequence(Qt::Key_F9));
     connect(m_action, &QAction::triggered, this, &StartCard::pressed);
     connect(m_button, &QPushButton::clicked, this, &StartCard::pressed);

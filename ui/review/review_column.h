@@ -25,6 +25,8 @@ public:
     void setScene(TrialScenePtr scene);
     RangeCard &range() const { return *m_range; }
 
+    SpikeList &spikes() const { return *m_spikes; }
+
 Q_SIGNALS:
     void trackRequested();
 

@@ -8,9 +8,11 @@
 #include "ui/review/range_card.h"
 #include "ui/review/review_column.h"
 #include "ui/review/review_desk.h"
+#include "ui/review/spike_actions.h"
 #include "ui/review/trial_chooser.h"
 #include "ui/views/empty_state.h"
 #include "ui/views/page_keys.h"
+#include "ui/views/spike_list.h"
 #include "ui/views/theme_icon.h"
 #include "ui/views/timeline_bar.h"
 
@@ -43,7 +45,7 @@ struct ReviewPage::Reading
 
 ReviewPage::ReviewPage(Project &project, QWidget *parent)
     : QWidget(parent), m_project(project), m_reader(new ProjectReader(project.file(), this)),
-      m_timeline(new Timeline(this)), m_chooser(new TrialChooser),
+      m_timeline(new Timeline(this)), m_spikes(new SpikeActions(*m_timeline, this)), m_chooser(new TrialChooser),
       m_desk(new ReviewDesk(*m_timeline)), m_timelineBar(new TimelineBar(*m_timeline)),
       m_column(new ReviewColumn(*m_timeline, m_chooser)),
       m_empty(new EmptyState(
@@ -69,7 +71,9 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_stack);
 
-    for (QAction *action : m_timeline->actions() + m_desk->chartActions()) {
+    m_column->spikes().setActions(m_spikes->actions());
+    connect(&m_column->spikes(), &SpikeList::robotChosen, m_spikes, &SpikeActions::setRobot);
+    for (QAction *action : m_timeline->actions() + m_desk->chartActions() + m_spikes->actions()) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         addAction(action);
     }
@@ -178,6 +182,7 @@ void ReviewPage::adopt(TrialScenePtr scene)
     }
     m_desk->setScene(m_scene);
     m_timelineBar->setScene(m_scene);
+    m_spikes->setScene(m_scene);
     m_column->setScene(m_scene);
     m_chooser->setCurrent(trial());
     m_stack->setCurrentIndex(m_scene ? 0 : 1);

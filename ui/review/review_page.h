@@ -15,6 +15,7 @@ class Project;
 class ProjectReader;
 class ReviewColumn;
 class ReviewDesk;
+class SpikeActions;
 class Timeline;
 class TimelineBar;
 class TrialChooser;
@@ -41,6 +42,7 @@ public:
     TrialScenePtr scene() const { return m_scene; }
     Timeline &timeline() const { return *m_timeline; }
     TrialChooser &chooser() const { return *m_chooser; }
+    SpikeActions &spikes() const { return *m_spikes; }
     ReviewDesk &desk() const { return *m_desk; }
     /// The trial is read, and every picture that belongs to the present time is on screen, or cannot be had.
     bool isSettled() const;
@@ -70,6 +72,7 @@ private:
     QString m_chosen; ///< to be shown instead; empty: none
     bool m_isListStale = false;
     Timeline *m_timeline;
+    SpikeActions *m_spikes;
     TrialChooser *m_chooser;
     ReviewDesk *m_desk;
     TimelineBar *m_timelineBar;

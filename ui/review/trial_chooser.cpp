@@ -2,6 +2,7 @@
 #include "ui/review/trial_chooser.h"
 
 #include "ui/models/name_list_model.h"
+#include "ui/views/command_names.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
@@ -32,6 +33,7 @@ TrialChooser::TrialChooser(QWidget *parent)
     m_trials->setAccessibleName(tr("Trial"));
     m_trials->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_trials->setMinimumContentsLength(8);
+    nameCommands({{m_previous, "previousTrial"}, {m_next, "nextTrial"}});
     m_previous->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
     m_next->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageDown));
     auto *layout = new QHBoxLayout(this);

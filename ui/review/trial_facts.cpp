@@ -24,7 +24,7 @@ QString robotText(const SceneRobot &robot)
     const QString name = QString::fromStdString(robot.robot.name);
     if (!robot.analysis)
         return name;
-    const QString height = millimetresText(robot.analysis->profile.heightM);
+    const QString height = lengthText(robot.analysis->profile.heightM);
     return robot.analysis->profile.heightEstimated ? Words::tr("%1, %2 high (estimated)").arg(name, height)
                                                    : Words::tr("%1, %2 high").arg(name, height);
 }

@@ -81,7 +81,7 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
     QStringList errors;
     for (const MarkerError &marker : registration.markers)
         errors << QStringLiteral("%1 %2").arg(QString::fromStdString(marker.label),
-                                              millimetresText(marker.errorM));
+                                              lengthText(marker.errorM));
     facts.append({Words::tr("Markers"), errors.join(QStringLiteral(", ")), {}});
     if (!registration.verdict.empty())
         facts.append({Words::tr("Verdict"), QString::fromStdString(registration.verdict), {}});

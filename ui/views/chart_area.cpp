@@ -2,6 +2,7 @@
 #include "ui/views/chart_area.h"
 
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_units.h"
 #include "ui/models/timeline.h"
 #include "ui/views/chart_span.h"
 #include "ui/views/curve_painting.h"
@@ -90,7 +91,8 @@ ChartArea::RobotCurves ChartArea::curvesOf(std::size_t robot) const
             continue;
         const auto measured = measuredSpeed(profile, index);
         if (measured || profile.points[index].valid)
-            curves.spikes.append({places[index], measured ? *measured : profile.points[index].speedMps});
+            curves.spikes.append({places[index], curveFactor(Quantity::Speed) *
+                                                     (measured ? *measured : profile.points[index].speedMps)});
     }
     return curves;
 }
@@ -136,8 +138,8 @@ void ChartArea::drawSpikes(QPainter &painter) const
 
 void ChartArea::drawStill(QPainter &painter) const
 {
-    drawChartAxes(painter, plot(), m_span.against() == ChartSpan::Against::Time ? tr("%1 s") : tr("%1 m"),
-                  font(), palette());
+    const bool isTime = m_span.against() == ChartSpan::Against::Time;
+    drawChartAxes(painter, plot(), isTime ? ShownUnit{QStringLiteral("s"), 1} : shownUnits().distance, font(), palette());
     bool isEmpty = true;
     for (const RobotCurves &curves : m_curves)
         drawCurvePoints(painter, plot(), curves.measured, ThemeColours::of(palette()).point);

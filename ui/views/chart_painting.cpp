@@ -21,7 +21,7 @@ double ChartPlot::xAt(double screenX) const
     return low + part * (high - low);
 }
 
-void drawChartAxes(QPainter &painter, const ChartPlot &plot, const QString &belowPattern, const QFont &font,
+void drawChartAxes(QPainter &painter, const ChartPlot &plot, const ShownUnit &below, const QFont &font,
                    const QPalette &palette)
 {
     const ThemeColours colours = ThemeColours::of(palette);
@@ -35,13 +35,14 @@ void drawChartAxes(QPainter &painter, const ChartPlot &plot, const QString &belo
         painter.drawText(QRectF(0, y - metrics.height() / 2, ChartPlot::leftMargin - 8, metrics.height()),
                          Qt::AlignRight | Qt::AlignVCenter, plot.values.label(value));
     }
-    const double labelWidth = metrics.horizontalAdvance(belowPattern.arg(QStringLiteral("0000")));
-    const AxisTicks below =
-        niceTicks(plot.low, plot.high, std::max(2, int(plot.rect.width() / (1.6 * labelWidth))));
-    for (const double x : below.values())
-        painter.drawText(
-            QRectF(plot.at(x, 0).x() - labelWidth, plot.rect.bottom() + 5, 2 * labelWidth, metrics.height()),
-            Qt::AlignHCenter, belowPattern.arg(below.label(x)));
+    const double labelWidth = metrics.horizontalAdvance(QStringLiteral("0000 ") + below.name);
+    const AxisTicks ticks = niceTicks(below.perSi * plot.low, below.perSi * plot.high,
+                                      std::max(2, int(plot.rect.width() / (1.6 * labelWidth))));
+    for (const double value : ticks.values()) {
+        const double x = plot.at(value / below.perSi, 0).x();
+        painter.drawText(QRectF(x - labelWidth, plot.rect.bottom() + 5, 2 * labelWidth, metrics.height()),
+                         Qt::AlignHCenter, ticks.label(value) + u' ' + below.name);
+    }
 }
 
 void drawChartCursor(QPainter &painter, const ChartPlot &plot, double x, const QPalette &palette)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/models/shown_units.h"
 #include "ui/views/axis_ticks.h"
 
 #include <QColor>
@@ -33,8 +34,8 @@ struct ChartPlot
     double xAt(double screenX) const; ///< kept within low and high
 };
 
-/// A line for each value with its number, and the numbers below: belowPattern is "%1 s" or "%1 m".
-void drawChartAxes(QPainter &painter, const ChartPlot &plot, const QString &belowPattern, const QFont &font,
+/// A line for each value with its number, and the numbers below in their unit.
+void drawChartAxes(QPainter &painter, const ChartPlot &plot, const ShownUnit &below, const QFont &font,
                    const QPalette &palette);
 
 /// The dotted line at the present place.

@@ -2,6 +2,7 @@
 #include "ui/views/map_area.h"
 
 #include "ui/models/profile_place.h"
+#include "ui/models/shown_units.h"
 #include "ui/models/timeline.h"
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
@@ -106,7 +107,7 @@ void MapArea::paintTrail(QPainter &painter, const Profile &profile) const
     const QColor rim = isDark(palette()) ? QColor(235, 238, 240, 150) : QColor(25, 30, 35, 110);
     painter.strokePath(whole, QPen(rim, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     for (const Piece &piece : pieces) {
-        painter.setPen(QPen(cividis(m_topSpeedMps > 0 ? piece.speedMps / m_topSpeedMps : 0), 3, Qt::SolidLine,
+        painter.setPen(QPen(scaleColour(m_topSpeedMps > 0 ? piece.speedMps / m_topSpeedMps : 0), 3, Qt::SolidLine,
                             Qt::RoundCap));
         painter.drawLine(piece.line);
     }
@@ -139,14 +140,16 @@ void MapArea::paintLegend(QPainter &painter) const
     const ThemeColours colours = ThemeColours::of(palette());
     QLinearGradient gradient(left, 0, left + barWidth, 0);
     for (int i = 0; i <= 8; ++i)
-        gradient.setColorAt(i / 8.0, cividis(i / 8.0));
+        gradient.setColorAt(i / 8.0, scaleColour(i / 8.0));
     painter.setPen(QPen(colours.border, 1));
     painter.setBrush(gradient);
     painter.drawRect(QRectF(left, middle - barHeight / 2.0, barWidth, barHeight));
     painter.setPen(colours.muted);
+    const ShownUnit &speed = shownUnits().speed;
+    const double top = speed.perSi * m_topSpeedMps;
     painter.drawText(
         QPointF(left + barWidth + 7, middle + QFontMetricsF(font()).capHeight() / 2),
-        tr("0 to %1 m/s").arg(QLocale().toString(m_topSpeedMps, 'f', m_topSpeedMps < 1 ? 2 : 1)));
+        tr("0 to %1 %2").arg(QLocale().toString(top, 'f', top < 1 ? 2 : 1), speed.name));
 }
 
 void MapArea::paintStill(QPainter &painter) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/map_painting.h"
 
+#include "ui/models/shown_units.h"
 #include "ui/views/axis_ticks.h"
 #include "ui/views/theme.h"
 
@@ -66,7 +67,9 @@ Eigen::Vector2d MapPlan::toWorld(const QPointF &place) const
 void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette, bool overPicture)
 {
     const ThemeColours colours = ThemeColours::of(palette);
-    const double step = niceTicks(0, plan.bounds.sizes().maxCoeff(), 7).step;
+    const ShownUnit &unit = shownUnits().distance;
+    const AxisTicks ticks = niceTicks(0, unit.perSi * plan.bounds.sizes().maxCoeff(), 7);
+    const double step = ticks.step / unit.perSi;
     painter.setRenderHint(QPainter::Antialiasing, false);
     QColor line = overPicture ? colours.muted : colours.mapGrid;
     if (overPicture)
@@ -82,7 +85,7 @@ void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette
     painter.setPen(colours.muted);
     painter.drawText(
         QRectF(0, plan.size.height() - MapPlan::footHeight, plan.size.width() - 10, MapPlan::footHeight - 6),
-        Qt::AlignRight | Qt::AlignBottom, Words::tr("grid %1 m").arg(QLocale().toString(step)));
+        Qt::AlignRight | Qt::AlignBottom, Words::tr("grid %1 %2").arg(ticks.label(ticks.step), unit.name));
 }
 
 void drawMapMarkers(QPainter &painter, const MapPlan &plan, const MarkerLayout &layout,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profile_curve.h"
 
+#include "ui/models/shown_units.h"
+
 #include <algorithm>
 #include <numbers>
 
@@ -9,6 +11,25 @@ namespace odo {
 namespace {
 
 constexpr double band95 = 1.959964; // of the normal distribution
+
+ShownUnit unitOf(Quantity quantity)
+{
+    constexpr double degrees = 180 / std::numbers::pi;
+    switch (quantity) {
+    case Quantity::Speed:
+        return shownUnits().speed;
+    case Quantity::Acceleration:
+        return shownUnits().acceleration;
+    case Quantity::Heading:
+        return {QStringLiteral("\u00b0"), degrees};
+    case Quantity::TurnRate:
+        return {QStringLiteral("\u00b0/s"), degrees};
+    case Quantity::PositionX:
+    case Quantity::PositionY:
+        break;
+    }
+    return shownUnits().length;
+}
 
 } // namespace
 
@@ -24,36 +45,12 @@ std::vector<std::optional<CurveValue>> curveValues(const Profile &profile, Quant
 
 QString curveUnit(Quantity quantity)
 {
-    switch (quantity) {
-    case Quantity::Speed:
-        return QStringLiteral("m/s");
-    case Quantity::Acceleration:
-        return QStringLiteral("m/s\u00b2");
-    case Quantity::Heading:
-        return QStringLiteral("\u00b0");
-    case Quantity::TurnRate:
-        return QStringLiteral("\u00b0/s");
-    case Quantity::PositionX:
-    case Quantity::PositionY:
-        break;
-    }
-    return QStringLiteral("mm");
+    return unitOf(quantity).name;
 }
 
 double curveFactor(Quantity quantity)
 {
-    switch (quantity) {
-    case Quantity::Speed:
-    case Quantity::Acceleration:
-        return 1;
-    case Quantity::Heading:
-    case Quantity::TurnRate:
-        return 180 / std::numbers::pi;
-    case Quantity::PositionX:
-    case Quantity::PositionY:
-        break;
-    }
-    return toMillimetres(1);
+    return unitOf(quantity).perSi;
 }
 
 std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values, Quantity quantity,

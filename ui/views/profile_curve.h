@@ -12,7 +12,7 @@ namespace odo {
 
 /// quantityValues in the unit that people read (curveUnit).
 std::vector<std::optional<CurveValue>> curveValues(const Profile &profile, Quantity quantity);
-/// "m/s", "m/s²", "°", "°/s", "mm".
+/// "m/s", "m/s²", "mm" or as shown_units.h has it; "°", "°/s".
 QString curveUnit(Quantity quantity);
 /// By how much a value in SI is multiplied for curveUnit.
 double curveFactor(Quantity quantity);

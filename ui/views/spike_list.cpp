@@ -9,10 +9,12 @@
 
 #include <QAction>
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <QTableView>
+#include <QToolButton>
 
 namespace odo {
 
@@ -55,7 +57,7 @@ public:
 
 SpikeList::SpikeList(Timeline &timeline, QWidget *parent)
     : Card(tr("Spikes"), parent), m_timeline(timeline), m_model(new SpikeModel(this)),
-      m_table(new QTableView(this))
+      m_table(new QTableView(this)), m_buttons(new QHBoxLayout)
 {
     m_table->setModel(m_model);
     m_table->setAccessibleName(tr("Spikes with time and reason"));
@@ -74,7 +76,15 @@ SpikeList::SpikeList(Timeline &timeline, QWidget *parent)
     m_table->horizontalHeader()->setSectionResizeMode(SpikeModel::TimeColumn, QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(SpikeModel::ReasonColumn, QHeaderView::Stretch);
     m_table->horizontalHeader()->setSectionResizeMode(SpikeModel::StateColumn, QHeaderView::ResizeToContents);
-    setContent(m_table);
+    auto *content = new QWidget;
+    auto *layout = new QVBoxLayout(content);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_table, 1);
+    layout->addLayout(m_buttons);
+    m_buttons->setContentsMargins(padding, 4, padding, 6);
+    m_buttons->setSpacing(4);
+    setContent(content);
     auto *how = new QAction(howComputedWords(), this);
     how->setObjectName(QStringLiteral("howComputed"));
     how->setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_F1));
@@ -86,6 +96,8 @@ SpikeList::SpikeList(Timeline &timeline, QWidget *parent)
     applyColours();
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex &row) {
+                if (row.isValid())
+                    Q_EMIT robotChosen(std::size_t(row.data(SpikeModel::RobotRole).toInt()));
                 const Nanoseconds time(row.data(SpikeModel::TimeRole).toLongLong());
                 if (row.isValid() &&
                     time != m_timeline.currentTime()) { // else it was the time that chose the row
@@ -102,6 +114,18 @@ void SpikeList::setScene(TrialScenePtr scene)
     m_model->setScene(std::move(scene));
     setRemark(m_model->summary());
     followTime();
+}
+
+void SpikeList::setActions(const QList<QAction *> &actions)
+{
+    for (QAction *action : actions) {
+        auto *button = new QToolButton;
+        button->setDefaultAction(action);
+        button->setFocusPolicy(Qt::TabFocus);
+        m_buttons->addWidget(button);
+    }
+    m_buttons->addStretch(1);
+    m_table->addActions(actions);
 }
 
 void SpikeList::explain()

@@ -4,6 +4,8 @@
 #include "ui/models/trial_scene.h"
 #include "ui/views/card.h"
 
+class QAction;
+class QHBoxLayout;
 class QTableView;
 
 namespace odo {
@@ -20,6 +22,11 @@ public:
     explicit SpikeList(Timeline &timeline, QWidget *parent = nullptr);
     void setScene(TrialScenePtr scene);
     QTableView *table() const { return m_table; }
+    /// Buttons below the list, for what can be done at the present time.
+    void setActions(const QList<QAction *> &actions);
+
+Q_SIGNALS:
+    void robotChosen(std::size_t robot); ///< of the spike that was chosen; an index into TrialScene::robots
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -33,6 +40,7 @@ private:
     TrialScenePtr m_scene;
     SpikeModel *m_model;
     QTableView *m_table;
+    QHBoxLayout *m_buttons;
 };
 
 } // namespace odo

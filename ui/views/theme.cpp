@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <span>
 
 namespace odo {
 
 namespace {
+
+const QString viridisWord = QStringLiteral("viridis");
+std::atomic<ColourScale> scaleInForce = ColourScale::Cividis;
 
 struct PaletteSource
 {
@@ -133,15 +138,39 @@ Qt::PenStyle seriesDash(int index)
     return styles[static_cast<std::size_t>(index) % styles.size()];
 }
 
-QColor cividis(double fraction)
+ColourScale colourScaleFromWord(const QString &word)
 {
-    // Every 1/17 of the map; between them it is close to linear.
-    static constexpr std::array<QRgb, 18> anchors = {
+    return word == viridisWord ? ColourScale::Viridis : ColourScale::Cividis;
+}
+
+QString colourScaleWord(ColourScale scale)
+{
+    return scale == ColourScale::Viridis ? viridisWord : QStringLiteral("cividis");
+}
+
+void setShownColourScale(ColourScale scale)
+{
+    scaleInForce = scale;
+}
+
+ColourScale shownColourScale()
+{
+    return scaleInForce;
+}
+
+QColor scaleColour(double fraction, ColourScale scale)
+{
+    // Every 1/17 of cividis and 1/8 of viridis; between them they are close to linear.
+    static constexpr std::array<QRgb, 18> cividis = {
         0xff00204c, 0xff002a66, 0xff00346e, 0xff273f6c, 0xff3c4a6b, 0xff4c556b,
         0xff5b5f6d, 0xff686a70, 0xff757575, 0xff838178, 0xff928c78, 0xffa19876,
         0xffb0a572, 0xffc0b16d, 0xffd1bf66, 0xffe1cc5c, 0xfff3db4f, 0xffffe945};
-    const double place =
-        std::clamp(std::isfinite(fraction) ? fraction : 0.0, 0.0, 1.0) * (anchors.size() - 1);
+    static constexpr std::array<QRgb, 9> viridis = {0xff440154, 0xff472d7b, 0xff3b528b,
+                                                    0xff2c728e, 0xff21918c, 0xff28ae80,
+                                                    0xff5ec962, 0xffaddc30, 0xfffde725};
+    const std::span<const QRgb> anchors = scale == ColourScale::Viridis ? std::span<const QRgb>(viridis) : cividis;
+    const double last = static_cast<double>(anchors.size() - 1);
+    const double place = std::clamp(std::isfinite(fraction) ? fraction : 0.0, 0.0, 1.0) * last;
     const auto lower = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
     const double part = place - static_cast<double>(lower);
     const auto mix = [part](int a, int b) { return static_cast<int>(std::lround(a + part * (b - a))); };

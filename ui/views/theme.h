@@ -42,7 +42,18 @@ BadgeColours badgeColours(BadgeState state, const QPalette &palette);
 /// seriesDash.
 QColor seriesColour(int index, const QPalette &palette);
 Qt::PenStyle seriesDash(int index);
-/// cividis (Nuñez, Anderton and Renslow 2018) at 0 to 1.
-QColor cividis(double fraction);
+/// Which colours tell figures on maps; both read well without red and green, and in grey.
+enum class ColourScale {
+    Cividis, ///< Nuñez, Anderton and Renslow 2018
+    Viridis  ///< Smith and van der Walt 2015
+};
+/// "cividis", "viridis": the word kept in the settings; another one is Cividis.
+ColourScale colourScaleFromWord(const QString &word);
+QString colourScaleWord(ColourScale scale);
+/// That of the whole program; what has been painted stays as it is until it is painted anew. Any thread.
+void setShownColourScale(ColourScale scale);
+ColourScale shownColourScale();
+/// At 0 to 1 of a scale; by itself of the one that is shown.
+QColor scaleColour(double fraction, ColourScale scale = shownColourScale());
 
 } // namespace odo

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_units.h"
 
+#include <QScopeGuard>
 #include <QTest>
 #include <cmath>
 #include <limits>
@@ -49,7 +51,7 @@ private Q_SLOTS:
     {
         const QLocale german(QLocale::German, QLocale::Germany);
         QCOMPARE(figureText(1234.5, 0.2, {}, german).text(), QStringLiteral("1234,5 ±0,2"));
-        QCOMPARE(millimetresText(0.0016, german), QStringLiteral("1,6\u00a0mm"));
+        QCOMPARE(lengthText(0.0016, german), QStringLiteral("1,6\u00a0mm"));
     }
     void namesMetrics()
     {
@@ -61,6 +63,44 @@ private Q_SLOTS:
                  QStringLiteral("180.0 ±1.0\u00a0°/s"));
         QCOMPARE(metricFigure({"path_completed", "1", 0.5, std::nullopt}, QLocale::c()).text(),
                  QStringLiteral("50.0\u00a0%"));
+    }
+    void followsTheUnitsThatAreShown_data()
+    {
+        QTest::addColumn<QString>("system");
+        QTest::addColumn<QString>("speed");
+        QTest::addColumn<QString>("way");
+        QTest::addColumn<QString>("error");
+        QTest::addColumn<QString>("place");
+        QTest::newRow("mm") << QStringLiteral("mm") << QStringLiteral("1.83 ±0.02\u00a0m/s")
+                            << QStringLiteral("2.540 ±0.010\u00a0m") << QStringLiteral("25.4\u00a0mm")
+                            << QStringLiteral("1.23\u00a0m");
+        QTest::newRow("cm") << QStringLiteral("cm") << QStringLiteral("183 ±2\u00a0cm/s")
+                            << QStringLiteral("254.0 ±1.0\u00a0cm") << QStringLiteral("2.54\u00a0cm")
+                            << QStringLiteral("123\u00a0cm");
+        // 1.83 m/s = 6.0039 ft/s, 2.54 m = 8.3333 ft, 25.4 mm = 1 in, 1.23 m = 4.0354 ft
+        QTest::newRow("in") << QStringLiteral("in") << QStringLiteral("6.00 ±0.07\u00a0ft/s")
+                            << QStringLiteral("8.33 ±0.03\u00a0ft") << QStringLiteral("1.00\u00a0in")
+                            << QStringLiteral("4.04\u00a0ft");
+        QTest::newRow("a word that is none") << QStringLiteral("furlong") << QStringLiteral("1.83 ±0.02\u00a0m/s")
+                                             << QStringLiteral("2.540 ±0.010\u00a0m")
+                                             << QStringLiteral("25.4\u00a0mm") << QStringLiteral("1.23\u00a0m");
+    }
+    void followsTheUnitsThatAreShown()
+    {
+        QFETCH(QString, system);
+        setShownUnitSystem(unitSystemFromWord(system));
+        const auto back = qScopeGuard([] { setShownUnitSystem(UnitSystem::Millimetres); });
+        const QLocale c = QLocale::c();
+        QTEST(speedText(1.83, 0.02, c), "speed");
+        QTEST(metricFigure({"max_speed", "m/s", 1.83, 0.02}, c).text(), "speed");
+        QTEST(metricFigure({"path_length", "m", 2.54, 0.01}, c).text(), "way");
+        QTEST(lengthText(0.0254, c), "error");
+        const Metric offPath{"cross_track_rms", "mm", 25.4, 2.54};
+        QVERIFY(metricFigure(offPath, c).text().endsWith(shownUnits().length.name));
+        QVERIFY(std::abs(metricFigure(offPath, c).value.toDouble() - 0.0254 * shownUnits().length.perSi) <
+                0.001 * shownUnits().length.perSi);
+        QTEST(distanceText(1.23, c), "place");
+        QCOMPARE(metricFigure({"duration", "s", 1.5, 0.1}, c).text(), QStringLiteral("1.50 ±0.10\u00a0s"));
     }
     void writesTimes()
     {

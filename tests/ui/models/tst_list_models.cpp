@@ -78,6 +78,13 @@ private Q_SLOTS:
         QVERIFY(model.index(2, 0).data(SpikeModel::RestoredRole).toBool());
         model.setScene(nullptr);
         QCOMPARE(model.rowCount(), 0);
+        // Taken off the list of spikes by a person, it is listed as such all the same.
+        auto used = std::make_shared<TrialScene>(*exampleScene({}));
+        used->robots[0].analysis->profile.samples[7].flags = flagBit(SampleFlag::ByHand);
+        model.setScene(used);
+        QCOMPARE(model.rowCount(), 4);
+        QCOMPARE(model.index(0, SpikeModel::ReasonColumn).data().toString(), QStringLiteral("used, by hand"));
+        QVERIFY(model.index(0, 0).data(SpikeModel::RestoredRole).toBool());
     }
     void metrics()
     {

@@ -97,7 +97,7 @@ void TestRecordWords::tellsHowAllDo()
     position.sample.views = 3;
     const QList<Fact> robots = healthFacts({}, {}, {}, {{"Red 2", std::nullopt}, {"Blue 1", position}});
     QCOMPARE(robots[0].value, QStringLiteral("not seen"));
-    QVERIFY2(robots[1].value.startsWith(QStringLiteral("x 1.23 m, y 0.50 m, 1.10 ±0.02")),
+    QVERIFY2(robots[1].value.startsWith(QStringLiteral("x 1.23 m, y 0.50 m, 1.10 ±0.02")),
              qPrintable(robots[1].value));
     position.sample.views = 1;
     QVERIFY(healthFacts({}, {}, {}, {{"Blue 1", position}})[0].value.endsWith(

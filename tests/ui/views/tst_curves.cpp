@@ -183,9 +183,9 @@ private Q_SLOTS:
             for (int robot = 0; robot < 2; ++robot)
                 QVERIFY(contrast(seriesColour(robot, palette), colours.card) >= 3); // WCAG for graphics
         }
-        QVERIFY(luminance(cividis(0)) < luminance(cividis(0.5)) &&
-                luminance(cividis(0.5)) < luminance(cividis(1)));
-        QCOMPARE(cividis(std::nan("")), cividis(0));
+        QVERIFY(luminance(scaleColour(0)) < luminance(scaleColour(0.5)) &&
+                luminance(scaleColour(0.5)) < luminance(scaleColour(1)));
+        QCOMPARE(scaleColour(std::nan("")), scaleColour(0));
     }
 };
 

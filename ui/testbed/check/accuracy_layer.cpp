@@ -63,7 +63,7 @@ QImage imageOf(const SketchedAccuracy &accuracy, const Range &range)
         for (int column = 0; column < grid.columns; ++column) {
             const double sigma = accuracy.sigmaM[grid.index(column, row)];
             if (sigma > 0) // rows of the picture go down as Y does
-                image.setPixelColor(column, grid.rows - 1 - row, cividis(range.fraction(sigma)));
+                image.setPixelColor(column, grid.rows - 1 - row, scaleColour(range.fraction(sigma)));
         }
     }
     return image;
@@ -166,7 +166,7 @@ void drawAccuracyKey(QPainter &painter, const SketchedAccuracy &accuracy, const 
     painter.fillRect(box, ground);
     const QRect bar(box.left() + 8, box.top() + metrics.height() + 4, box.width() - 16, keyHeight);
     for (int x = 0; x < bar.width(); ++x)
-        painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), cividis(double(x) / (bar.width() - 1)));
+        painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), scaleColour(double(x) / (bar.width() - 1)));
     painter.setPen(colours.text);
     painter.drawText(QPoint(bar.left(), box.top() + metrics.ascent() + 2), keyTitle());
     const int base = bar.bottom() + metrics.ascent() + 2;

@@ -36,9 +36,9 @@ Badge badgeOf(const MovedCheck &check)
 {
     switch (check.verdict) {
     case MovedCheck::Verdict::CameraMoved:
-        return {MovedDialog::tr("moved %1").arg(millimetresText(check.shiftM)), BadgeState::Bad};
+        return {MovedDialog::tr("moved %1").arg(lengthText(check.shiftM)), BadgeState::Bad};
     case MovedCheck::Verdict::MarkersMoved:
-        return {MovedDialog::tr("marker moved %1").arg(millimetresText(check.shiftM)), BadgeState::Warning};
+        return {MovedDialog::tr("marker moved %1").arg(lengthText(check.shiftM)), BadgeState::Warning};
     case MovedCheck::Verdict::Still:
         break;
     }

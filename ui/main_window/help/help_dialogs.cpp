@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/main_window/help_dialogs.h"
+#include "ui/main_window/help/help_dialogs.h"
 
 #include "resources/resources.h"
+#include "ui/main_window/preferences/command_keys.h"
 
 #include <QCoreApplication>
 #include <QDialog>
@@ -18,9 +19,29 @@ class Words
     Q_DECLARE_TR_FUNCTIONS(HelpDialogs)
 };
 
+/// A table of the commands of each menu that have keys.
+QString commandTables(const CommandKeys &keys)
+{
+    QString html, group;
+    for (const CommandKeys::Command &command : keys.commands()) {
+        if (command.keys.isEmpty())
+            continue;
+        if (command.group != group) {
+            if (!group.isEmpty())
+                html += QStringLiteral("</table>");
+            group = command.group;
+            html += QStringLiteral("<h3>%1</h3><table cellspacing=\"0\" cellpadding=\"3\">").arg(group.toHtmlEscaped());
+        }
+        const QString key = QKeySequence::listToString(command.keys, QKeySequence::NativeText);
+        html += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")
+                    .arg(key.toHtmlEscaped(), command.words.toHtmlEscaped());
+    }
+    return group.isEmpty() ? html : html + QStringLiteral("</table>");
+}
+
 } // namespace
 
-void showKeys(QWidget &window)
+void showKeys(const CommandKeys &keys, QWidget &window)
 {
     auto *dialog = new QDialog(&window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -28,7 +49,7 @@ void showKeys(QWidget &window)
     auto *text = new QTextBrowser;
     text->setAccessibleName(Words::tr("List of keys"));
     text->setFrameShape(QFrame::NoFrame);
-    text->setHtml(QString::fromUtf8(resourceBytes(QStringLiteral("help/keys.html"))));
+    text->setHtml(commandTables(keys) + QString::fromUtf8(resourceBytes(QStringLiteral("help/keys.html"))));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     auto *layout = new QVBoxLayout(dialog);

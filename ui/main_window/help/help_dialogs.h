@@ -5,9 +5,11 @@ class QWidget;
 
 namespace odo {
 
+class CommandKeys;
+
 /// The list of keys, and what this program is. Not modal for the first, which one wants to read while
 /// working.
-void showKeys(QWidget &window);
+void showKeys(const CommandKeys &keys, QWidget &window);
 void showAbout(QWidget &window);
 
 } // namespace odo

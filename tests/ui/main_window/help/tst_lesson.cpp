@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/help/lesson.h"
+
+#include "tests/ui/support/stored_example.h"
+#include "ui/main_window/help/help_actions.h"
+#include "ui/main_window/help/lesson_bar.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/workspace.h"
+#include "ui/models/timeline.h"
+#include "ui/review/review_page.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+class TestLesson : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+
+    void aStepIsDoneByWhatHappensAfterItsBeginning()
+    {
+        int things = 5;
+        const auto doOne = [&things] { return [&things, before = things] { return things > before; }; };
+        Lesson lesson;
+        QSignalSpy changed(&lesson, &Lesson::changed);
+        lesson.start({{QStringLiteral("a"), {}, doOne}, {QStringLiteral("b"), {}, doOne}, {QStringLiteral("c"), {}, {}}});
+        QVERIFY(lesson.isRunning() && !lesson.isDone());
+        lesson.look();
+        QVERIFY(!lesson.isDone());
+        ++things;
+        lesson.look();
+        QVERIFY(lesson.isDone());
+        lesson.next();
+        QCOMPARE(lesson.step().title, QStringLiteral("b"));
+        lesson.look();
+        QVERIFY(!lesson.isDone()); // what was done before does not count
+        lesson.next();             // skipped
+        QVERIFY(lesson.isDone());  // nothing to do but read
+        lesson.next();
+        QVERIFY(!lesson.isRunning());
+        lesson.look(); // nothing happens
+        QCOMPARE(changed.size(), 5);
+    }
+    void anEmptyLessonDoesNotRun()
+    {
+        Lesson lesson;
+        lesson.start({});
+        QVERIFY(!lesson.isRunning());
+    }
+    void theFirstLessonFollowsWhatIsDone();
+};
+
+void TestLesson::theFirstLessonFollowsWhatIsDone()
+{
+    QSettings().clear();
+    QTemporaryDir folder;
+    const auto made = storeExample(folder.path().toStdString());
+    QVERIFY2(made, made ? "" : made.error().message().c_str());
+    MainWindow window;
+    window.show();
+    QVERIFY(window.openProject(*made));
+    QTRY_VERIFY(!window.workspace().isBusy() && window.isSettled());
+    auto *bar = window.findChild<LessonBar *>();
+    QVERIFY(bar->isHidden());
+    window.findChild<QAction *>(QStringLiteral("lesson"))->trigger();
+    QVERIFY(bar->isVisible());
+    Lesson &lesson = window.findChild<HelpActions *>()->lesson();
+    Timeline &timeline = window.findChild<ReviewPage *>()->timeline();
+    QCOMPARE(lesson.step().title, QStringLiteral("Play a run"));
+    timeline.play();
+    QTRY_VERIFY(lesson.isDone());
+    timeline.pause();
+    const auto button = [bar](const QString &text) {
+        const auto buttons = bar->findChildren<QPushButton *>();
+        return *std::ranges::find(buttons, text, &QPushButton::text);
+    };
+    QTest::keyClick(button(QStringLiteral("&Next")), Qt::Key_Space);
+    timeline.setCurrentFrame(timeline.currentFrame() > 15 ? 0 : 29);
+    QVERIFY(lesson.isDone());
+    while (lesson.step().title != QStringLiteral("Compare two runs"))
+        lesson.next();
+    QVERIFY(!lesson.isDone());
+    window.showMode(MainWindow::Mode::Compare);
+    QTRY_VERIFY(lesson.isDone());
+    lesson.next();
+    window.showMode(MainWindow::Mode::History);
+    QTRY_VERIFY(lesson.isDone());
+    lesson.next();
+    QTest::keyClick(button(QStringLiteral("&Finish")), Qt::Key_Space);
+    QVERIFY(bar->isHidden());
+    window.findChild<QAction *>(QStringLiteral("lesson"))->trigger();
+    QTest::keyClick(button(QStringLiteral("&Leave the lesson")), Qt::Key_Space);
+    QVERIFY(bar->isHidden());
+}
+
+QTEST_MAIN(TestLesson)
+#include "tst_lesson.moc"
