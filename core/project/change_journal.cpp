@@ -80,14 +80,36 @@ ChangeJournal::ChangeJournal(ProjectConnection &connection, std::size_t mostByte
 
 Result<void> ChangeJournal::make(const std::string &words, const std::function<Result<void>()> &work)
 {
+    return begin(&ChangeJournal::record, words, work);
+}
+
+Result<void> ChangeJournal::note(const std::string &words, const std::function<Result<void>()> &work)
+{
+    return begin(&ChangeJournal::count, words, work);
+}
+
+Result<void> ChangeJournal::begin(Watched how, const std::string &words,
+                                  const std::function<Result<void>()> &work)
+{
     if (m_isMaking)
         return transact(m_connection, work);
     if (auto valid = checkText("words of a change", words); !valid)
         return valid;
     m_isMaking = true;
-    auto made = record(words, work);
+    auto made = (this->*how)(words, work);
     m_isMaking = false;
     return made;
+}
+
+Result<void> ChangeJournal::count(const std::string &words, const std::function<Result<void>()> &work)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto before = sqlite3_total_changes64(m_connection.handle());
+        if (auto done = work(); !done)
+            return done;
+        const bool isChanged = sqlite3_total_changes64(m_connection.handle()) != before;
+        return isChanged ? tell(words, ChangeEntry::Kind::Made) : Result<void>();
+    });
 }
 
 Result<void> ChangeJournal::record(const std::string &words, const std::function<Result<void>()> &work)

@@ -29,6 +29,9 @@ public:
     /// Runs work in one transaction, rolled back when it fails. words: what it does, for people ("rename team
     /// Falcon"). Work that changes nothing leaves no trace. Inside another change it is a part of that one.
     Result<void> make(const std::string &words, const std::function<Result<void>()> &work);
+    /// As make, of what is told but cannot be taken back: its rows are not kept, however many they are. What can be taken back or
+    /// made again stays so.
+    Result<void> note(const std::string &words, const std::function<Result<void>()> &work);
     /// Gives the words of the change. NotFound where there is none; InvalidInput, and nothing done, where
     /// what it changed was changed since by something that is not in the journal.
     Result<std::string> undo();
@@ -45,6 +48,9 @@ private:
         std::string words;
         Bytes rows; ///< SQLite's changeset
     };
+    using Watched = Result<void> (ChangeJournal::*)(const std::string &, const std::function<Result<void>()> &);
+    Result<void> begin(Watched how, const std::string &words, const std::function<Result<void>()> &work);
+    Result<void> count(const std::string &words, const std::function<Result<void>()> &work);
     Result<void> record(const std::string &words, const std::function<Result<void>()> &work);
     Result<void> tell(const std::string &words, ChangeEntry::Kind kind);
     Result<void> apply(const Bytes &rows, const std::string &what, const std::string &words,

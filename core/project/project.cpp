@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 
 #include "core/project/change_journal.h"
+#include "core/project/class_repository.h"
 #include "core/project/connection.h"
 #include "core/project/file_header.h"
 #include "core/project/names.h"
@@ -126,7 +127,7 @@ struct Project::Impl
 {
     explicit Impl(std::unique_ptr<ProjectConnection> opened)
         : connection(std::move(opened)), cameras(*connection), layouts(*connection), robots(*connection),
-          teams(*connection), tasks(*connection), trials(*connection), analyses(*connection),
+          teams(*connection), classes(*connection), tasks(*connection), trials(*connection), analyses(*connection),
           journal(*connection)
     {
     }
@@ -136,6 +137,7 @@ struct Project::Impl
     LayoutRepository layouts;
     RobotRepository robots;
     TeamRepository teams;
+    ClassRepository classes;
     TaskRepository tasks;
     TrialRepository trials;
     AnalysisRepository analyses;
@@ -249,6 +251,10 @@ TeamRepository &Project::teams()
 {
     return m_impl->teams;
 }
+ClassRepository &Project::classes()
+{
+    return m_impl->classes;
+}
 TaskRepository &Project::tasks()
 {
     return m_impl->tasks;
@@ -270,6 +276,11 @@ Result<void> Project::inTransaction(const std::function<Result<void>()> &work)
 Result<void> Project::change(const std::string &words, const std::function<Result<void>()> &work)
 {
     return m_impl->journal.make(words, work);
+}
+
+Result<void> Project::note(const std::string &words, const std::function<Result<void>()> &work)
+{
+    return m_impl->journal.note(words, work);
 }
 
 Result<std::string> Project::undo()

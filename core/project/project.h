@@ -17,6 +17,7 @@ class CameraRepository;
 class LayoutRepository;
 class RobotRepository;
 class TeamRepository;
+class ClassRepository;
 class TaskRepository;
 class TrialRepository;
 class AnalysisRepository;
@@ -62,6 +63,7 @@ public:
     LayoutRepository &layouts();
     RobotRepository &robots();
     TeamRepository &teams();
+    ClassRepository &classes();
     TaskRepository &tasks();
     TrialRepository &trials();
     AnalysisRepository &analyses();
@@ -71,6 +73,9 @@ public:
     /// As inTransaction, of a change that a person made and can take back. words: what it does ("rename team Falcon"), also
     /// for the list of changes. Inside another change it is a part of that one; work that changes nothing leaves no trace.
     Result<void> change(const std::string &words, const std::function<Result<void>()> &work);
+    /// As change, of what cannot be taken back because it adds much (what was recorded, imported, measured) or removes for good: it is
+    /// told in the list of changes. Inside a change it is a part of that one.
+    Result<void> note(const std::string &words, const std::function<Result<void>()> &work);
     /// Takes the last change of this sitting back, or makes it again; gives its words. NotFound where there is none;
     /// InvalidInput, and nothing done, where what it concerns has been changed since in another way.
     Result<std::string> undo();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "core/trajectory/scoring.h"
 #include "core/video/recorded_times.h"
 
 #include <filesystem>
@@ -73,6 +74,11 @@ public:
     Result<std::vector<RobotRecord>> all() const;
     Result<RobotRecord> find(const std::string &name) const;
     Result<RobotRecord> get(RecordId id) const;
+    /// Gives the robot of that id another name, colour, height or size; what was measured before stays as it is. AlreadyExists for a
+    /// name that another robot has.
+    Result<void> set(const RobotRecord &robot);
+    /// InvalidInput where a trial has it.
+    Result<void> remove(RecordId robot);
 
 private:
     ProjectConnection &m_connection;
@@ -87,12 +93,24 @@ public:
     Result<TeamRecord> find(const std::string &name) const;
     /// Gives the team of that id another name, class (empty: none) or pseudonym. AlreadyExists for a name that another team has.
     Result<void> set(const TeamRecord &team);
+    /// InvalidInput where a trial is its.
+    Result<void> remove(RecordId team);
     /// Every class, in alphabetical order.
     Result<std::vector<std::string>> classes() const;
 
 private:
     ProjectConnection &m_connection;
 };
+
+/// What depends on a task.
+struct TaskUse
+{
+    int trials = 0;   ///< that have it, those in the bin too
+    int analyses = 0; ///< that were measured by it
+};
+/// Whether a task is kept for analyses alone, as it was before it was changed: no trial has it, and it has the name that
+/// TaskRepository::change gives.
+bool isEarlierVersion(const TaskRecord &task, const TaskUse &use);
 
 class TaskRepository
 {
@@ -103,8 +121,26 @@ public:
     Result<std::vector<TaskRecord>> all() const;
     Result<TaskRecord> find(const std::string &name) const;
     Result<TaskRecord> get(RecordId id) const;
+    /// Those that nothing depends on are not in it.
+    Result<std::map<RecordId, TaskUse>> uses() const;
+    /// Tasks to choose from: without those that are kept for analyses alone.
+    Result<std::vector<TaskRecord>> current() const;
+    Result<void> rename(RecordId task, const std::string &name);
+    /// Gives a task another course; name and scoring stay. A task is not altered where it stands: a new one takes its name and its
+    /// trials over. Where analyses were measured by the one before, it is kept for them as "NAME (version 1)", so that they
+    /// stay true; else it goes. Gives the stored task, with another id unless nothing was to change.
+    Result<TaskRecord> change(const TaskRecord &task);
+    /// InvalidInput where a trial has it or an analysis was measured by it.
+    Result<void> remove(RecordId task);
+    /// How runs of the task are scored; empty: they are not.
+    Result<std::vector<Criterion>> scoring(RecordId task) const;
+    /// Replaces it. InvalidInput for one that cannot be computed (checkScoring).
+    Result<void> setScoring(RecordId task, const std::vector<Criterion> &criteria);
+    /// Of every task that is scored.
+    Result<std::map<RecordId, std::vector<Criterion>>> scorings() const;
 
 private:
+    Result<void> moveAll(RecordId from, RecordId to);
     ProjectConnection &m_connection;
 };
 
@@ -174,6 +210,14 @@ private:
     ProjectConnection &m_connection;
 };
 
+/// A robot's run in a trial of a task that is scored.
+struct ScoredFigures
+{
+    RecordId trial = 0, robot = 0, task = 0; ///< the task that the trial has
+    bool isByTask = false; ///< its newest analysis was measured by it, or the task has no course (hasCourse)
+    std::vector<Metric> metrics;
+};
+
 class AnalysisRepository
 {
 public:
@@ -185,6 +229,12 @@ public:
     Result<std::vector<AnalysisRecord>> currentMetrics(RecordId trial) const;
     /// One metric of the newest analysis of each robot, of the trials from one moment to another (both belong to them), by its name.
     Result<std::vector<TrialFigure>> figures(const std::string &metric, Instant from, Instant to) const;
+    /// What runs of scored tasks are scored by, of the newest analysis of each robot, of the trials from one moment to another (both
+    /// belong to them): the metrics that the scoring names, and the counts of scoringMetrics().
+    Result<std::vector<ScoredFigures>> scoredFigures(Instant from, Instant to) const;
+    /// Trials whose task has a course (hasCourse) by which the newest analysis of a robot was not measured: it was by another, by the
+    /// course as it was before, or by none. In order of their ids.
+    Result<std::vector<RecordId>> trialsMeasuredOtherwise() const;
     /// The names of the metrics that there are, in alphabetical order.
     Result<std::vector<std::string>> metricNames() const;
     /// Names of the trials whose newest analyses were made with a registration, by its id.

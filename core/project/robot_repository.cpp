@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/connection.h"
+#include "core/project/named_rows.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 #include "core/project/stored_words.h"
@@ -109,6 +110,43 @@ Result<RobotRecord> RobotRepository::get(RecordId id) const
     if (!*found)
         return noSuchId(m_connection, "robot", id);
     return robotOf(select);
+}
+
+Result<void> RobotRepository::set(const RobotRecord &robot)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto known = get(robot.id);
+        if (!known)
+            return tl::unexpected(known.error());
+        if (auto valid = checkRobot(robot); !valid)
+            return valid;
+        if (known->name != robot.name)
+            if (auto isFree = checkNameIsFree(m_connection, "robot", "robot", robot.name); !isFree)
+                return isFree;
+        Statement update(m_connection, QStringLiteral("UPDATE robot SET name=?, colour=?, height_mode=?, height_m=?, "
+                                                      "length_m=?, width_m=? WHERE id=?"));
+        update.bind(robot.name).bind(robot.colour.toString()).bind(storedWord(heightModeWords, robot.heightMode));
+        return update.bind(robot.heightM).bind(robot.lengthM).bind(robot.widthM).bind(robot.id).run();
+    });
+}
+
+Result<void> RobotRepository::remove(RecordId robot)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto known = get(robot);
+        if (!known)
+            return tl::unexpected(known.error());
+        Statement used(m_connection, QStringLiteral("SELECT 1 FROM trial_robot WHERE robot_id=? UNION "
+                                                    "SELECT 1 FROM analysis WHERE robot_id=? UNION "
+                                                    "SELECT 1 FROM observation_series WHERE robot_id=?"));
+        const auto isUsed = used.bind(robot).bind(robot).bind(robot).firstRow();
+        if (!isUsed)
+            return tl::unexpected(isUsed.error());
+        if (*isUsed)
+            return fail(ErrorCode::InvalidInput, "robot '" + known->name + "'", "it drove in a trial",
+                        "keep it; it can be given another name");
+        return runFor(m_connection, "DELETE FROM robot WHERE id=?", robot);
+    });
 }
 
 } // namespace odo

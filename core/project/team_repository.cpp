@@ -90,6 +90,22 @@ Result<void> TeamRepository::set(const TeamRecord &team)
     });
 }
 
+Result<void> TeamRepository::remove(RecordId team)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        Statement known(m_connection, QStringLiteral("SELECT name, (SELECT COUNT(*) FROM trial WHERE team_id=team.id) FROM team WHERE id=?"));
+        const auto found = known.bind(team).firstRow();
+        if (!found || !*found)
+            return found ? noSuchId(m_connection, "team", team) : tl::unexpected(found.error());
+        const int trials = known.smallInteger(1);
+        if (trials > 0)
+            return fail(ErrorCode::InvalidInput, "team '" + known.text(0) + "'",
+                        trials == 1 ? "a trial is its" : std::to_string(trials) + " trials are its",
+                        "delete them for good first, or archive its class");
+        return runFor(m_connection, "DELETE FROM team WHERE id=?", team);
+    });
+}
+
 Result<std::vector<std::string>> TeamRepository::classes() const
 {
     return textsOf(m_connection, QStringLiteral("SELECT name FROM class ORDER BY name"));

@@ -74,6 +74,7 @@ private Q_SLOTS:
     void whatIsInUseStays();
     void theOldestAreForgotten();
     void everyChangeIsTold();
+    void whatIsNotedIsToldAndStays();
 
 private:
     QStringList rows() const { return rowsOf(*m_second); }
@@ -291,6 +292,31 @@ void TestChangeJournal::everyChangeIsTold()
     QCOMPARE(changes[2].words, std::string("star"));
     const auto age = std::chrono::system_clock::now() - changes[0].made;
     QVERIFY(age >= 0ms && age < 10min);
+}
+
+void TestChangeJournal::whatIsNotedIsToldAndStays()
+{
+    QVERIFY(star(true));
+    const auto tag = [&] { return m_project->trials().setTags(m_trial, {"measured"}); };
+    QVERIFY(m_project->note("track it", tag));
+    QCOMPARE(m_project->changes()->front().words, std::string("track it"));
+    QCOMPARE(m_project->undoWords(), std::string("star")); // what was noted is passed over
+    QVERIFY(m_project->undo());
+    QCOMPARE(m_project->trials().get(m_trial)->tags.size(), std::size_t(1));
+    QVERIFY(!m_project->trials().get(m_trial)->starred);
+
+    const std::size_t told = m_project->changes()->size();
+    const QStringList before = rows();
+    QVERIFY(m_project->note("look", [&]() -> Result<void> { return {}; })); // changes nothing
+    QVERIFY(!m_project->note("fail", [&]() -> Result<void> {
+        if (auto done = m_project->trials().setTags(m_trial, {"half"}); !done)
+            return done;
+        return failing();
+    }));
+    QVERIFY(m_project->change("both", [&] { return m_project->note("inner", [&] { return m_project->trials().setTags(m_trial, {"a"}); }); }));
+    QCOMPARE(m_project->changes()->size(), told + 1); // the inner one is a part
+    QVERIFY(m_project->undo());
+    QCOMPARE(rows(), before);
 }
 
 QTEST_GUILESS_MAIN(TestChangeJournal)

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/class_repository.h"
+
+#include "core/project/connection.h"
+#include "core/project/instant_now.h"
+#include "core/project/named_rows.h"
+#include "core/project/names.h"
+
+namespace odo {
+
+namespace {
+
+const QString classColumns =
+    QStringLiteral("SELECT id, name, archived_ms, (SELECT COUNT(*) FROM team WHERE class_id=class.id) FROM class ");
+
+ClassRecord classOf(const Statement &row)
+{
+    ClassRecord record{row.integer(0), row.text(1), {}, row.smallInteger(3)};
+    if (row.optionalReal(2))
+        record.archived = Instant(std::chrono::milliseconds(row.integer(2)));
+    return record;
+}
+
+} // namespace
+
+ClassRepository::ClassRepository(ProjectConnection &connection) : m_connection(connection) {}
+
+Result<ClassRecord> ClassRepository::add(const std::string &name)
+{
+    return transact(m_connection, [&]() -> Result<ClassRecord> {
+        if (auto valid = checkName("class", name); !valid)
+            return tl::unexpected(valid.error());
+        if (auto isFree = checkNameIsFree(m_connection, "class", "class", name); !isFree)
+            return tl::unexpected(isFree.error());
+        Statement insert(m_connection, QStringLiteral("INSERT INTO class (name) VALUES (?)"));
+        if (auto done = insert.bind(name).run(); !done)
+            return tl::unexpected(done.error());
+        return ClassRecord{insert.insertedId(), name, {}, 0};
+    });
+}
+
+Result<std::vector<ClassRecord>> ClassRepository::all() const
+{
+    std::vector<ClassRecord> classes;
+    Statement select(m_connection, classColumns + QStringLiteral("ORDER BY name"));
+    auto read = select.eachRow([&classes](const Statement &row) -> Result<void> {
+        classes.push_back(classOf(row));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return classes;
+}
+
+Result<ClassRecord> ClassRepository::get(RecordId id) const
+{
+    Statement select(m_connection, classColumns + QStringLiteral("WHERE id=?"));
+    const auto found = select.bind(id).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return noSuchId(m_connection, "class", id);
+    return classOf(select);
+}
+
+Result<void> ClassRepository::rename(RecordId id, const std::string &name)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto known = get(id);
+        if (!known || known->name == name)
+            return known ? Result<void>() : tl::unexpected(known.error());
+        if (auto valid = checkName("class", name); !valid)
+            return valid;
+        if (auto isFree = checkNameIsFree(m_connection, "class", "class", name); !isFree)
+            return isFree;
+        Statement update(m_connection, QStringLiteral("UPDATE class SET name=? WHERE id=?"));
+        return update.bind(name).bind(id).run();
+    });
+}
+
+Result<void> ClassRepository::setArchived(RecordId id, bool archived)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto known = get(id);
+        if (!known || known->archived.has_value() == archived)
+            return known ? Result<void>() : tl::unexpected(known.error());
+        Statement update(m_connection, QStringLiteral("UPDATE class SET archived_ms=? WHERE id=?"));
+        return update.bindReference(archived ? instantNow().time_since_epoch().count() : 0).bind(id).run();
+    });
+}
+
+Result<void> ClassRepository::remove(RecordId id)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto known = get(id);
+        if (!known)
+            return tl::unexpected(known.error());
+        if (known->teams > 0)
+            return fail(ErrorCode::InvalidInput, "class '" + known->name + "'",
+                        known->teams == 1 ? "a team belongs to it" : std::to_string(known->teams) + " teams belong to it",
+                        "move its teams to another class first, or archive it");
+        return runFor(m_connection, "DELETE FROM class WHERE id=?", id);
+    });
+}
+
+} // namespace odo
