@@ -4,6 +4,7 @@
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/paint_window.h"
+#include "ui/main_window/plural_forms.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/trial_scene.h"
 
@@ -14,6 +15,7 @@ namespace odo {
 
 Result<void> runWorkbench(const std::optional<std::filesystem::path> &project)
 {
+    installPluralForms(*qApp);
     applyAppearance(*qApp);
     MainWindow window;
     if (project) {
@@ -28,6 +30,7 @@ Result<void> runWorkbench(const std::optional<std::filesystem::path> &project)
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, const QString &mode,
                             QSize size, const std::filesystem::path &picture)
 {
+    installPluralForms(*qApp);
     applyAppearance(*qApp);
     MainWindow window;
     if (auto opened = window.openProject(project); !opened)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "core/project/changing.h"
 #include "core/project/repositories.h"
 
 namespace odo {
@@ -18,7 +19,8 @@ Result<void> runCamera(const QStringList &arguments, const CancelToken &cancel)
     const auto project = call.openProject(1, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
-    const auto added = (*project)->cameras().add({0, call.text(2), call.value(device)});
+    const auto added = changing(**project, "add camera " + call.text(2),
+                                [&] { return (*project)->cameras().add({0, call.text(2), call.value(device)}); });
     if (!added)
         return tl::unexpected(added.error());
     call.answer({{QStringLiteral("camera"), call.positional(2)}}, QStringLiteral("Camera %1 added.").arg(call.positional(2)));

@@ -3,6 +3,7 @@
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
 #include "core/exchange/layout_csv.h"
+#include "core/project/changing.h"
 #include "core/project/repositories.h"
 #include "core/workflow/layout_axes.h"
 #include "core/workflow/stored_registration.h"
@@ -52,7 +53,7 @@ Result<void> add(CommandCall &call)
     const auto project = call.openProject(1, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
-    const auto added = (*project)->layouts().add(*layout);
+    const auto added = changing(**project, "add layout " + layout->name, [&] { return (*project)->layouts().add(*layout); });
     if (!added)
         return tl::unexpected(added.error());
     const int markers = int(layout->markers.size());

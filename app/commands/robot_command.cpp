@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "core/project/changing.h"
 #include "core/project/repositories.h"
 #include "core/tracking/picked_colour.h"
 #include "core/workflow/picture_source.h"
@@ -127,7 +128,7 @@ Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
     const auto project = call.openProject(1, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
-    const auto added = (*project)->robots().add(*robot);
+    const auto added = changing(**project, "add robot " + robot->name, [&] { return (*project)->robots().add(*robot); });
     if (!added)
         return tl::unexpected(added.error());
     call.answer({{QStringLiteral("robot"), call.positional(2)},

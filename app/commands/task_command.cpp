@@ -3,6 +3,7 @@
 #include "app/commands/commands.h"
 #include "app/task_answers.h"
 #include "core/exchange/task_file.h"
+#include "core/project/changing.h"
 #include "core/project/repositories.h"
 
 #include <QJsonArray>
@@ -30,7 +31,8 @@ Result<void> addTask(const CommandCall &call)
     const auto project = call.openProject(1, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
-    const auto added = (*project)->tasks().add({0, call.text(2), *task});
+    const auto added =
+        changing(**project, "add task " + call.text(2), [&] { return (*project)->tasks().add({0, call.text(2), *task}); });
     if (!added)
         return tl::unexpected(added.error());
     call.answer(taskJson(*added), QStringLiteral("Task added:\n%1").arg(summary(*added)));
@@ -67,7 +69,9 @@ Result<void> setTask(const CommandCall &call)
     const auto task = (*project)->tasks().find(call.text(3));
     if (!task)
         return tl::unexpected(task.error());
-    if (auto set = (*project)->trials().setTask(trial->id, task->name); !set)
+    if (auto set = (*project)->change("give " + trial->name + " the task " + task->name,
+                                      [&] { return (*project)->trials().setTask(trial->id, task->name); });
+        !set)
         return set;
     call.answer({{QStringLiteral("trial"), call.positional(2)}, {QStringLiteral("task"), call.positional(3)}},
                 QStringLiteral("Trial %1 has the task %2; measure it with: odograph track %3 %1 --again")

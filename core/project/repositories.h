@@ -189,6 +189,8 @@ public:
     /// Removes a trial that lies in the bin for good, with its recordings' rows, observations and analyses; gives the paths of its
     /// recordings' files, which are for the caller to delete. It cannot be undone. InvalidInput outside of the bin.
     Result<std::vector<std::string>> removeForGood(RecordId trial);
+    /// How much the recordings of the trials in the bin take on the disk.
+    Result<std::int64_t> binnedBytes() const;
     /// Whether any trial has a recording in a file, by its path as recordings have it.
     Result<bool> isFileUsed(const std::string &path) const;
     Result<std::vector<RecordingRecord>> recordings(RecordId trial) const; ///< in the order of the views

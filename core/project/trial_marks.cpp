@@ -77,6 +77,12 @@ Result<void> TrialRepository::setBinned(RecordId trial, bool binned)
     });
 }
 
+Result<std::int64_t> TrialRepository::binnedBytes() const
+{
+    return m_connection.number(QStringLiteral("SELECT COALESCE(SUM(bytes), 0) FROM recording JOIN trial ON trial.id=trial_id "
+                                              "WHERE binned_ms IS NOT NULL"));
+}
+
 Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
 {
     return transact(m_connection, [&]() -> Result<std::vector<std::string>> {

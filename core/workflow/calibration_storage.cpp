@@ -42,7 +42,7 @@ Result<void> CalibrationStorage::writePictures(const std::vector<BoardPicture> &
 
 Result<IntrinsicsRecord> CalibrationStorage::commit(Project &project)
 {
-    const auto stored = project.inTransaction([&]() -> Result<void> {
+    const auto stored = project.note("calibrate camera " + m_camera, [&]() -> Result<void> {
         const auto camera = findOrAddCamera(project, m_camera);
         if (!camera)
             return tl::unexpected(camera.error());

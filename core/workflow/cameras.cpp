@@ -26,7 +26,7 @@ Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &c
     record.made = instantNow();
     record.origin = "imported from " + file.filename().string();
     record.calibration.intrinsics = std::move(*intrinsics);
-    const auto stored = project.inTransaction([&]() -> Result<void> {
+    const auto stored = project.note("import the lens of camera " + camera + " from " + file.filename().string(), [&]() -> Result<void> {
         const auto found = findOrAddCamera(project, camera);
         if (!found)
             return tl::unexpected(found.error());

@@ -5,7 +5,6 @@
 #include "core/project/repositories.h"
 
 #include <algorithm>
-#include <set>
 
 namespace odo {
 
@@ -21,38 +20,50 @@ bool isInside(const std::filesystem::path &file, const std::filesystem::path &fo
 
 Result<BinContent> binContent(Project &project)
 {
-    const auto names = project.trials().names();
-    if (!names)
-        return tl::unexpected(names.error());
-    BinContent content;
-    for (const TrialName &name : *names) {
-        if (!name.binned)
-            continue;
-        content.trials.push_back(name.id);
-        const auto recordings = project.trials().recordings(name.id);
-        if (!recordings)
-            return tl::unexpected(recordings.error());
-        for (const RecordingRecord &recording : *recordings)
-            content.bytes += recording.bytes;
-    }
-    return content;
+    auto names = project.trials().names();
+    const auto bytes = project.trials().binnedBytes();
+    if (!names || !bytes)
+        return tl::unexpected(names ? bytes.error() : names.error());
+    std::erase_if(*names, [](const TrialName &name) { return !name.binned; });
+    return BinContent{std::move(*names), *bytes};
 }
 
-Result<std::vector<std::string>> emptyBin(Project &project, const BinContent &content)
+Result<void> EmptyBinJob::prepare(Project &project)
 {
-    std::set<std::string> paths;
-    auto removed = project.inTransaction([&]() -> Result<void> {
-        for (const RecordId trial : content.trials) {
-            const auto files = project.trials().removeForGood(trial);
-            if (!files)
-                return tl::unexpected(files.error());
-            paths.insert(files->begin(), files->end());
-        }
+    m_file = project.file();
+    return {};
+}
+
+Result<void> EmptyBinJob::run(const JobControl &control)
+{
+    const auto project = Project::openAgain(m_file, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    for (std::size_t i = 0; i < m_content.trials.size() && !control.isCancelled(); ++i) {
+        const TrialName &trial = m_content.trials[i];
+        control.report(static_cast<double>(i) / static_cast<double>(m_content.trials.size()), "removing " + trial.name);
+        if (auto removed = remove(**project, trial); !removed)
+            return removed;
+    }
+    return {};
+}
+
+Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial)
+{
+    const auto known = project.trials().get(trial.id);
+    if (!known || !known->binned)
+        return {};
+    std::vector<std::string> paths;
+    const auto removed = project.note("remove " + trial.name + " for good", [&]() -> Result<void> {
+        auto files = project.trials().removeForGood(trial.id);
+        if (!files)
+            return tl::unexpected(files.error());
+        paths = std::move(*files);
         return {};
     });
     if (!removed)
-        return tl::unexpected(removed.error());
-    std::vector<std::string> left;
+        return removed;
+    ++m_removed;
     for (const std::string &path : paths) {
         RecordingRecord recording;
         recording.path = path;
@@ -63,9 +74,11 @@ Result<std::vector<std::string>> emptyBin(Project &project, const BinContent &co
         std::error_code problem;
         std::filesystem::remove(file, problem);
         if (problem)
-            left.push_back(file.string());
+            m_left.push_back(file.string());
     }
-    return left;
+    return {};
 }
+
+Result<void> EmptyBinJob::commit(Project &) { return {}; }
 
 } // namespace odo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/line_up.h"
 
+#include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 
@@ -29,21 +30,29 @@ Result<TrialRecord> trialOf(Project &project, const NextRun &run)
     return trial;
 }
 
-Result<LineUp> LineUp::read(Project &project)
+Result<LineUp> LineUp::read(Project &project, bool byPseudonym)
 {
     auto teams = project.teams().all();
-    auto tasks = project.tasks().all();
+    const auto classes = project.classes().all();
+    auto tasks = project.tasks().current();
     auto robots = project.robots().all();
     auto trials = project.trials().names();
     if (!teams)
         return tl::unexpected(teams.error());
+    if (!classes)
+        return tl::unexpected(classes.error());
     if (!tasks)
         return tl::unexpected(tasks.error());
     if (!robots)
         return tl::unexpected(robots.error());
     if (!trials)
         return tl::unexpected(trials.error());
+    std::erase_if(*teams, [&classes](const TeamRecord &team) {
+        const auto of = std::ranges::find(*classes, team.className, &ClassRecord::name);
+        return of != classes->end() && of->archived;
+    });
     LineUp up;
+    up.m_byPseudonym = byPseudonym;
     up.m_teams = std::move(*teams);
     up.m_tasks = std::move(*tasks);
     up.m_robots = std::move(*robots);
@@ -77,6 +86,12 @@ std::vector<std::string> LineUp::teams(const std::string &className) const
             names.push_back(team.name);
     }
     return names;
+}
+
+std::string LineUp::pseudonymOf(const std::string &team) const
+{
+    const auto known = std::ranges::find(m_teams, team, &TeamRecord::name);
+    return known == m_teams.end() ? std::string() : known->pseudonym;
 }
 
 const TaskRecord *LineUp::task(const std::string &name) const
@@ -126,8 +141,9 @@ NextRun LineUp::first() const
 {
     if (m_teams.empty())
         return run({}, {});
-    const auto last =
-        std::ranges::find_if(m_newest, [](const TrialRecord &trial) { return !trial.teamName.empty(); });
+    const auto last = std::ranges::find_if(m_newest, [this](const TrialRecord &trial) {
+        return std::ranges::find(m_teams, trial.teamName, &TeamRecord::name) != m_teams.end();
+    });
     if (last == m_newest.end())
         return run(m_teams.front().className, m_teams.front().name);
     NextRun before = run(last->className, last->teamName);
@@ -137,7 +153,8 @@ NextRun LineUp::first() const
 
 std::string LineUp::freeTrialName(const std::string &team) const
 {
-    const std::string stem = team.empty() ? "Trial" : team;
+    const std::string pseudonym = m_byPseudonym ? pseudonymOf(team) : std::string();
+    const std::string stem = team.empty() ? "Trial" : pseudonym.empty() ? team : pseudonym;
     const auto same = std::ranges::count_if(
         m_trials, [&](const TrialName &trial) { return team.empty() || trial.teamName == team; });
     for (auto number = same + 1;; ++number) {

@@ -29,12 +29,16 @@ class LineUp
 {
 public:
     /// Project's thread.
-    static Result<LineUp> read(Project &project);
+    /// byPseudonym: names of trials are suggested by the pseudonyms of teams that have one. Teams of archived classes are not
+    /// up.
+    static Result<LineUp> read(Project &project, bool byPseudonym = false);
 
     /// Each once, in alphabetical order; an empty name stands for teams without a class.
     std::vector<std::string> classes() const;
     /// Of a class, in the order in which they come up: that of their names.
     std::vector<std::string> teams(const std::string &className) const;
+    /// Empty where it has none.
+    std::string pseudonymOf(const std::string &team) const;
     const std::vector<TaskRecord> &tasks() const { return m_tasks; }
     const std::vector<RobotRecord> &robots() const { return m_robots; }
     const TaskRecord *task(const std::string &name) const;
@@ -53,6 +57,7 @@ public:
 private:
     const TrialRecord *newestOf(const std::string &team) const;
 
+    bool m_byPseudonym = false;
     std::vector<TeamRecord> m_teams;
     std::vector<TaskRecord> m_tasks;
     std::vector<RobotRecord> m_robots;

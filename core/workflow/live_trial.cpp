@@ -189,7 +189,7 @@ Result<void> LiveTrial::commit(Project &project)
                     problem ? problem->advice
                             : "check that they are connected and not used by another program");
     }
-    const auto completed = project.inTransaction([&]() -> Result<void> {
+    const auto completed = project.note("record " + m_trial.name, [&]() -> Result<void> {
         if (auto appended = appendPending(project); !appended)
             return appended;
         describeTrial(m_trial, m_recordings);

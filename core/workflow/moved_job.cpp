@@ -28,6 +28,11 @@ RegistrationCheck::Outcome outcomeOf(MovedCheck::Verdict verdict)
     return RegistrationCheck::Outcome::Still;
 }
 
+std::string checkWords(const std::string &camera)
+{
+    return "check whether camera " + camera + " has moved";
+}
+
 } // namespace
 
 MovedJob::MovedJob(MovedSettings settings) : m_settings(std::move(settings)) {}
@@ -97,8 +102,10 @@ Result<void> MovedJob::run(const JobControl &control)
 
 Result<void> MovedJob::commit(Project &project)
 {
-    return project.cameras().addCheck(m_registration, {instantNow(), outcomeOf(m_check.verdict),
-                                                       m_check.shiftPx, m_check.shiftM, m_check.words});
+    return project.note(checkWords(m_settings.camera), [&] {
+        return project.cameras().addCheck(m_registration, {instantNow(), outcomeOf(m_check.verdict),
+                                                           m_check.shiftPx, m_check.shiftM, m_check.words});
+    });
 }
 
 Result<void> keepNotTold(Project &project, const std::string &camera, const Error &error)
@@ -106,9 +113,11 @@ Result<void> keepNotTold(Project &project, const std::string &camera, const Erro
     const auto registered = registeredCamera(project, camera);
     if (!registered)
         return tl::unexpected(registered.error());
-    return project.cameras().addCheck(
-        registered->registration.id,
-        {instantNow(), RegistrationCheck::Outcome::NotTold, 0, 0, error.message()});
+    return project.note(checkWords(camera), [&] {
+        return project.cameras().addCheck(
+            registered->registration.id,
+            {instantNow(), RegistrationCheck::Outcome::NotTold, 0, 0, error.message()});
+    });
 }
 
 } // namespace odo

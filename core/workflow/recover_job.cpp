@@ -143,7 +143,9 @@ Result<void> RecoverJob::complete(Project &project, Unfinished &unfinished)
     }
     if (unfinished.recordings.empty()) {
         m_told.push_back(who + "nothing of it had reached the disk, and it is left out: record it again");
-        if (auto removed = project.trials().removeUnfinished(trial.id); !removed)
+        if (auto removed = project.note("leave out " + trial.name + ", of which nothing was recorded",
+                                        [&] { return project.trials().removeUnfinished(trial.id); });
+            !removed)
             return removed;
         removeEmpty(unfinished);
         return {};
@@ -154,7 +156,9 @@ Result<void> RecoverJob::complete(Project &project, Unfinished &unfinished)
                   trial.durationS, unfinished.recordings.size(),
                   unfinished.recordings.size() == 1 ? "view" : "views");
     m_told.push_back(who + words);
-    if (auto completed = project.trials().complete(trial, unfinished.recordings); !completed)
+    if (auto completed = project.note("complete " + trial.name + ", whose recording was cut off",
+                                      [&] { return project.trials().complete(trial, unfinished.recordings); });
+        !completed)
         return completed;
     removeEmpty(unfinished);
     return {};

@@ -181,7 +181,7 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
     if (auto done = job.run({}); !done)
         return tl::unexpected(done.error());
     std::optional<RegistrationRecord> record;
-    const auto stored = project.inTransaction([&]() -> Result<void> {
+    const auto stored = project.note("register camera " + camera + " again", [&]() -> Result<void> {
         auto made = storeFromOldMarkers(project, camera, job.record(), registered->registration.lastCheck);
         if (!made)
             return tl::unexpected(made.error());
@@ -195,7 +195,7 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
 
 Result<void> RegisterJob::commit(Project &project)
 {
-    const auto committed = project.inTransaction([&]() -> Result<void> {
+    const auto committed = project.note("register camera " + m_settings.camera, [&]() -> Result<void> {
         const auto stored = storeRegistration(project, m_settings.camera, m_record);
         if (!stored)
             return tl::unexpected(stored.error());

@@ -42,7 +42,7 @@ Result<void> RegisterJointJob::run(const JobControl &control)
 
 Result<void> RegisterJointJob::commit(Project &project)
 {
-    return project.inTransaction([&]() -> Result<void> {
+    return project.note("register the cameras of layout " + m_settings.layout + " together", [&]() -> Result<void> {
         for (std::size_t i = 0; i < m_records.size(); ++i) {
             m_records[i].registration = m_joint.registrations[i];
             const auto stored = storeFromOldMarkers(project, m_names[i], m_records[i], m_records[i].lastCheck);

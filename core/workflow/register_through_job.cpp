@@ -107,7 +107,7 @@ Result<void> RegisterThroughJob::run(const JobControl &)
 
 Result<void> RegisterThroughJob::commit(Project &project)
 {
-    return project.inTransaction([&]() -> Result<void> {
+    return project.note("register camera " + m_settings.camera + " through camera " + m_settings.through, [&]() -> Result<void> {
         const auto layouts = project.layouts().all();
         if (!layouts)
             return tl::unexpected(layouts.error());

@@ -68,6 +68,12 @@ Standings standingsOf(std::span<const TrialRecord *const> trials, const std::vec
         team.figures = std::move(*rank++);
         standings.teams.push_back(std::move(team));
     }
+    if (!standings.isRanked()) {
+        for (TeamStanding &team : standings.teams)
+            team.figures.rank = 0;
+        std::ranges::stable_sort(standings.teams, {}, &TeamStanding::team);
+        return standings;
+    }
     const double sign = standings.isLessBetter ? 1 : -1;
     std::ranges::stable_sort(standings.teams, {}, [sign](const TeamStanding &team) {
         return std::tuple(team.figures.rank, sign * team.figures.median);

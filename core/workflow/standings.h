@@ -14,7 +14,7 @@ namespace odo {
 struct StandingsChoice
 {
     std::string className; ///< empty: all classes
-    std::string task;      ///< empty: any task
+    std::string task;      ///< empty: any task; then nobody is ranked, for runs of different tasks cannot be compared
     std::string metric;
 };
 
@@ -38,7 +38,8 @@ struct Standings
 {
     StandingsChoice choice;
     bool isLessBetter = false;
-    std::vector<TeamStanding> teams; ///< the best rank first, then by median; only those with a run
+    std::vector<TeamStanding> teams; ///< the best rank first, then by median; of any task by name; only those with a run
+    bool isRanked() const { return !choice.task.empty(); } ///< else every rank is 0
 };
 
 /// Best, median, repeatability, progress and rank of the teams (see termProgress, rankTeams). Trials in the

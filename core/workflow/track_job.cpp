@@ -170,7 +170,10 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
 Result<void> TrackJob::commit(Project &project)
 {
     Impl &d = *m_impl;
-    return project.inTransaction([&]() -> Result<void> {
+    return project.note((d.observations.empty() ? "measure " : "track ") + d.trial.name + (d.observations.empty() ? " again" : ""), [&]() -> Result<void> {
+        if (d.task && !project.tasks().get(d.task->id))
+            return fail(ErrorCode::InvalidInput, "trial '" + d.trial.name + "'", "its task was changed while it was measured",
+                        "measure it again");
         for (const ObservationSeries &series : d.observations) {
             if (auto stored = project.trials().addObservations(series); !stored)
                 return stored;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/intrinsics_yaml.h"
+#include "core/project/project.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "tests/support/program.h"
@@ -161,6 +162,31 @@ private Q_SLOTS:
                      warning.endsWith(QStringLiteral("is beyond the limits of task 'slow', so that they were left out; give the "
                                                      "task the limits of its fastest robot")),
                  qPrintable(warning));
+    }
+
+    /// What changed the project from outside of the window, in its order.
+    void everyCommandIsToldInTheListOfChanges()
+    {
+        const auto project = Project::open(m_project.toStdString(), Project::Access::ReadOnly);
+        QVERIFY(project.has_value());
+        QStringList told;
+        const auto changes = (*project)->changes();
+        QVERIFY(changes.has_value());
+        for (const ChangeEntry &entry : *changes)
+            told.prepend(QString::fromStdString(entry.words));
+        const QStringList expected{
+            QStringLiteral("add robot red"),          QStringLiteral("add layout floor"),
+            QStringLiteral("import the lens of camera A from a.yaml"), QStringLiteral("register camera A"),
+            QStringLiteral("add task quarter"),       QStringLiteral("import trial run1"),
+            QStringLiteral("track run1"),             QStringLiteral("measure run1 again"),
+            QStringLiteral("give later the task quarter"), QStringLiteral("give run1 the task slow")};
+        qsizetype place = 0;
+        for (const QString &words : expected) {
+            const qsizetype next = told.indexOf(words, place);
+            QVERIFY2(next >= 0, qPrintable(words + QStringLiteral(" in ") + told.join(QStringLiteral(", "))));
+            if (!words.startsWith(QLatin1String("register")) && !words.startsWith(QLatin1String("import the lens")))
+                place = next;
+        }
     }
 
     void badCallsFailInOneLine_data()

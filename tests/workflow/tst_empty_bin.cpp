@@ -28,11 +28,14 @@ private Q_SLOTS:
         const RecordId two = addTrial("two", {"year.media/shared.mkv"});
         QVERIFY(m_project->trials().setBinned(one, true));
         const BinContent content = binContent(*m_project).value();
-        QCOMPARE(content.trials, std::vector<RecordId>{one});
+        QVERIFY(content.trials.size() == 1 && content.trials[0].id == one);
         QCOMPARE(content.bytes, std::int64_t(30));
-        const auto left = emptyBin(*m_project, content);
-        QVERIFY2(left, left ? "" : left.error().message().c_str());
-        QVERIFY(left->empty());
+        EmptyBinJob job(content);
+        const auto done = runToEnd(job, *m_project, {});
+        QVERIFY2(done, done ? "" : done.error().message().c_str());
+        QVERIFY(job.left().empty());
+        QCOMPARE(job.removedCount(), 1);
+        QCOMPARE(m_project->changes()->front().words, std::string("remove one for good"));
         QVERIFY(!std::filesystem::exists(path("year.media/own.mkv")));
         QVERIFY(std::filesystem::exists(path("year.media/shared.mkv")));
         QVERIFY(std::filesystem::exists(path("elsewhere.mkv")));
@@ -47,18 +50,42 @@ private Q_SLOTS:
         std::filesystem::remove(path("year.media/folder"));
         std::filesystem::create_directories(path("year.media/folder/full"));
         QVERIFY(m_project->trials().setBinned(one, true));
-        QCOMPARE(emptyBin(*m_project, binContent(*m_project).value()).value(), std::vector<std::string>{path("year.media/folder").string()});
+        EmptyBinJob job(binContent(*m_project).value());
+        QVERIFY(runToEnd(job, *m_project, {}));
+        QCOMPARE(job.left(), std::vector<std::string>{path("year.media/folder").string()});
     }
 
-    void nothingGoesWhenOneWasTakenOut()
+    void whatWasTakenOutStays()
     {
         const RecordId one = addTrial("one", {"year.media/one.mkv"}), two = addTrial("two", {"year.media/two.mkv"});
         QVERIFY(m_project->trials().setBinned(one, true) && m_project->trials().setBinned(two, true));
-        const BinContent content = binContent(*m_project).value();
+        EmptyBinJob job(binContent(*m_project).value());
         QVERIFY(m_project->trials().setBinned(two, false));
-        QCOMPARE(emptyBin(*m_project, content).error().message(), std::string("trial 'two': it is not in the bin; put it into the bin first"));
-        QCOMPARE(m_project->trials().all()->size(), std::size_t(2));
-        QVERIFY(std::filesystem::exists(path("year.media/one.mkv")));
+        QVERIFY(runToEnd(job, *m_project, {}));
+        QCOMPARE(job.wantedCount(), 2);
+        QCOMPARE(job.removedCount(), 1);
+        QVERIFY(std::filesystem::exists(path("year.media/two.mkv")) && m_project->trials().get(two));
+    }
+
+    /// Cancelled, the rest stays where it was.
+    void aCancelledOneEndsWell()
+    {
+        for (const char *name : {"one", "two", "three"})
+            QVERIFY(m_project->trials().setBinned(addTrial(name, {}), true));
+        EmptyBinJob job(binContent(*m_project).value());
+        JobControl control;
+        control.progress = [&](double fraction, const std::string &) {
+            if (fraction > 0.5)
+                control.cancel.cancel();
+        };
+        QVERIFY(runToEnd(job, *m_project, control));
+        QCOMPARE(job.removedCount(), 3);
+        QVERIFY(m_project->trials().setBinned(addTrial("four", {}), true));
+        EmptyBinJob none(binContent(*m_project).value());
+        control.progress = nullptr;
+        QVERIFY(runToEnd(none, *m_project, control)); // it is cancelled already
+        QCOMPARE(none.removedCount(), 0);
+        QVERIFY(m_project->trials().find("four")->binned);
     }
 
 private:

@@ -65,10 +65,26 @@ private Q_SLOTS:
         QCOMPARE(all.teams[2].progress.change->value, -2.0); // a straight line of one second a day
         QVERIFY(all.teams[2].progress.isBeyondSpread);
         QVERIFY(!all.teams[0].progress.isBeyondSpread);
-        const Standings ofClass = term.standings({"9C", "", "gate_time"});
+        const Standings ofClass = term.standings({"9C", "Slalom", "gate_time"});
         QCOMPARE(ofClass.teams.size(), std::size_t(1));
         QCOMPARE(ofClass.teams[0].figures.rank, 1);
         QVERIFY(term.standings({"8A", "", "gate_time"}).teams.empty());
+    }
+
+    /// A second in the circle is not a second in the slalom.
+    void runsOfDifferentTasksAreNotRanked()
+    {
+        Term term;
+        for (const double seconds : {12.0, 11.0, 10.0})
+            term.add(2, "9B", seconds);
+        for (const double seconds : {2.0, 2.1})
+            term.add(1, "9B", seconds).task = "Circle";
+        const Standings all = term.standings({"", "", "gate_time"});
+        QVERIFY(!all.isRanked());
+        QCOMPARE(all.teams.size(), std::size_t(2));
+        QCOMPARE(all.teams[0].team, std::string("Team 1")); // by name
+        QVERIFY(all.teams[0].figures.rank == 0 && all.teams[1].figures.rank == 0);
+        QVERIFY(term.standings({"", "Slalom", "gate_time"}).isRanked());
     }
 
     /// Of several robots the best one counts, whichever way that is.

@@ -16,10 +16,9 @@ namespace odo {
 ChangesDialog::ChangesDialog(std::vector<ChangeEntry> changes, QWidget *parent) : QDialog(parent)
 {
     setWindowTitle(tr("Changes of the project"));
-    auto *intro = new QLabel(changes.empty() ? tr("Nothing has been changed by hand yet. Recordings, imports "
-                                                  "and tracking are not listed: they only add.")
-                                             : tr("What was changed by hand, the newest first. Recordings, "
-                                                  "imports and tracking are not listed: they only add."));
+    auto *intro = new QLabel(changes.empty() ? tr("Nothing has been changed yet.")
+                                             : tr("What was changed, in this window and by the command line, the newest first. "
+                                                  "Recordings, imports and tracking are told too; they cannot be undone."));
     intro->setWordWrap(true);
     auto *model = new ChangeModel(std::move(changes), this);
     auto *search = new QLineEdit;

@@ -7,6 +7,7 @@
 #include "ui/history/teams_panel.h"
 #include "ui/history/trial_detail.h"
 #include "ui/history/trial_filter_bar.h"
+#include "ui/models/shown_team.h"
 #include "ui/models/trial_model.h"
 #include "ui/views/card.h"
 #include "ui/views/table_list.h"
@@ -18,7 +19,6 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSettings>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
@@ -29,7 +29,6 @@
 namespace odo {
 namespace {
 
-const QString pseudonymsKey = QStringLiteral("history/pseudonyms");
 constexpr int rowsAtOnce = 300; ///< that are read in far less than 50 ms
 
 QToolButton *buttonOf(QAction *action)
@@ -90,15 +89,15 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
     connect(m_teams, &TeamsPanel::choiceChanged, this, &HistoryPage::showTeams);
     connect(m_teams, &TeamsPanel::failed, this, &HistoryPage::failed);
     m_pseudonyms->setCheckable(true);
+    m_pseudonyms->setChecked(arePseudonymsShown());
     connect(m_pseudonyms, &QAction::toggled, this, [this](bool shown) {
-        QSettings().setValue(pseudonymsKey, shown);
-        m_trials->setPseudonyms(shown);
-        m_detail->setPseudonyms(shown);
+        showPseudonyms(shown);
+        m_trials->updateTeams();
         offerFilters();
         filter();
         showTeams();
+        Q_EMIT teamNamesChanged();
     });
-    m_pseudonyms->setChecked(QSettings().value(pseudonymsKey).toBool());
 }
 
 HistoryPage::~HistoryPage() = default;
@@ -117,6 +116,8 @@ QWidget *HistoryPage::makeTable()
     m_table->horizontalHeader()->setResizeContentsPrecision(0); // of what is on screen, not of thousands
     m_table->horizontalHeader()->setSectionResizeMode(TrialModel::TaskColumn, QHeaderView::Stretch);
     m_table->horizontalHeader()->moveSection(TrialModel::StarColumn, 0);
+    m_table->horizontalHeader()->setSectionResizeMode(TrialModel::StarColumn, QHeaderView::Fixed);
+    m_table->horizontalHeader()->resizeSection(TrialModel::StarColumn, 2 * fontMetrics().height());
     m_table->installEventFilter(this);
     connect(m_table, &QTableView::doubleClicked, this, [this](const QModelIndex &index) {
         if (!(index.flags() & (Qt::ItemIsEditable | Qt::ItemIsUserCheckable)))
@@ -167,7 +168,7 @@ void HistoryPage::showTeams()
     std::vector<const TrialRecord *> trials;
     for (const TrialRow &row : m_trials->allRows())
         trials.push_back(&row.trial);
-    m_teams->showTrials(trials, m_pseudonyms->isChecked());
+    m_teams->showTrials(trials);
 }
 
 void HistoryPage::makeHeader()
@@ -201,10 +202,7 @@ void HistoryPage::connectMarks()
     connect(m_trials, &TrialModel::tagsWanted, m_marks,
             [this](qint64 trial, const QStringList &tags) { m_marks->setTags(trial, tags); });
     connect(m_marks, &MarkActions::marked, this, &HistoryPage::reload);
-    connect(m_marks, &MarkActions::binEmptied, this, [this](const QString &words) {
-        refresh();
-        Q_EMIT trialsChanged(words);
-    });
+    connect(m_marks, &MarkActions::emptyBinRequested, this, &HistoryPage::emptyBinRequested);
     connect(m_marks, &MarkActions::failed, this, &HistoryPage::failed);
 }
 
@@ -244,6 +242,8 @@ void HistoryPage::endReading(std::vector<TrialRow> rows)
     const QString selected = m_wanted.isEmpty() ? currentTrial() : std::exchange(m_wanted, {});
     m_trials->setRows(std::move(rows));
     offerFilters();
+    m_table->setColumnHidden(TrialModel::ScoreColumn,
+                             std::ranges::none_of(m_trials->allRows(), &TrialRow::isScored));
     m_table->resizeColumnsToContents();
     selectTrial(selected);
     showCount();
@@ -259,8 +259,7 @@ void HistoryPage::offerFilters()
         offer.classes << QString::fromStdString(name);
     for (const TeamRecord &team : m_project.teams().all().value_or(std::vector<TeamRecord>())) {
         offer.teams << QString::fromStdString(team.name);
-        offer.teamsShown << QString::fromStdString(
-            m_pseudonyms->isChecked() && !team.pseudonym.empty() ? team.pseudonym : team.name);
+        offer.teamsShown << shownTeam(team);
     }
     for (const TaskRecord &task : m_project.tasks().all().value_or(std::vector<TaskRecord>()))
         offer.tasks << QString::fromStdString(task.name);
@@ -359,8 +358,8 @@ void HistoryPage::showCurrent()
 void HistoryPage::showCount()
 {
     const int all = m_trials->allCount(), shown = m_trials->rowCount();
-    m_tableCard->setRemark(shown == all ? (all == 1 ? tr("1 trial") : tr("%1 trials").arg(all))
-                                        : tr("%1 of %2 trials").arg(shown).arg(all));
+    m_tableCard->setRemark(shown == all ? tr("%n trial(s)", "", all)
+                                        : tr("%1 of %n trial(s)", "", all).arg(shown));
 }
 
 bool HistoryPage::eventFilter(QObject *watched, QEvent *event)

@@ -17,6 +17,7 @@ class QTimer;
 
 namespace odo {
 
+struct BinContent;
 class Card;
 class MarkActions;
 class Project;
@@ -46,7 +47,7 @@ public:
     void saveNotes();
     /// Everything that was to be read is there.
     bool isSettled() const { return m_reading == nullptr; }
-    /// That only pseudonyms of teams are shown, where they have one: a checkable action for a menu.
+    /// That only pseudonyms of teams are shown, in every mode, where they have one: a checkable action for a menu.
     /// Remembered.
     QAction *pseudonyms() const { return m_pseudonyms; }
 
@@ -55,9 +56,12 @@ Q_SIGNALS:
     void compareRequested(const QStringList &trials); ///< two or more
     void exportRequested(const QStringList &trials);
     void reprocessRequested(const QStringList &trials); ///< to be measured again
+    void emptyBinRequested(const odo::BinContent &content); ///< confirmed
     void notesChanged(const QString &trial);
-    /// Trials came into the bin or out of it, or are gone for good; words: what to tell, or empty.
+    /// Trials came into the bin or out of it; words: what to tell, or empty.
     void trialsChanged(const QString &words);
+    /// Teams are shown by another name now.
+    void teamNamesChanged();
     void failed(const odo::Error &error);
     void settled();
 

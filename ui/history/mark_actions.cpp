@@ -166,9 +166,7 @@ void MarkActions::askToEmpty()
         return;
     }
     QMessageBox question(QMessageBox::Warning, tr("Empty the bin"),
-                         content->trials.size() == 1
-                             ? tr("Remove 1 trial for good?")
-                             : tr("Remove %1 trials for good?").arg(content->trials.size()),
+                         tr("Remove %n trial(s) for good?", "", static_cast<int>(content->trials.size())),
                          QMessageBox::Cancel, &m_window);
     question.setInformativeText(
         tr("Their videos (%1), measurements and results are removed from the disk. This cannot be undone.")
@@ -178,17 +176,7 @@ void MarkActions::askToEmpty()
     question.exec();
     if (question.clickedButton() != remove)
         return;
-    const Result<std::vector<std::string>> left = odo::emptyBin(m_project, *content);
-    if (!left) {
-        Q_EMIT failed(left.error());
-        return;
-    }
-    QString words = content->trials.size() == 1
-                        ? tr("1 trial was removed for good.")
-                        : tr("%1 trials were removed for good.").arg(content->trials.size());
-    for (const std::string &file : *left)
-        words += u' ' + tr("%1 could not be deleted; delete it by hand.").arg(QString::fromStdString(file));
-    Q_EMIT binEmptied(words);
+    Q_EMIT emptyBinRequested(*content);
 }
 
 } // namespace odo

@@ -14,9 +14,10 @@ class QWidget;
 
 namespace odo {
 
+struct BinContent;
 class Project;
 
-/// What a person does with trials in History: star, archive, put into the bin and out of it, empty the bin.
+/// What a person does with trials in History: star, archive, put into the bin and out of it, ask to empty the bin.
 /// Owns the actions; all but emptying the bin can be undone. On the project's thread.
 class MarkActions : public QObject
 {
@@ -42,7 +43,8 @@ public:
 Q_SIGNALS:
     /// These trials are stored otherwise now.
     void marked(const QList<qint64> &trials);
-    void binEmptied(const QString &words);
+    /// A person confirmed that these are to be removed for good.
+    void emptyBinRequested(const odo::BinContent &content);
     void failed(const odo::Error &error);
 
 private:

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/history/teams_panel.h"
 
+#include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/trial_scores.h"
 #include "ui/history/filter_choice.h"
 #include "ui/history/trend_chart.h"
 #include "ui/models/figure_text.h"
@@ -17,6 +19,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace odo {
 TeamsPanel::TeamsPanel(Project &project, QWidget *parent)
@@ -60,10 +63,15 @@ QComboBox *TeamsPanel::addChoice(const QString &name)
 void TeamsPanel::offer()
 {
     QStringList classes, tasks, metrics, metricNames;
-    for (const std::string &name : m_project.teams().classes().value_or(std::vector<std::string>()))
-        classes << QString::fromStdString(name);
-    for (const TaskRecord &task : m_project.tasks().all().value_or(std::vector<TaskRecord>()))
+    for (const ClassRecord &each : m_project.classes().all().value_or(std::vector<ClassRecord>()))
+        if (!each.archived)
+            classes << QString::fromStdString(each.name);
+    for (const TaskRecord &task : m_project.tasks().current().value_or(std::vector<TaskRecord>()))
         tasks << QString::fromStdString(task.name);
+    if (const auto scorings = m_project.tasks().scorings(); scorings && !scorings->empty()) {
+        metrics << QString::fromLatin1(scoreMetric);
+        metricNames << metricName(scoreMetric);
+    }
     std::vector<Metric> known;
     for (const std::string &name : m_project.analyses().metricNames().value_or(std::vector<std::string>()))
         known.push_back({name, {}, 0, {}});
@@ -74,29 +82,55 @@ void TeamsPanel::offer()
     fillChoice(*m_class, classes, classes, 1);
     fillChoice(*m_task, tasks, tasks, 1);
     fillChoice(*m_metric, metrics, metricNames, 0);
+    if (!std::exchange(m_isTaskOffered, m_isTaskOffered || !tasks.isEmpty()) && m_task->count() > 1) {
+        const QSignalBlocker quiet(m_task);
+        m_task->setCurrentIndex(1); // teams stand somewhere only in one task
+    }
 }
 
-void TeamsPanel::showTrials(std::span<const TrialRecord *const> trials, bool pseudonyms)
+void TeamsPanel::showTrials(std::span<const TrialRecord *const> trials)
 {
     offer();
     const QModelIndex current = m_table->currentIndex();
     const std::string selected = current.isValid() ? m_model->team(current.row()).team : std::string();
     const StandingsChoice choice{chosenWord(*m_class), chosenWord(*m_task), chosenWord(*m_metric)};
-    const auto figures = m_project.analyses().figures(choice.metric, Instant::min(), Instant::max());
-    if (!figures) {
-        Q_EMIT failed(figures.error());
+    const auto figures = choice.metric == scoreMetric ? scoreFigures(m_project, Instant::min(), Instant::max())
+                                                      : m_project.analyses().figures(choice.metric, Instant::min(), Instant::max());
+    const auto otherwise = m_project.analyses().trialsMeasuredOtherwise();
+    if (!figures || !otherwise) {
+        Q_EMIT failed(figures ? otherwise.error() : figures.error());
         return;
     }
-    m_model->setStandings(standingsOf(trials, *figures, choice), pseudonyms);
+    std::vector<const TrialRecord *> counted;
+    int leftOut = 0;
+    for (const TrialRecord *trial : trials) {
+        const bool isOther = !choice.task.empty() && trial->task == choice.task && !trial->binned &&
+                             std::ranges::binary_search(*otherwise, trial->id);
+        leftOut += isOther;
+        if (!isOther)
+            counted.push_back(trial);
+    }
+    m_model->setStandings(standingsOf(counted, *figures, choice));
     m_table->resizeColumnsToContents();
     const auto &teams = m_model->standings().teams;
     const auto same = std::ranges::find(teams, selected, &TeamStanding::team);
     if (!teams.empty())
         m_table->setCurrentIndex(
             m_model->index(same == teams.end() ? 0 : static_cast<int>(same - teams.begin()), 0));
-    m_card->setRemark(teams.empty() ? tr("No team has a tracked trial here")
-                                    : tr("%1 teams").arg(teams.size()));
+    showRemark(leftOut);
     showTeam();
+}
+
+/// What is seen, and what of it is not.
+void TeamsPanel::showRemark(int leftOut)
+{
+    const auto count = static_cast<int>(m_model->standings().teams.size());
+    QStringList words(count == 0 ? tr("No team has a figure here") : tr("%n team(s)", "", count));
+    if (!m_model->standings().isRanked() && count > 0)
+        words << tr("choose a task to rank them: runs of different tasks cannot be compared");
+    if (leftOut > 0)
+        words << tr("%n trial(s) left out: measured by another course; measure them again", "", leftOut);
+    m_card->setRemark(words.join(QStringLiteral(" · ")));
 }
 
 void TeamsPanel::showTeam()

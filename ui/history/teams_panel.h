@@ -24,7 +24,7 @@ class TeamsPanel : public QWidget
 public:
     explicit TeamsPanel(Project &project, QWidget *parent = nullptr);
     /// trials: all that are known; they are used until this returns.
-    void showTrials(std::span<const TrialRecord *const> trials, bool pseudonyms);
+    void showTrials(std::span<const TrialRecord *const> trials);
 
 Q_SIGNALS:
     /// Another class, task or figure was chosen: the trials are wanted again.
@@ -34,6 +34,7 @@ Q_SIGNALS:
 private:
     QComboBox *addChoice(const QString &name);
     void offer();
+    void showRemark(int leftOut);
     void showTeam();
 
     Project &m_project;
@@ -42,6 +43,7 @@ private:
     QComboBox *m_class = nullptr, *m_task = nullptr, *m_metric = nullptr;
     QTableView *m_table;
     TrendChart *m_chart;
+    bool m_isTaskOffered = false;
 };
 
 } // namespace odo

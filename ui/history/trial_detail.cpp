@@ -3,7 +3,10 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/trial_scores.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/score_text.h"
+#include "ui/models/shown_team.h"
 #include "ui/views/card.h"
 #include "ui/views/fact_list.h"
 
@@ -27,16 +30,15 @@ QString dateText(Instant instant)
                               QLocale::ShortFormat);
 }
 
-QList<Fact> factsOf(const TrialRecord &trial, const std::vector<AnalysisRecord> &analyses, bool pseudonym)
+QList<Fact> factsOf(const TrialRecord &trial, const std::vector<AnalysisRecord> &analyses,
+                    const std::vector<TrialScore> &scores)
 {
     QList<Fact> facts;
     const auto add = [&facts](const QString &name, const QString &value) {
         if (!value.isEmpty())
             facts.append({name, value, {}});
     };
-    add(TrialDetail::tr("Team"),
-        QString::fromStdString(pseudonym && !trial.teamPseudonym.empty() ? trial.teamPseudonym
-                                                                         : trial.teamName));
+    add(TrialDetail::tr("Team"), shownTeam(trial));
     add(TrialDetail::tr("Class"), QString::fromStdString(trial.className));
     add(TrialDetail::tr("Task"), QString::fromStdString(trial.task));
     add(TrialDetail::tr("Date"), dateText(trial.date));
@@ -46,6 +48,14 @@ QList<Fact> factsOf(const TrialRecord &trial, const std::vector<AnalysisRecord> 
             add(TrialDetail::tr("Robot"), QString::fromStdString(analysis.robotName));
         for (const Metric &metric : analysis.profile.metrics)
             add(metricName(metric.name), metricFigure(metric).text());
+    }
+    for (const TrialScore &run : scores) {
+        if (run.trial != trial.id)
+            continue;
+        if (run.score)
+            add(TrialDetail::tr("Score"), (QStringList(scoreText(*run.score)) + scoreLines(*run.score)).join(u'\n'));
+        else
+            add(TrialDetail::tr("Score"), TrialDetail::tr("none: it was measured by another course than its task has now; measure it again"));
     }
     if (analyses.empty())
         facts.append({TrialDetail::tr("Result"), TrialDetail::tr("none yet: open it and choose Track"), {}});
@@ -100,11 +110,6 @@ TrialDetail::~TrialDetail()
     saveNotes();
 }
 
-void TrialDetail::setPseudonyms(bool shown)
-{
-    m_pseudonyms = shown;
-}
-
 void TrialDetail::showTrial(const TrialRecord &trial)
 {
     if (trial.id != m_trial)
@@ -115,9 +120,11 @@ void TrialDetail::showTrial(const TrialRecord &trial)
     m_name = QString::fromStdString(trial.name);
     m_card->setTitle(m_name);
     const Result<std::vector<AnalysisRecord>> analyses = m_project.analyses().currentMetrics(trial.id);
-    if (!analyses)
-        Q_EMIT failed(analyses.error());
-    m_facts->setFacts(factsOf(trial, analyses.value_or(std::vector<AnalysisRecord>()), m_pseudonyms));
+    const Result<std::vector<TrialScore>> scores = trialScores(m_project, trial.date, trial.date);
+    if (!analyses || !scores)
+        Q_EMIT failed(analyses ? scores.error() : analyses.error());
+    m_facts->setFacts(factsOf(trial, analyses.value_or(std::vector<AnalysisRecord>()),
+                              scores.value_or(std::vector<TrialScore>())));
     if (!sameTrial || notes != m_savedNotes) {
         m_savedNotes = notes;
         m_notes->setPlainText(notes);

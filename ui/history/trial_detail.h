@@ -27,7 +27,6 @@ public:
 
     /// Its metrics are read from the project.
     void showTrial(const TrialRecord &trial);
-    void setPseudonyms(bool shown);
     /// Stores what is being written now instead of in a moment.
     void saveNotes();
     /// Nothing is selected; noTrials: because the project has none.
@@ -41,7 +40,6 @@ Q_SIGNALS:
 private:
     Project &m_project;
     RecordId m_trial = 0;
-    bool m_pseudonyms = false;
     QString m_name;
     QString m_savedNotes;
     Card *m_card;

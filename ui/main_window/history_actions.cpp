@@ -2,6 +2,7 @@
 #include "ui/main_window/history_actions.h"
 
 #include "core/project/project.h"
+#include "core/workflow/empty_bin.h"
 #include "core/workflow/export_job.h"
 #include "core/workflow/import_roster.h"
 #include "core/workflow/reprocess_job.h"
@@ -57,7 +58,7 @@ void HistoryActions::askRoster()
         return;
     const Result<RosterOutcome> outcome = importRoster(*m_workspace.project(), pathOf(file));
     if (outcome)
-        Q_EMIT changed(tr("The roster is imported: %1 teams new, %2 changed, %3 as before.")
+        Q_EMIT changed(tr("The roster is imported. Teams that are new: %1, changed: %2, as before: %3.")
                            .arg(outcome->added)
                            .arg(outcome->changed)
                            .arg(outcome->unchanged));
@@ -78,11 +79,11 @@ void HistoryActions::showChanges()
 void HistoryActions::exportTrials(const QStringList &trials)
 {
     const QString folder = QFileDialog::getExistingDirectory(
-        &m_window, tr("Export %1 trials: choose a folder").arg(trials.size()),
+        &m_window, tr("Export %n trial(s): choose a folder", "", static_cast<int>(trials.size())),
         QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
     if (folder.isEmpty())
         return;
-    m_doneWords = tr("%1 of %2 trials were exported.");
+    m_doneWords = tr("Exported trials: %1 of %2.");
     const auto make = [path = pathOf(folder)](const std::string &trial) {
         return std::make_shared<ExportJob>(trial, path, CsvStyle::Analysis);
     };
@@ -93,7 +94,7 @@ void HistoryActions::exportTrials(const QStringList &trials)
 
 void HistoryActions::reprocessTrials(const QStringList &trials)
 {
-    m_doneWords = tr("%1 of %2 trials were measured again.");
+    m_doneWords = tr("Trials measured again: %1 of %2.");
     const auto make = [](const std::string &trial) { return std::make_shared<ReprocessJob>(trial); };
     const auto keep = [](Project &project, Job &job) {
         return static_cast<ReprocessJob &>(job).keep(project);
@@ -101,6 +102,22 @@ void HistoryActions::reprocessTrials(const QStringList &trials)
     if (const Result<void> started =
             m_batch->start(trials, {tr("Measuring %1 again (%2 of %3)"), make, keep});
         !started)
+        Q_EMIT failed(started.error());
+}
+
+void HistoryActions::emptyBin(const BinContent &content)
+{
+    const auto job = std::make_shared<EmptyBinJob>(content);
+    const Result<void> started = m_workspace.start(job, tr("Emptying the bin"), [this, job] {
+        QString words = job->removedCount() == job->wantedCount()
+                            ? tr("%n trial(s) removed for good.", "", job->removedCount())
+                            : tr("%1 of %n trial(s) removed for good; the rest is still there.", "", job->wantedCount())
+                                  .arg(job->removedCount());
+        for (const std::string &file : job->left())
+            words += u' ' + tr("%1 could not be deleted; delete it by hand.").arg(QString::fromStdString(file));
+        Q_EMIT changed(words);
+    });
+    if (!started)
         Q_EMIT failed(started.error());
 }
 

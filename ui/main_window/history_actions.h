@@ -12,6 +12,7 @@ class QWidget;
 
 namespace odo {
 
+struct BinContent;
 class TrialBatch;
 class Workspace;
 
@@ -27,6 +28,8 @@ public:
     void exportTrials(const QStringList &trials);
     /// With the registrations in force; the older analyses stay.
     void reprocessTrials(const QStringList &trials);
+    /// Removes trials for good, by a job.
+    void emptyBin(const BinContent &content);
     /// Many trials are worked on: their pages need not follow each.
     bool isRunning() const;
 
@@ -44,7 +47,7 @@ private:
     Workspace &m_workspace;
     QWidget &m_window;
     TrialBatch *m_batch;
-    QString m_doneWords; ///< "%1 of %2 trials were exported."
+    QString m_doneWords; ///< "Exported trials: %1 of %2."
     QAction *m_roster, *m_changes;
 };
 

@@ -35,7 +35,8 @@ ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     setWindowTitle(tr("Import trial from videos"));
     m_team->setEditable(true);
     m_team->addItem(QString());
-    m_team->addItems(offer.teams);
+    for (qsizetype i = 0; i < offer.teams.size(); ++i)
+        m_team->addItem(offer.teamsShown.value(i, offer.teams[i]), offer.teams[i]);
     m_robots->setNames(offer.robots, offer.robots.size() == 1);
     auto *form = new QFormLayout;
     form->addRow(tr("&Name"), m_name);
@@ -162,7 +163,8 @@ ImportSettings ImportTrialDialog::settings() const
 {
     ImportSettings settings;
     settings.trial = m_name->text().trimmed().toStdString();
-    settings.team = m_team->currentText().trimmed().toStdString();
+    const int team = m_team->findText(m_team->currentText().trimmed(), Qt::MatchFixedString | Qt::MatchCaseSensitive);
+    settings.team = (team > 0 ? m_team->itemData(team).toString() : m_team->currentText().trimmed()).toStdString();
     settings.task = m_task->text().trimmed().toStdString();
     settings.robots = m_robots->checkedNames();
     for (std::size_t view = 0; view < m_videos.size(); ++view) {

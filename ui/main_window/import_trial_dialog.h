@@ -37,6 +37,7 @@ public:
         QString name; ///< a free one
         QStringList teams, robots;
         std::vector<OfferedCamera> cameras;
+        QStringList teamsShown = {}; ///< what each team is shown as; empty: by their names
     };
     explicit ImportTrialDialog(const Offer &offer, QWidget *parent = nullptr);
     ImportSettings settings() const;

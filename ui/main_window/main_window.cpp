@@ -23,6 +23,7 @@
 #include "ui/main_window/welcome_page.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/shown_units.h"
+#include "ui/models/shown_team.h"
 #include "ui/models/timeline.h"
 #include "ui/record/record_page.h"
 #include "ui/review/review_desk.h"
@@ -244,6 +245,8 @@ void MainWindow::connectPages()
     connect(review, &ReviewPage::trackRequested, m_trials, &TrialActions::askTrack);
     connect(&review->spikes(), &SpikeActions::said, m_trials, &TrialActions::overrule);
     connect(&m_pages->compare(), &ComparePage::importRequested, m_trials, [this] { m_trials->askImport(); });
+    connect(&m_pages->history(), &HistoryPage::teamNamesChanged, this, &MainWindow::showTitle);
+    connect(&m_pages->history(), &HistoryPage::emptyBinRequested, m_many, &HistoryActions::emptyBin);
     connect(&m_pages->history(), &HistoryPage::exportRequested, m_many, &HistoryActions::exportTrials);
     connect(&m_pages->history(), &HistoryPage::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
 }
@@ -349,7 +352,7 @@ void MainWindow::showTitle()
         trial = QString::fromStdString(record.name);
         QStringList words{trial};
         if (!record.teamName.empty())
-            words << tr("Team %1").arg(QString::fromStdString(record.teamName));
+            words << tr("Team %1").arg(shownTeam(record));
         parts << words.join(QStringLiteral(", "));
     }
     parts << tr("Odograph");

@@ -83,6 +83,7 @@ void ProjectPages::connectHistory()
             Q_EMIT failed(compared.error());
     });
     connect(m_history, &HistoryPage::trialChosen, this, &ProjectPages::openTrial);
+    connect(m_history, &HistoryPage::teamNamesChanged, this, [this] { refreshAllBut(m_history); });
     connect(m_history, &HistoryPage::notesChanged, this, [this] { refreshAllBut(m_history); });
     connect(m_history, &HistoryPage::trialsChanged, this, [this](const QString &words) {
         tell(words);

@@ -15,6 +15,7 @@
 #include "ui/models/camera_list_model.h"
 #include "ui/models/figure_text.h"
 #include "ui/views/command_names.h"
+#include "ui/models/shown_team.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
@@ -138,8 +139,12 @@ void TrialActions::askImport(const QStringList &videos)
     std::vector<ImportTrialDialog::OfferedCamera> cameras;
     for (const CameraRow &row : loadCameraRows(project).value_or(std::vector<CameraRow>()))
         cameras.push_back({QString::fromStdString(row.camera.name), cameraBadge(row.registration)});
-    ImportTrialDialog dialog({freeTrialName(trials), namesOf(project.teams().all()), namesOf(project.robots().all()), std::move(cameras)},
-                             &m_window);
+    QStringList teamsShown;
+    const auto teams = project.teams().all();
+    for (const TeamRecord &team : teams.value_or(std::vector<TeamRecord>()))
+        teamsShown << shownTeam(team);
+    ImportTrialDialog dialog(
+        {freeTrialName(trials), namesOf(teams), namesOf(project.robots().all()), std::move(cameras), teamsShown}, &m_window);
     for (const QString &video : videos)
         dialog.addVideo({}, video);
     if (dialog.exec() != QDialog::Accepted)

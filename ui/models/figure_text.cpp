@@ -122,7 +122,7 @@ QString metricName(const std::string &name)
     {
         const char *name, *words;
     };
-    static constexpr std::array<Word, 23> words = {{
+    static constexpr std::array<Word, 27> words = {{
         {"duration", QT_TRANSLATE_NOOP("odo::FigureText", "Time")},
         {"path_length", QT_TRANSLATE_NOOP("odo::FigureText", "Path")},
         {"max_speed", QT_TRANSLATE_NOOP("odo::FigureText", "Top speed")},
@@ -145,6 +145,10 @@ QString metricName(const std::string &name)
         {"displacement", QT_TRANSLATE_NOOP("odo::FigureText", "Displacement")},
         {"moving_time", QT_TRANSLATE_NOOP("odo::FigureText", "Time in motion")},
         {"mean_view_disagreement", QT_TRANSLATE_NOOP("odo::FigureText", "Views disagree by")},
+        {"score", QT_TRANSLATE_NOOP("odo::FigureText", "Score")},
+        {"spikes", QT_TRANSLATE_NOOP("odo::FigureText", "Spikes")},
+        {"limit_breaches", QT_TRANSLATE_NOOP("odo::FigureText", "Limits broken")},
+        {"gates_passed", QT_TRANSLATE_NOOP("odo::FigureText", "Gates passed")},
         {"height", QT_TRANSLATE_NOOP("odo::FigureText", "Robot's height")},
     }};
     for (const Word &word : words) {

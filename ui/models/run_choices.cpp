@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "ui/models/shown_team.h"
 
 #include <QStringList>
 #include <algorithm>
@@ -15,9 +16,9 @@ namespace {
 QString choiceWords(const TrialRecord &trial, const std::string &robot)
 {
     QStringList words{QString::fromStdString(trial.name)};
-    for (const std::string &word : {robot, trial.teamName, trial.task})
-        if (!word.empty())
-            words << QString::fromStdString(word);
+    for (const QString &word : {QString::fromStdString(robot), shownTeam(trial), QString::fromStdString(trial.task)})
+        if (!word.isEmpty())
+            words << word;
     return words.join(QStringLiteral(" · "));
 }
 

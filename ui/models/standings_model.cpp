@@ -2,6 +2,7 @@
 #include "ui/models/standings_model.h"
 
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_team.h"
 
 #include <QLocale>
 
@@ -21,6 +22,8 @@ QString figure(const TeamStanding &team, double value, std::optional<double> sig
 
 QString progressText(const TeamStanding &team, const Standings &standings)
 {
+    if (!standings.isRanked())
+        return StandingsModel::tr("choose a task");
     if (!team.progress.change)
         return StandingsModel::tr("three trials at different times tell");
     const Figure change = *team.progress.change;
@@ -33,18 +36,17 @@ QString progressText(const TeamStanding &team, const Standings &standings)
 
 StandingsModel::StandingsModel(QObject *parent) : QAbstractTableModel(parent) {}
 
-void StandingsModel::setStandings(Standings standings, bool pseudonyms)
+void StandingsModel::setStandings(Standings standings)
 {
     beginResetModel();
     m_standings = std::move(standings);
-    m_pseudonyms = pseudonyms;
     endResetModel();
 }
 
 QString StandingsModel::teamName(int row) const
 {
     const TeamStanding &team = this->team(row);
-    return QString::fromStdString(m_pseudonyms && !team.pseudonym.empty() ? team.pseudonym : team.team);
+    return shownTeam(team.team, team.pseudonym);
 }
 
 int StandingsModel::rowCount(const QModelIndex &parent) const
@@ -61,7 +63,7 @@ QString StandingsModel::display(const TeamStanding &team, int row, int column) c
 {
     switch (column) {
     case RankColumn:
-        return QLocale().toString(team.figures.rank);
+        return m_standings.isRanked() ? QLocale().toString(team.figures.rank) : QStringLiteral("\u2013");
     case TeamColumn:
         return teamName(row);
     case ClassColumn:
@@ -105,7 +107,7 @@ QVariant StandingsModel::headerData(int section, Qt::Orientation orientation, in
     switch (section) {
     case RankColumn:
         return tip ? tr("One more than the teams that are better beyond doubt: their medians differ by more "
-                        "than 1.96 σ")
+                        "than 1.96 σ. Runs of different tasks are not ranked")
                    : tr("Rank");
     case TeamColumn:
         return tr("Team");

@@ -25,8 +25,7 @@ public:
     };
 
     explicit StandingsModel(QObject *parent = nullptr);
-    /// pseudonyms: teams that have one are shown by it.
-    void setStandings(Standings standings, bool pseudonyms);
+    void setStandings(Standings standings);
     const TeamStanding &team(int row) const { return m_standings.teams.at(static_cast<std::size_t>(row)); }
     const Standings &standings() const { return m_standings; }
     QString teamName(int row) const;
@@ -40,7 +39,6 @@ private:
     QString display(const TeamStanding &team, int row, int column) const;
 
     Standings m_standings;
-    bool m_pseudonyms = false;
 };
 
 /// Whether a team got better through the term, in words.

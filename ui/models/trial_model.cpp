@@ -3,7 +3,10 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/trial_scores.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/score_text.h"
+#include "ui/models/shown_team.h"
 
 #include <QCollator>
 #include <QDateTime>
@@ -50,6 +53,21 @@ QString withNumbersPadded(const QString &text)
     return padded;
 }
 
+/// Of each trial whose task is scored that of its best robot, if any has one.
+Result<std::unordered_map<RecordId, std::optional<Score>>> bestScores(Project &project, Instant from, Instant to)
+{
+    auto scores = trialScores(project, from, to);
+    if (!scores)
+        return tl::unexpected(scores.error());
+    std::unordered_map<RecordId, std::optional<Score>> best;
+    for (TrialScore &run : *scores) {
+        const auto place = best.try_emplace(run.trial).first;
+        if (run.score && (!place->second || run.score->points > place->second->points))
+            place->second = std::move(run.score);
+    }
+    return best;
+}
+
 /// Rows of trials that were read, newest first, with their figures.
 Result<std::vector<TrialRow>> withFigures(Project &project, std::vector<TrialRecord> trials)
 {
@@ -65,12 +83,19 @@ Result<std::vector<TrialRow>> withFigures(Project &project, std::vector<TrialRec
         if (!isNew && figure.metric.value > place->second.value)
             place->second = figure.metric;
     }
+    auto scores = bestScores(project, trials.back().date, trials.front().date);
+    if (!scores)
+        return tl::unexpected(scores.error());
     rows.reserve(trials.size());
     for (TrialRecord &trial : trials) {
         const auto figure = best.find(trial.id);
         QString searchText = searchTextOf(trial);
         rows.push_back({std::move(trial), figure == best.end() ? std::nullopt : std::optional(figure->second),
                         std::move(searchText)});
+        if (const auto score = scores->find(rows.back().trial.id); score != scores->end()) {
+            rows.back().isScored = true;
+            rows.back().score = std::move(score->second);
+        }
     }
     return rows;
 }
@@ -116,10 +141,9 @@ void TrialModel::setFilter(TrialFilter filter)
     endResetModel();
 }
 
-void TrialModel::setPseudonyms(bool shown)
+void TrialModel::updateTeams()
 {
     beginResetModel();
-    m_pseudonyms = shown;
     choose();
     endResetModel();
 }
@@ -198,6 +222,8 @@ void TrialModel::arrange()
     case TopSpeedColumn: // trials without a figure come together at one end
         return sortBy(
             [this](std::size_t i) { return m_rows[i].topSpeed ? m_rows[i].topSpeed->value : -1.0; });
+    case ScoreColumn:
+        return sortBy([this](std::size_t i) { return m_rows[i].score ? m_rows[i].score->points : -1e9; });
     case StarColumn:
         return sortBy([this](std::size_t i) { return m_rows[i].trial.starred; });
     default:
@@ -230,8 +256,7 @@ QString TrialModel::display(const TrialRow &row, int column) const
     case NameColumn:
         return QString::fromStdString(row.trial.name);
     case TeamColumn:
-        return QString::fromStdString(
-            m_pseudonyms && !row.trial.teamPseudonym.empty() ? row.trial.teamPseudonym : row.trial.teamName);
+        return shownTeam(row.trial);
     case ClassColumn:
         return QString::fromStdString(row.trial.className);
     case TaskColumn:
@@ -244,6 +269,8 @@ QString TrialModel::display(const TrialRow &row, int column) const
         return secondsText(fromSeconds(row.trial.durationS));
     case TopSpeedColumn:
         return row.topSpeed ? metricFigure(*row.topSpeed).text() : tr("not tracked");
+    case ScoreColumn:
+        return row.score ? scoreText(*row.score) : row.isScored ? tr("measure again") : QString();
     case TagsColumn:
         return joined(row.trial.tags);
     default:
@@ -272,9 +299,11 @@ QVariant TrialModel::data(const QModelIndex &index, int role) const
     case Qt::ToolTipRole:
         if (column == TagsColumn && m_editable)
             return tr("Tags, separated by commas: double-click or F2 changes them");
+        if (column == ScoreColumn && row.score) // a tool tip guesses at rich text
+            return scoreLines(*row.score).join(u'\n').toHtmlEscaped();
         return column == StarColumn ? QVariant(tr("Star (Ctrl+D)")) : QVariant();
     case Qt::TextAlignmentRole: {
-        const bool number = column == DurationColumn || column == TopSpeedColumn;
+        const bool number = column == DurationColumn || column == TopSpeedColumn || column == ScoreColumn;
         return QVariant::fromValue(
             Qt::Alignment(Qt::AlignVCenter | (number ? Qt::AlignRight : Qt::AlignLeft)));
     }
@@ -318,6 +347,8 @@ Qt::ItemFlags TrialModel::flags(const QModelIndex &index) const
 
 QVariant TrialModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
+    if (orientation == Qt::Horizontal && section == StarColumn && (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole))
+        return tr("Star");
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
         return {};
     switch (section) {
@@ -338,7 +369,9 @@ QVariant TrialModel::headerData(int section, Qt::Orientation orientation, int ro
     case TopSpeedColumn:
         return tr("Top speed");
     case StarColumn:
-        return tr("Star");
+        return QStringLiteral("\u2605"); // the word is wider than the stars
+    case ScoreColumn:
+        return tr("Score");
     case TagsColumn:
         return tr("Tags");
     default:

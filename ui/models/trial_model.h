@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/project/records.h"
+#include "core/trajectory/scoring.h"
 #include "ui/models/trial_filter.h"
 
 #include <QAbstractTableModel>
@@ -19,6 +20,8 @@ struct TrialRow
     TrialRecord trial;
     std::optional<Metric> topSpeed; ///< of its fastest robot; nullopt: not tracked
     QString searchText;             ///< searchTextOf(trial)
+    std::optional<Score> score = {}; ///< of its best robot
+    bool isScored = false;           ///< its task is; without a score it was measured otherwise
 };
 
 /// Reads the trials of a project piece by piece, newest first, so that thousands of them never keep the
@@ -53,6 +56,7 @@ public:
         RobotsColumn,
         DurationColumn,
         TopSpeedColumn,
+        ScoreColumn,
         StarColumn, ///< checkable
         TagsColumn, ///< editable, separated by commas
         ColumnCount
@@ -69,8 +73,8 @@ public:
     void updateRow(TrialRow row);
     void setFilter(TrialFilter filter);
     const TrialFilter &filter() const { return m_filter; }
-    /// Teams that have a pseudonym are shown by it.
-    void setPseudonyms(bool shown);
+    /// Teams are shown by another name now (shownTeam).
+    void updateTeams();
     /// Whether stars and tags can be changed in place.
     void setEditable(bool editable) { m_editable = editable; }
 
@@ -103,7 +107,7 @@ private:
     TrialFilter m_filter;
     int m_sortColumn = DateColumn;
     Qt::SortOrder m_sortOrder = Qt::DescendingOrder;
-    bool m_pseudonyms = false, m_editable = false;
+    bool m_editable = false;
 };
 
 } // namespace odo

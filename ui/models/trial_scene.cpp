@@ -200,7 +200,12 @@ Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialN
         auto task = project.tasks().find(scene->trial.task);
         if (!task)
             return passOn(task);
+        auto scoring = project.tasks().scoring(task->id);
+        if (!scoring)
+            return passOn(scoring);
         scene->task = std::move(task->task);
+        scene->taskId = task->id;
+        scene->scoring = std::move(*scoring);
     }
     auto analyses = project.analyses().current(scene->trial.id);
     if (!analyses)

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/geometry/floor_view.h"
 #include "core/project/records.h"
+#include "core/trajectory/scoring.h"
 
 #include <Eigen/Geometry>
 #include <filesystem>
@@ -45,6 +46,8 @@ struct TrialScene
     std::vector<SceneRobot> robots;
     std::optional<MarkerLayout> layout; ///< of the first registered view
     std::optional<Task> task;           ///< that was to be driven
+    RecordId taskId = 0;                ///< of it; 0: none
+    std::vector<Criterion> scoring;     ///< of it; empty: it is not scored
 
     /// Frame times of the first view, which is the time line of the trial; empty without views.
     const std::vector<Nanoseconds> &frameTimes() const;

@@ -67,7 +67,8 @@ void ChosenCameras::keepInProject()
         const auto camera = m_project.cameras().find(name);
         if (!camera || camera->deviceUri == uri)
             continue;
-        if (const auto kept = m_project.cameras().setDevice(camera->id, uri);
+        if (const auto kept = m_project.note(
+                "connect camera " + name, [&] { return m_project.cameras().setDevice(camera->id, uri); });
             !kept && kept.error().code != ErrorCode::ReadOnly)
             Q_EMIT failed(kept.error());
     }

@@ -4,6 +4,7 @@
 #include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "ui/models/shown_team.h"
 #include "ui/record/doctor_dialog.h"
 #include "ui/record/health_words.h"
 #include "ui/record/live_board.h"
@@ -182,14 +183,20 @@ bool RecordPage::isRecording() const
 
 void RecordPage::refresh()
 {
-    auto lineUp = LineUp::read(m_project);
+    auto lineUp = LineUp::read(m_project, arePseudonymsShown());
     if (!lineUp) {
         Q_EMIT failed(lineUp.error());
         return;
     }
     m_run->setLineUp(*lineUp);
-    if (!std::exchange(m_isLineUpRead, true))
+    const bool isRenamed = std::exchange(m_isByPseudonym, arePseudonymsShown()) != m_isByPseudonym;
+    if (!std::exchange(m_isLineUpRead, true)) {
         m_run->setRun(lineUp->first());
+    } else if (isRenamed) { // the name that was suggested would tell whose pseudonym it is
+        NextRun run = m_run->run();
+        run.trial = lineUp->freeTrialName(run.team);
+        m_run->setRun(run);
+    }
     if (m_cameras.session() && m_control.phase() == RunPhase::Ready && !m_recorder->isEnding())
         m_cameras.restart(); // a registration may be a new one
 }
@@ -299,7 +306,7 @@ void RecordPage::end()
 void RecordPage::takeRecorded(const QString &trial, const QStringList &warnings)
 {
     const NextRun driven = m_run->run();
-    if (auto lineUp = LineUp::read(m_project)) {
+    if (auto lineUp = LineUp::read(m_project, arePseudonymsShown())) {
         m_run->setLineUp(*lineUp);
         m_run->setRun(lineUp->next(driven));
     }

@@ -80,7 +80,7 @@ private:
     RunMeasuring *m_measuring;
     QString m_room;
     CaptureHealth m_before;          ///< losses are counted since then: of the run, or of the cameras
-    bool m_isLineUpRead = false, m_anyDelivers = false;
+    bool m_isLineUpRead = false, m_isByPseudonym = false, m_anyDelivers = false;
     int m_ticks = 0;
     QTimer m_timer;
 

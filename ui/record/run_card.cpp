@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/run_card.h"
 
+#include "ui/models/shown_team.h"
 #include "ui/views/check_list.h"
 
 #include <QComboBox>
@@ -108,7 +109,7 @@ void RunCard::fillTeams()
     const QString before = m_team->currentData().toString();
     m_team->clear();
     for (const std::string &name : m_lineUp.teams(m_class->currentData().toString().toStdString()))
-        m_team->addItem(QString::fromStdString(name), QString::fromStdString(name));
+        m_team->addItem(shownTeam(name, m_lineUp.pseudonymOf(name)), QString::fromStdString(name));
     m_team->addItem(tr("no team"), QString());
     m_team->setCurrentIndex(std::max(0, m_team->findData(before)));
     m_form->setRowVisible(m_team, m_team->count() > 1);

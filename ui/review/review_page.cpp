@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/models/project_reader.h"
+#include "ui/models/shown_team.h"
 #include "ui/models/timeline.h"
 #include "ui/review/range_card.h"
 #include "ui/review/review_column.h"
@@ -20,6 +21,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <map>
 #include <ranges>
 
 namespace odo {
@@ -126,12 +128,15 @@ Result<ReviewPage::Reading> ReviewPage::readTrial(Project &project, const Wish &
         if (!trials)
             return tl::unexpected(trials.error());
         reading.list.emplace();
+        std::map<std::string, QString> shownTeams; // by name
+        for (const TeamRecord &team : project.teams().all().value_or(std::vector<TeamRecord>()))
+            shownTeams[team.name] = shownTeam(team);
         std::string newest;
         bool isThere = !wish.chosen.empty();
         for (const TrialName &trial : *trials | std::views::reverse) { // the chooser goes on in time
             if (trial.binned)
                 continue;
-            const QString shown = QString::fromStdString(trial.name), team = QString::fromStdString(trial.teamName);
+            const QString shown = QString::fromStdString(trial.name), team = shownTeams[trial.teamName];
             reading.list->names << shown;
             reading.list->words << (team.isEmpty() ? shown : QStringLiteral("%1 · %2").arg(shown, team));
             newest = trial.name;

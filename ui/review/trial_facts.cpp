@@ -3,6 +3,7 @@
 
 #include "core/trajectory/gate_passages.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_team.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -171,7 +172,7 @@ QList<Fact> trialFacts(const TrialScene &scene)
             facts.append({name, value, {}});
     };
     const TrialRecord &trial = scene.trial;
-    add(Words::tr("Team"), QString::fromStdString(trial.teamName));
+    add(Words::tr("Team"), shownTeam(trial));
     add(Words::tr("Task"), QString::fromStdString(trial.task));
     QStringList robots;
     for (const SceneRobot &robot : scene.robots)

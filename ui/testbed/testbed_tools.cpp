@@ -165,7 +165,7 @@ void TestbedTools::registerCamera()
     if (wizard.exec() != QDialog::Accepted)
         return;
     std::string verdict;
-    const auto stored = m_project.inTransaction([&]() -> Result<void> {
+    const auto stored = m_project.note(tr("register camera %1").arg(wizard.camera()).toStdString(), [&]() -> Result<void> {
         RegistrationRecord registration = wizard.result();
         registration.picture = picture.stored();
         const auto record = storeRegistration(m_project, wizard.camera().toStdString(), std::move(registration));

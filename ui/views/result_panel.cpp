@@ -3,6 +3,7 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/models/metric_choice.h"
+#include "ui/models/shown_team.h"
 #include "ui/views/explanation_dialog.h"
 #include "ui/views/figure_grid.h"
 
@@ -53,7 +54,7 @@ void ResultPanel::showRobot(int robot)
     const SceneRobot &shown = m_scene->robots[static_cast<std::size_t>(robot)];
     QStringList remark;
     if (!m_scene->trial.teamName.empty())
-        remark += QString::fromStdString(m_scene->trial.teamName);
+        remark += shownTeam(m_scene->trial);
     if (m_robots->count() == 1)
         remark += tr("robot \u201c%1\u201d").arg(QString::fromStdString(shown.robot.name));
     setRemark(remark.join(QStringLiteral(" \u00b7 ")));

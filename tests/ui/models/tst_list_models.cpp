@@ -2,6 +2,7 @@
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/camera_list_model.h"
 #include "ui/models/metric_model.h"
+#include "ui/models/shown_team.h"
 #include "ui/models/spike_model.h"
 #include "ui/models/change_model.h"
 #include "ui/models/standings_model.h"
@@ -207,9 +208,11 @@ private Q_SLOTS:
         hidden.trial.teamPseudonym = "Team Four";
         model.setRows({named, hidden});
         model.sort(TrialModel::NameColumn);
-        model.setPseudonyms(true);
+        showPseudonyms(true);
+        model.updateTeams();
         QCOMPARE(model.index(0, TrialModel::TeamColumn).data().toString(), QStringLiteral("Falcon"));
         QCOMPARE(model.index(1, TrialModel::TeamColumn).data().toString(), QStringLiteral("Team Four"));
+        showPseudonyms(false);
     }
     void changesAreLookedThrough()
     {
@@ -231,6 +234,7 @@ private Q_SLOTS:
             trial.team = 1;
             trial.teamName = "Falcon";
             trial.teamPseudonym = "Team 4";
+            trial.task = "Slalom";
             trial.date = Instant(std::chrono::hours(24 * trial.id));
             figures.push_back({trial.id, 1, {"gate_time", "s", seconds, 0.01}});
             trials.push_back(trial);
@@ -240,7 +244,8 @@ private Q_SLOTS:
             pointers.push_back(&trial);
         StandingsModel model;
         QAbstractItemModelTester tester(&model, strict);
-        model.setStandings(standingsOf(pointers, figures, {"", "", "gate_time"}), true);
+        showPseudonyms(true);
+        model.setStandings(standingsOf(pointers, figures, {"", "Slalom", "gate_time"}));
         QCOMPARE(model.rowCount(), 1);
         const auto cell = [&](int column) { return model.index(0, column).data().toString(); };
         QCOMPARE(cell(StandingsModel::TeamColumn), QStringLiteral("Team 4"));
@@ -248,7 +253,8 @@ private Q_SLOTS:
         QCOMPARE(cell(StandingsModel::BestColumn), QStringLiteral("9.00\u00a0s"));
         QVERIFY(cell(StandingsModel::ProgressColumn).startsWith(QLatin1String("better: -3.0")) ||
                 cell(StandingsModel::ProgressColumn).startsWith(QString::fromUtf8("better: −3.0")));
-        model.setStandings(standingsOf(pointers, figures, {"", "", "max_speed"}), false); // the same figures, where more is better
+        showPseudonyms(false);
+        model.setStandings(standingsOf(pointers, figures, {"", "Slalom", "max_speed"})); // the same figures, where more is better
         QCOMPARE(cell(StandingsModel::TeamColumn), QStringLiteral("Falcon"));
         QVERIFY(cell(StandingsModel::ProgressColumn).startsWith(QLatin1String("worse: ")));
     }
