@@ -3,6 +3,17 @@
 <!-- Plural forms of the English words alone: every tr("%n …") of the program has its two here. -->
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>odo::ClassesDialog</name>
+    <message numerus="yes">
+        <source>%1 (archived, %n team(s))</source>
+        <translation><numerusform>%1 (archived, %n team)</numerusform><numerusform>%1 (archived, %n teams)</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%n team(s))</source>
+        <translation><numerusform>%1 (%n team)</numerusform><numerusform>%1 (%n teams)</numerusform></translation>
+    </message>
+</context>
+<context>
     <name>odo::HistoryActions</name>
     <message numerus="yes">
         <source>%n trial(s) removed for good.</source>
@@ -36,6 +47,33 @@
     </message>
 </context>
 <context>
+    <name>odo::TasksDialog</name>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation><numerusform>%n trial</numerusform><numerusform>%n trials</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>The course as it was before it was changed: %n result(s) measured by it keep it.</source>
+        <translation><numerusform>The course as it was before it was changed: %n result measured by it keeps it.</numerusform><numerusform>The course as it was before it was changed: %n results measured by it keep it.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) have this task.</source>
+        <translation><numerusform>%n trial has this task.</numerusform><numerusform>%n trials have this task.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</source>
+        <translation><numerusform>%n of them was measured by another course: times at gates and distances from the path are of that one, and there is no score until it is measured again.</numerusform><numerusform>%n of them were measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>It is scored by %n figure(s).</source>
+        <translation><numerusform>It is scored by %n figure.</numerusform><numerusform>It is scored by %n figures.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</source>
+        <translation><numerusform>%n result measured by this course stays true: a course that is changed is kept for it as an earlier version. The trial goes over to the new one; its times and score follow once it is measured again.</numerusform><numerusform>%n results measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</numerusform></translation>
+    </message>
+</context>
+<context>
     <name>odo::TeamsPanel</name>
     <message numerus="yes">
         <source>%n team(s)</source>
@@ -44,6 +82,13 @@
     <message numerus="yes">
         <source>%n trial(s) left out: measured by another course; measure them again</source>
         <translation><numerusform>%n trial left out: measured by another course; measure it again</numerusform><numerusform>%n trials left out: measured by another course; measure them again</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>RangeFacts</name>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation><numerusform>%n point</numerusform><numerusform>%n points</numerusform></translation>
     </message>
 </context>
 </TS>

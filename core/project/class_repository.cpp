@@ -10,8 +10,8 @@ namespace odo {
 
 namespace {
 
-const QString classColumns =
-    QStringLiteral("SELECT id, name, archived_ms, (SELECT COUNT(*) FROM team WHERE class_id=class.id) FROM class ");
+const QString classColumns = QStringLiteral(
+    "SELECT id, name, archived_ms, (SELECT COUNT(*) FROM team WHERE class_id=class.id) FROM class ");
 
 ClassRecord classOf(const Statement &row)
 {
@@ -97,7 +97,8 @@ Result<void> ClassRepository::remove(RecordId id)
             return tl::unexpected(known.error());
         if (known->teams > 0)
             return fail(ErrorCode::InvalidInput, "class '" + known->name + "'",
-                        known->teams == 1 ? "a team belongs to it" : std::to_string(known->teams) + " teams belong to it",
+                        known->teams == 1 ? "a team belongs to it"
+                                          : std::to_string(known->teams) + " teams belong to it",
                         "move its teams to another class first, or archive it");
         return runFor(m_connection, "DELETE FROM class WHERE id=?", id);
     });

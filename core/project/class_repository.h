@@ -16,8 +16,9 @@ struct ClassRecord
 {
     RecordId id = 0;
     std::string name;
-    std::optional<Instant> archived; ///< since when it is out of the way: its teams and trials are listed only where asked for
-    int teams = 0;                   ///< read only
+    std::optional<Instant>
+        archived;  ///< since when it is out of the way: its teams and trials are listed only where asked for
+    int teams = 0; ///< read only
 };
 
 /// The classes of a project. Plain synchronous calls on the project's thread, as those of repositories.h.

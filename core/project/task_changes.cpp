@@ -14,9 +14,11 @@ namespace {
 bool isSameCourse(const Task &a, const Task &b)
 {
     const auto isSameGate = [](const Gate &one, const Gate &other) {
-        return one.name == other.name && one.role == other.role && one.from == other.from && one.to == other.to;
+        return one.name == other.name && one.role == other.role && one.from == other.from &&
+               one.to == other.to;
     };
-    return a.kind == b.kind && std::equal(a.gates.begin(), a.gates.end(), b.gates.begin(), b.gates.end(), isSameGate) &&
+    return a.kind == b.kind &&
+           std::equal(a.gates.begin(), a.gates.end(), b.gates.begin(), b.gates.end(), isSameGate) &&
            a.path.points == b.path.points && a.path.closed == b.path.closed &&
            a.limits.maxSpeedMps == b.limits.maxSpeedMps && a.limits.maxAccelMps2 == b.limits.maxAccelMps2;
 }
@@ -47,7 +49,8 @@ Result<void> setName(ProjectConnection &connection, RecordId task, const std::st
 
 Result<void> removeRows(ProjectConnection &connection, RecordId task)
 {
-    for (const char *sql : {"DELETE FROM scoring WHERE task_id=?", "DELETE FROM gate WHERE task_id=?", "DELETE FROM task WHERE id=?"})
+    for (const char *sql : {"DELETE FROM scoring WHERE task_id=?", "DELETE FROM gate WHERE task_id=?",
+                            "DELETE FROM task WHERE id=?"})
         if (auto done = runFor(connection, sql, task); !done)
             return done;
     return {};
@@ -69,15 +72,18 @@ bool isEarlierVersion(const TaskRecord &task, const TaskUse &use)
 Result<std::map<RecordId, TaskUse>> TaskRepository::uses() const
 {
     std::map<RecordId, TaskUse> uses;
-    Statement trials(m_connection, QStringLiteral("SELECT task_id, COUNT(*) FROM trial WHERE task_id IS NOT NULL GROUP BY task_id"));
+    Statement trials(
+        m_connection,
+        QStringLiteral("SELECT task_id, COUNT(*) FROM trial WHERE task_id IS NOT NULL GROUP BY task_id"));
     auto read = trials.eachRow([&uses](const Statement &row) -> Result<void> {
         uses[row.integer(0)].trials = row.smallInteger(1);
         return {};
     });
     if (!read)
         return tl::unexpected(read.error());
-    Statement analyses(m_connection,
-                       QStringLiteral("SELECT task_id, COUNT(*) FROM analysis WHERE task_id IS NOT NULL GROUP BY task_id"));
+    Statement analyses(
+        m_connection,
+        QStringLiteral("SELECT task_id, COUNT(*) FROM analysis WHERE task_id IS NOT NULL GROUP BY task_id"));
     read = analyses.eachRow([&uses](const Statement &row) -> Result<void> {
         uses[row.integer(0)].analyses = row.smallInteger(1);
         return {};
@@ -117,7 +123,8 @@ Result<void> TaskRepository::rename(RecordId task, const std::string &name)
 Result<void> TaskRepository::moveAll(RecordId from, RecordId to)
 {
     for (const char *table : {"trial", "scoring"}) {
-        Statement update(m_connection, QStringLiteral("UPDATE %1 SET task_id=? WHERE task_id=?").arg(QLatin1String(table)));
+        Statement update(m_connection,
+                         QStringLiteral("UPDATE %1 SET task_id=? WHERE task_id=?").arg(QLatin1String(table)));
         if (auto done = update.bind(to).bind(from).run(); !done)
             return done;
     }
@@ -160,7 +167,8 @@ Result<void> TaskRepository::remove(RecordId task)
         const auto use = used->find(task);
         if (use != used->end() && use->second.trials > 0)
             return fail(ErrorCode::InvalidInput, "task '" + known->name + "'",
-                        use->second.trials == 1 ? "a trial has it" : std::to_string(use->second.trials) + " trials have it",
+                        use->second.trials == 1 ? "a trial has it"
+                                                : std::to_string(use->second.trials) + " trials have it",
                         "give them another task first");
         if (use != used->end())
             return fail(ErrorCode::InvalidInput, "task '" + known->name + "'", "trials were measured by it",
@@ -172,8 +180,10 @@ Result<void> TaskRepository::remove(RecordId task)
 Result<std::vector<Criterion>> TaskRepository::scoring(RecordId task) const
 {
     std::vector<Criterion> criteria;
-    Statement select(m_connection, QStringLiteral("SELECT task_id, metric, full_at, none_at, points FROM scoring WHERE task_id=? "
-                                                  "ORDER BY position"));
+    Statement select(
+        m_connection,
+        QStringLiteral("SELECT task_id, metric, full_at, none_at, points FROM scoring WHERE task_id=? "
+                       "ORDER BY position"));
     auto read = select.bind(task).eachRow([&criteria](const Statement &row) -> Result<void> {
         criteria.push_back(criterionOf(row));
         return {};
@@ -186,8 +196,10 @@ Result<std::vector<Criterion>> TaskRepository::scoring(RecordId task) const
 Result<std::map<RecordId, std::vector<Criterion>>> TaskRepository::scorings() const
 {
     std::map<RecordId, std::vector<Criterion>> scorings;
-    Statement select(m_connection,
-                     QStringLiteral("SELECT task_id, metric, full_at, none_at, points FROM scoring ORDER BY task_id, position"));
+    Statement select(
+        m_connection,
+        QStringLiteral(
+            "SELECT task_id, metric, full_at, none_at, points FROM scoring ORDER BY task_id, position"));
     auto read = select.eachRow([&scorings](const Statement &row) -> Result<void> {
         scorings[row.integer(0)].push_back(criterionOf(row));
         return {};

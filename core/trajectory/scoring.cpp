@@ -64,27 +64,31 @@ Score scoreOf(const std::vector<Criterion> &criteria, const std::vector<Metric> 
 
 bool hasCourse(const Task &task)
 {
-    return !task.gates.empty() || !task.path.points.empty() || task.limits.maxSpeedMps || task.limits.maxAccelMps2;
+    return !task.gates.empty() || !task.path.points.empty() || task.limits.maxSpeedMps ||
+           task.limits.maxAccelMps2;
 }
 
 Result<void> checkScoring(const std::vector<Criterion> &criteria)
 {
     if (criteria.size() > mostLines)
-        return fail(ErrorCode::InvalidInput, "scoring", "it has more than " + std::to_string(mostLines) + " lines",
-                    "keep those that matter");
+        return fail(ErrorCode::InvalidInput, "scoring",
+                    "it has more than " + std::to_string(mostLines) + " lines", "keep those that matter");
     for (std::size_t i = 0; i < criteria.size(); ++i) {
         const Criterion &line = criteria[i];
         const auto refuse = [i](const std::string &why, const std::string &advice) {
-            return fail(ErrorCode::InvalidInput, "line " + std::to_string(i + 1) + " of the scoring", why, advice);
+            return fail(ErrorCode::InvalidInput, "line " + std::to_string(i + 1) + " of the scoring", why,
+                        advice);
         };
         if (line.metric.empty())
             return refuse("it names no figure", "choose what is scored");
         if (!std::isfinite(line.fullAt) || !std::isfinite(line.noneAt) || !std::isfinite(line.points))
             return refuse("a number in it is none", "give three numbers");
         if (line.fullAt == line.noneAt)
-            return refuse("all points and no points are at the same value", "give two values, between which the points rise");
+            return refuse("all points and no points are at the same value",
+                          "give two values, between which the points rise");
         if (line.points == 0 || std::abs(line.points) > mostPoints)
-            return refuse("its points are 0, or beyond 1000", "give points from 1 to 1000, below zero for a penalty");
+            return refuse("its points are 0, or beyond 1000",
+                          "give points from 1 to 1000, below zero for a penalty");
     }
     return {};
 }

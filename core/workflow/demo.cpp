@@ -173,8 +173,11 @@ private:
     Result<void> addTasks()
     {
         for (const TaskRecord &task : demoTasks()) {
-            if (auto added = m_project.tasks().add(task); !added)
+            const auto added = m_project.tasks().add(task);
+            if (!added)
                 return tl::unexpected(added.error());
+            if (auto scored = m_project.tasks().setScoring(added->id, demoScoring(task.task)); !scored)
+                return scored;
         }
         return {};
     }

@@ -64,4 +64,10 @@ std::vector<TaskRecord> demoTasks()
             {0, "Stop and go", stopAndGo()}};
 }
 
+std::vector<Criterion> demoScoring(const Task &task)
+{
+    const bool hasLaps = task.kind == TaskTemplate::Circle || task.kind == TaskTemplate::FigureEight;
+    return {{hasLaps ? "best_lap" : "gate_time", 1, 10, 60}, {"cross_track_rms", 0, 40, 40}, {"spikes", 10, 0, -10}};
+}
+
 } // namespace odo

@@ -41,7 +41,8 @@ Result<void> EmptyBinJob::run(const JobControl &control)
         return tl::unexpected(project.error());
     for (std::size_t i = 0; i < m_content.trials.size() && !control.isCancelled(); ++i) {
         const TrialName &trial = m_content.trials[i];
-        control.report(static_cast<double>(i) / static_cast<double>(m_content.trials.size()), "removing " + trial.name);
+        control.report(static_cast<double>(i) / static_cast<double>(m_content.trials.size()),
+                       "removing " + trial.name);
         if (auto removed = remove(**project, trial); !removed)
             return removed;
     }
@@ -79,6 +80,9 @@ Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial)
     return {};
 }
 
-Result<void> EmptyBinJob::commit(Project &) { return {}; }
+Result<void> EmptyBinJob::commit(Project &)
+{
+    return {};
+}
 
 } // namespace odo

@@ -36,7 +36,8 @@ Result<std::vector<TrialFigure>> scoreFigures(Project &project, Instant from, In
     std::vector<TrialFigure> figures;
     for (const TrialScore &run : *scores)
         if (run.score)
-            figures.push_back({run.trial, run.robot, {scoreMetric, "points", run.score->points, run.score->sigma}});
+            figures.push_back(
+                {run.trial, run.robot, {scoreMetric, "points", run.score->points, run.score->sigma}});
     return figures;
 }
 

@@ -18,12 +18,14 @@ constexpr const char *scoreMetric = "score";
 struct TrialScore
 {
     RecordId trial = 0, robot = 0, task = 0;
-    /// nullopt: its newest analysis was measured by another task than the trial has, or by it as it was before it was changed.
+    /// nullopt: its newest analysis was measured by another task than the trial has, or by it as it was
+    /// before it was changed.
     std::optional<Score> score;
 };
 
-/// Of each robot in the trials from one moment to another (both belong to them) whose task is scored, by its newest analysis.
-/// Computed from what is stored, so that another scoring counts at once. On the project's thread.
+/// Of each robot in the trials from one moment to another (both belong to them) whose task is scored, by its
+/// newest analysis. Computed from what is stored, so that another scoring counts at once. On the project's
+/// thread.
 Result<std::vector<TrialScore>> trialScores(Project &project, Instant from, Instant to);
 
 /// The same as figures with the name scoreMetric; runs without a score are left out.

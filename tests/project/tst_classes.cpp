@@ -17,7 +17,8 @@ private Q_SLOTS:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();
-        m_project = std::move(*Project::create(m_folder->filePath(QStringLiteral("year.odo")).toStdString(), "Year"));
+        m_project =
+            std::move(*Project::create(m_folder->filePath(QStringLiteral("year.odo")).toStdString(), "Year"));
     }
 
     void classesAreKept()
@@ -39,7 +40,8 @@ private Q_SLOTS:
     void aClassIsArchivedAndComesBack()
     {
         const RecordId id = m_project->classes().add("9B")->id;
-        QVERIFY(m_project->change("archive class 9B", [&] { return m_project->classes().setArchived(id, true); }));
+        QVERIFY(m_project->change("archive class 9B",
+                                  [&] { return m_project->classes().setArchived(id, true); }));
         const auto since = m_project->classes().get(id)->archived;
         QVERIFY(since.has_value());
         QVERIFY(m_project->classes().setArchived(id, true)); // again changes nothing
@@ -55,14 +57,17 @@ private Q_SLOTS:
     {
         const RecordId id = m_project->classes().add("9B")->id;
         const auto team = m_project->teams().add({0, "Falcon", "9B"});
-        QCOMPARE(QString::fromStdString(m_project->classes().remove(id).error().message()),
-                 QStringLiteral("class '9B': a team belongs to it; move its teams to another class first, or archive it"));
+        QCOMPARE(
+            QString::fromStdString(m_project->classes().remove(id).error().message()),
+            QStringLiteral(
+                "class '9B': a team belongs to it; move its teams to another class first, or archive it"));
         TrialRecord trial;
         trial.name = "Falcon 1";
         trial.team = team->id;
         QVERIFY(m_project->trials().add(trial, {}));
         QCOMPARE(QString::fromStdString(m_project->teams().remove(team->id).error().message()),
-                 QStringLiteral("team 'Falcon': a trial is its; delete them for good first, or archive its class"));
+                 QStringLiteral(
+                     "team 'Falcon': a trial is its; delete them for good first, or archive its class"));
         const auto spare = m_project->teams().add({0, "Heron", "9B"});
         QVERIFY(m_project->teams().remove(spare->id));
         QCOMPARE(m_project->teams().remove(spare->id).error().code, ErrorCode::NotFound);

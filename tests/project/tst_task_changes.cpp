@@ -51,7 +51,8 @@ private:
 void TestTaskChanges::init()
 {
     m_folder = std::make_unique<QTemporaryDir>();
-    m_project = std::move(*Project::create(m_folder->filePath(QStringLiteral("year.odo")).toStdString(), "Year"));
+    m_project =
+        std::move(*Project::create(m_folder->filePath(QStringLiteral("year.odo")).toStdString(), "Year"));
     RecordSource source(5);
     m_filled = *fill(*m_project, source);
     QVERIFY(tasks().add({0, "Line", line(2)}));
@@ -65,8 +66,10 @@ void TestTaskChanges::measure(RecordId byTask, std::vector<Metric> metrics)
     AnalysisRecord analysis = source.analysis(m_filled.trial, m_filled.robot, 4);
     analysis.task = byTask;
     analysis.profile.metrics = std::move(metrics);
-    analysis.profile.passages = {{"Start", GateRole::Start, {}, 0.01, 0}, {"Finish", GateRole::Finish, {}, 0.01, 0}};
-    analysis.profile.spikes = {{0, {}, flagBit(SampleFlag::Jump), "jump"}, {1, {}, flagBit(SampleFlag::SpeedLimit), "fast"}};
+    analysis.profile.passages = {{"Start", GateRole::Start, {}, 0.01, 0},
+                                 {"Finish", GateRole::Finish, {}, 0.01, 0}};
+    analysis.profile.spikes = {{0, {}, flagBit(SampleFlag::Jump), "jump"},
+                               {1, {}, flagBit(SampleFlag::SpeedLimit), "fast"}};
     const auto added = m_project->analyses().add(analysis);
     QVERIFY2(added, added ? "" : added.error().message().c_str());
 }
@@ -177,14 +180,17 @@ void TestTaskChanges::aScoringIsStored()
 void TestTaskChanges::figuresOfScoredRunsAreRead()
 {
     const RecordId id = task("Line").id;
-    const auto read = [&] { return m_project->analyses().scoredFigures(Instant::min(), Instant::max()).value(); };
+    const auto read = [&] {
+        return m_project->analyses().scoredFigures(Instant::min(), Instant::max()).value();
+    };
     measure(id, {{"gate_time", "s", 9, 0.1}, {"max_speed", "m/s", 1, {}}});
     QVERIFY(read().empty()); // the task is not scored
     QVERIFY(tasks().setScoring(id, {{"gate_time", 4, 10, 30}, {"spikes", 10, 0, -10}}));
     measure(id, {{"gate_time", "s", 7, 0.2}, {"max_speed", "m/s", 1, {}}}); // the newest counts
     const auto runs = read();
     QCOMPARE(runs.size(), std::size_t(1));
-    QVERIFY(runs[0].trial == m_filled.trial && runs[0].robot == m_filled.robot && runs[0].task == id && runs[0].isByTask);
+    QVERIFY(runs[0].trial == m_filled.trial && runs[0].robot == m_filled.robot && runs[0].task == id &&
+            runs[0].isByTask);
     const Score score = scoreOf(*tasks().scoring(id), runs[0].metrics);
     QCOMPARE(score.points, 15.0 - 2.0);
     QCOMPARE(runs[0].metrics[1].value, 1.0); // beyond a limit

@@ -121,7 +121,8 @@ void TestScoring::refusesWhatCannotBeComputed_data()
     QTest::addColumn<QString>("why");
     QTest::newRow("no figure") << "" << 1.0 << 2.0 << 3.0 << "it names no figure";
     QTest::newRow("no number") << "laps" << nan << 2.0 << 3.0 << "a number in it is none";
-    QTest::newRow("equal bounds") << "laps" << 2.0 << 2.0 << 3.0 << "all points and no points are at the same value";
+    QTest::newRow("equal bounds") << "laps" << 2.0 << 2.0 << 3.0
+                                  << "all points and no points are at the same value";
     QTest::newRow("no points") << "laps" << 1.0 << 2.0 << 0.0 << "its points are 0, or beyond 1000";
     QTest::newRow("too many points") << "laps" << 1.0 << 2.0 << 1001.0 << "its points are 0, or beyond 1000";
 }
@@ -139,7 +140,8 @@ void TestScoring::refusesWhatCannotBeComputed()
     QVERIFY(!refused);
     QCOMPARE(refused.error().what, std::string("line 2 of the scoring"));
     QCOMPARE(QString::fromStdString(refused.error().why), why);
-    QCOMPARE(checkScoring(std::vector<Criterion>(31, good)).error().why, std::string("it has more than 30 lines"));
+    QCOMPARE(checkScoring(std::vector<Criterion>(31, good)).error().why,
+             std::string("it has more than 30 lines"));
 }
 
 QTEST_GUILESS_MAIN(TestScoring)

@@ -62,8 +62,9 @@ private Q_SLOTS:
         QVERIFY(m_project->tasks().change({first->id, task.name, line}));
         const auto refused = job.commit(*m_project);
         QVERIFY(!refused);
-        QCOMPARE(QString::fromStdString(refused.error().message()),
-                 QStringLiteral("trial 'Trial 1': its task was changed while it was measured; measure it again"));
+        QCOMPARE(
+            QString::fromStdString(refused.error().message()),
+            QStringLiteral("trial 'Trial 1': its task was changed while it was measured; measure it again"));
     }
 
 private:

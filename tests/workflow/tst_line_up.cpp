@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/line_up.h"
@@ -17,6 +18,8 @@ private Q_SLOTS:
     void teamsComeUpOneAfterTheOther();
     void aTeamDrivesWhatItDroveLast();
     void withoutTeamsTrialsAreNumbered();
+    void pseudonymsNameTrialsWhereTheyAreShown();
+    void archivedClassesAreNotUp();
 
 private:
     void addTrial(const std::string &name, const std::string &team, const std::string &task,
@@ -105,6 +108,32 @@ void TestLineUp::withoutTeamsTrialsAreNumbered()
     run = up.next(run);
     QCOMPARE(run.trial, std::string("Trial 4"));
     QVERIFY(up.classes().empty());
+}
+
+void TestLineUp::pseudonymsNameTrialsWhereTheyAreShown()
+{
+    QVERIFY(m_project->teams().add({0, "Falcon", "9A", "Team 4"}));
+    QVERIFY(m_project->teams().add({0, "Otter", "9A"}));
+    QCOMPARE(LineUp::read(*m_project)->freeTrialName("Falcon"), std::string("Falcon 1"));
+    const LineUp up = *LineUp::read(*m_project, true);
+    QCOMPARE(up.freeTrialName("Falcon"), std::string("Team 4 1"));
+    QCOMPARE(up.freeTrialName("Otter"), std::string("Otter 1")); // it has none
+    QCOMPARE(up.pseudonymOf("Falcon"), std::string("Team 4"));
+    QVERIFY(up.pseudonymOf("Otter").empty() && up.pseudonymOf("nobody").empty());
+}
+
+void TestLineUp::archivedClassesAreNotUp()
+{
+    QVERIFY(m_project->teams().add({0, "Falcon", "9A"}));
+    QVERIFY(m_project->teams().add({0, "Lynx", "9B"}));
+    addTrial("Lynx 1", "Lynx", "", {}, 1);
+    const auto classes = m_project->classes().all().value();
+    for (const ClassRecord &each : classes)
+        if (each.name == "9B")
+            QVERIFY(m_project->classes().setArchived(each.id, true));
+    const LineUp up = *LineUp::read(*m_project);
+    QCOMPARE(up.classes(), Names{"9A"});
+    QCOMPARE(up.first().team, std::string("Falcon")); // not who comes after a team that is not up
 }
 
 QTEST_GUILESS_MAIN(TestLineUp)

@@ -25,9 +25,11 @@ private Q_SLOTS:
         const TrialRecord trial = *project->trials().find("Trial 1");
         const TaskRecord task = *project->tasks().find(trial.task);
         const AnalysisRecord analysis = project->analyses().currentMetrics(trial.id)->front();
-        const Metric &length = *std::ranges::find(analysis.profile.metrics, std::string("path_length"), &Metric::name);
+        const Metric &length =
+            *std::ranges::find(analysis.profile.metrics, std::string("path_length"), &Metric::name);
         // Half of the points at the length that it has.
-        QVERIFY(project->tasks().setScoring(task.id, {{"path_length", length.value - 1, length.value + 1, 20}}));
+        QVERIFY(
+            project->tasks().setScoring(task.id, {{"path_length", length.value - 1, length.value + 1, 20}}));
         QCOMPARE(scores().size(), std::size_t(1));
         const bool isByTask = analysis.task == task.id || !hasCourse(task.task);
         QCOMPARE(scores()[0].score.has_value(), isByTask);
@@ -38,7 +40,8 @@ private Q_SLOTS:
         QCOMPARE(figures->size(), std::size_t(1));
         QCOMPARE(figures->front().metric.name, std::string(scoreMetric));
         QVERIFY(trialScores(*project, Instant::min(), trial.date - std::chrono::hours(1))->empty());
-        // With a course the stored analysis was measured by another one: it is not scored until it is measured again.
+        // With a course the stored analysis was measured by another one: it is not scored until it is
+        // measured again.
         Task line;
         line.path.points = {{0, 0}, {1, 0}};
         QVERIFY(project->tasks().change({project->tasks().find(task.name)->id, task.name, line}));

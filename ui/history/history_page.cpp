@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/history/history_page.h"
 
+#include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/history/mark_actions.h"
@@ -242,6 +243,8 @@ void HistoryPage::endReading(std::vector<TrialRow> rows)
     const QString selected = m_wanted.isEmpty() ? currentTrial() : std::exchange(m_wanted, {});
     m_trials->setRows(std::move(rows));
     offerFilters();
+    if (m_archivedClasses != m_trials->filter().archivedClasses)
+        filter();
     m_table->setColumnHidden(TrialModel::ScoreColumn,
                              std::ranges::none_of(m_trials->allRows(), &TrialRow::isScored));
     m_table->resizeColumnsToContents();
@@ -255,13 +258,19 @@ void HistoryPage::endReading(std::vector<TrialRow> rows)
 void HistoryPage::offerFilters()
 {
     FilterOffer offer;
-    for (const std::string &name : m_project.teams().classes().value_or(std::vector<std::string>()))
-        offer.classes << QString::fromStdString(name);
+    m_archivedClasses.clear();
+    for (const ClassRecord &each : m_project.classes().all().value_or(std::vector<ClassRecord>())) {
+        const QString name = QString::fromStdString(each.name);
+        offer.classes << name;
+        offer.classesShown << (each.archived ? tr("%1 (archived)").arg(name) : name);
+        if (each.archived)
+            m_archivedClasses.insert(each.name);
+    }
     for (const TeamRecord &team : m_project.teams().all().value_or(std::vector<TeamRecord>())) {
         offer.teams << QString::fromStdString(team.name);
         offer.teamsShown << shownTeam(team);
     }
-    for (const TaskRecord &task : m_project.tasks().all().value_or(std::vector<TaskRecord>()))
+    for (const TaskRecord &task : m_project.tasks().current().value_or(std::vector<TaskRecord>()))
         offer.tasks << QString::fromStdString(task.name);
     for (const RobotRecord &robot : m_project.robots().all().value_or(std::vector<RobotRecord>()))
         offer.robots << QString::fromStdString(robot.name);
@@ -315,6 +324,7 @@ void HistoryPage::filter()
     const QString selected = currentTrial();
     TrialFilter filter = m_filterBar->filter();
     filter.text = m_search->text();
+    filter.archivedClasses = m_archivedClasses;
     m_marks->setBinShown(filter.place == TrialFilter::Place::Bin);
     m_trials->setFilter(std::move(filter));
     selectTrial(selected);

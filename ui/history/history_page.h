@@ -6,6 +6,8 @@
 #include <QStringList>
 #include <QWidget>
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 class QAction;
@@ -99,6 +101,7 @@ private:
     QTabWidget *m_tabs;
     TrialDetail *m_detail;
     QTimer *m_readTimer;
+    std::set<std::string> m_archivedClasses;
     std::unique_ptr<TrialRows> m_reading; ///< null: all was read
     std::vector<TrialRow> m_read;         ///< so far
     QString m_wanted;                     ///< to be selected once it was read; empty: none

@@ -62,10 +62,14 @@ QComboBox *TeamsPanel::addChoice(const QString &name)
 
 void TeamsPanel::offer()
 {
-    QStringList classes, tasks, metrics, metricNames;
-    for (const ClassRecord &each : m_project.classes().all().value_or(std::vector<ClassRecord>()))
-        if (!each.archived)
-            classes << QString::fromStdString(each.name);
+    QStringList classes, classesShown, tasks, metrics, metricNames;
+    m_archived.clear();
+    for (const ClassRecord &each : m_project.classes().all().value_or(std::vector<ClassRecord>())) {
+        classes << QString::fromStdString(each.name);
+        classesShown << (each.archived ? tr("%1 (archived)").arg(classes.back()) : classes.back());
+        if (each.archived)
+            m_archived.insert(each.name);
+    }
     for (const TaskRecord &task : m_project.tasks().current().value_or(std::vector<TaskRecord>()))
         tasks << QString::fromStdString(task.name);
     if (const auto scorings = m_project.tasks().scorings(); scorings && !scorings->empty()) {
@@ -79,7 +83,7 @@ void TeamsPanel::offer()
         metrics << QString::fromStdString(metric.name);
         metricNames << metricName(metric.name);
     }
-    fillChoice(*m_class, classes, classes, 1);
+    fillChoice(*m_class, classes, classesShown, 1);
     fillChoice(*m_task, tasks, tasks, 1);
     fillChoice(*m_metric, metrics, metricNames, 0);
     if (!std::exchange(m_isTaskOffered, m_isTaskOffered || !tasks.isEmpty()) && m_task->count() > 1) {
@@ -106,8 +110,9 @@ void TeamsPanel::showTrials(std::span<const TrialRecord *const> trials)
     for (const TrialRecord *trial : trials) {
         const bool isOther = !choice.task.empty() && trial->task == choice.task && !trial->binned &&
                              std::ranges::binary_search(*otherwise, trial->id);
-        leftOut += isOther;
-        if (!isOther)
+        const bool isArchived = choice.className.empty() && m_archived.contains(trial->className);
+        leftOut += isOther && !isArchived;
+        if (!isOther && !isArchived)
             counted.push_back(trial);
     }
     m_model->setStandings(standingsOf(counted, *figures, choice));

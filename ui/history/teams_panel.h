@@ -5,6 +5,8 @@
 #include "core/workflow/standings.h"
 
 #include <QWidget>
+#include <set>
+#include <string>
 
 class QComboBox;
 class QTableView;
@@ -44,6 +46,7 @@ private:
     QTableView *m_table;
     TrendChart *m_chart;
     bool m_isTaskOffered = false;
+    std::set<std::string> m_archived; ///< classes, whose teams stand nowhere unless theirs is chosen
 };
 
 } // namespace odo

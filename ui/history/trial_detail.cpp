@@ -53,7 +53,7 @@ QList<Fact> factsOf(const TrialRecord &trial, const std::vector<AnalysisRecord> 
         if (run.trial != trial.id)
             continue;
         if (run.score)
-            add(TrialDetail::tr("Score"), (QStringList(scoreText(*run.score)) + scoreLines(*run.score)).join(u'\n'));
+            facts.append({TrialDetail::tr("Score"), scoreText(*run.score), {}, explainScore(*run.score)});
         else
             add(TrialDetail::tr("Score"), TrialDetail::tr("none: it was measured by another course than its task has now; measure it again"));
     }

@@ -85,7 +85,7 @@ QComboBox *TrialFilterBar::addChoice(QLayout &row, const QString &name, const QS
 
 void TrialFilterBar::setOffer(const FilterOffer &offer)
 {
-    fillChoice(*m_class, offer.classes, offer.classes);
+    fillChoice(*m_class, offer.classes, offer.classesShown);
     fillChoice(*m_team, offer.teams, offer.teamsShown);
     fillChoice(*m_task, offer.tasks, offer.tasks);
     fillChoice(*m_robot, offer.robots, offer.robots);

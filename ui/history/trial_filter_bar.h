@@ -18,6 +18,7 @@ namespace odo {
 struct FilterOffer
 {
     QStringList classes, teams, tasks, robots;
+    QStringList classesShown; ///< names, those that are archived with that word
     QStringList teamsShown; ///< names or pseudonyms, one for each team
 };
 

@@ -24,6 +24,8 @@ class HistoryActions : public QObject
 public:
     HistoryActions(Workspace &workspace, QWidget &window);
     void fillMenu(QMenu &menu);
+    /// From a file that is asked for.
+    void askRoster();
     /// Into a folder that is asked for.
     void exportTrials(const QStringList &trials);
     /// With the registrations in force; the older analyses stay.
@@ -39,7 +41,6 @@ Q_SIGNALS:
     void failed(const odo::Error &error);
 
 private:
-    void askRoster();
     void showChanges();
     void updateActions();
     void tellEnd(int done, int all, const QStringList &failures);

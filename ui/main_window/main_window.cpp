@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
+#include "ui/main_window/class_actions.h"
 #include "ui/main_window/file_actions.h"
 #include "ui/main_window/help/help_actions.h"
 #include "ui/main_window/help/help_panel.h"
@@ -55,6 +56,7 @@ MainWindow::MainWindow()
     : m_recent(new RecentProjects(this)), m_workspace(new Workspace(this)),
       m_files(new FileActions(*m_workspace, *m_recent, *this)),
       m_trials(new TrialActions(*m_workspace, *this)), m_many(new HistoryActions(*m_workspace, *this)),
+      m_class(new ClassActions(*m_workspace, *this)),
       m_undo(new UndoActions(*m_workspace, this)), m_views(new ViewActions(*this)), m_keys(new CommandKeys(this)),
       m_helpPanel(new HelpPanel), m_help(new HelpActions(*m_keys, *m_helpPanel, *this)),
       m_modeBar(new ModeBar), m_messages(new MessageBar), m_stack(new QStackedWidget),
@@ -109,6 +111,8 @@ void MainWindow::makeMenus()
     m_files->fillMenu(*menuBar()->addMenu(tr("&File")));
     QMenu *edit = menuBar()->addMenu(tr("&Edit"));
     m_undo->fillMenu(*edit);
+    edit->addSeparator();
+    m_class->fillMenu(*edit);
     edit->addSeparator();
     m_many->fillMenu(*edit);
     edit->addSeparator();
@@ -177,6 +181,9 @@ void MainWindow::connectActions()
         if (!words.isEmpty())
             m_messages->showDone(words);
     });
+    connect(m_class, &ClassActions::changed, this, &MainWindow::refreshPages);
+    connect(m_class, &ClassActions::rosterRequested, m_many, &HistoryActions::askRoster);
+    connect(m_class, &ClassActions::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
     connect(m_undo, &UndoActions::aboutToLook, this, [this] {
         if (m_pages)
             m_pages->history().saveNotes();
@@ -244,6 +251,7 @@ void MainWindow::connectPages()
     connect(review, &ReviewPage::importRequested, m_trials, [this] { m_trials->askImport(); });
     connect(review, &ReviewPage::trackRequested, m_trials, &TrialActions::askTrack);
     connect(&review->spikes(), &SpikeActions::said, m_trials, &TrialActions::overrule);
+    connect(&m_pages->testbed(), &TestbedPage::tasksRequested, m_class, &ClassActions::showTasks);
     connect(&m_pages->compare(), &ComparePage::importRequested, m_trials, [this] { m_trials->askImport(); });
     connect(&m_pages->history(), &HistoryPage::teamNamesChanged, this, &MainWindow::showTitle);
     connect(&m_pages->history(), &HistoryPage::emptyBinRequested, m_many, &HistoryActions::emptyBin);

@@ -13,6 +13,7 @@ class QStackedWidget;
 
 namespace odo {
 
+class ClassActions;
 class CommandKeys;
 class FileActions;
 class HelpActions;
@@ -85,6 +86,7 @@ private:
     FileActions *m_files;
     TrialActions *m_trials;
     HistoryActions *m_many;
+    ClassActions *m_class;
     UndoActions *m_undo;
     ViewActions *m_views;
     CommandKeys *m_keys;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/pick_colour_dialog.h"
 
+#include "core/project/project.h"
+#include "core/project/repositories.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/picture_source.h"
 #include "ui/main_window/box_canvas.h"
@@ -201,6 +203,25 @@ void PickColourDialog::sayNothingYet()
     m_words->setText(tr("Draw a box closely round the robot with the mouse; or with the arrow keys, which "
                         "move the box, and with Shift "
                         "make it larger or smaller."));
+}
+
+QList<PickableVideo> newestRecordings(Project &project)
+{
+    constexpr std::size_t mostTrials = 12;
+    QList<PickableVideo> videos;
+    const auto trials = project.trials().page(nullptr, static_cast<int>(mostTrials));
+    for (std::size_t i = 0; trials && i < std::min(mostTrials, trials->size()); ++i) {
+        const auto recordings = project.trials().recordings((*trials)[i].id);
+        for (std::size_t v = 0; recordings && v < recordings->size(); ++v) {
+            const RecordingRecord &recording = (*recordings)[v];
+            videos.append({PickColourDialog::tr("%1, camera %2")
+                               .arg(QString::fromStdString((*trials)[i].name),
+                                    QString::fromStdString(recording.cameraName)),
+                           project.resolve(recording), QSize(recording.widthPx, recording.heightPx),
+                           static_cast<qint64>(recording.frameTimes.size())});
+        }
+    }
+    return videos;
 }
 
 } // namespace odo

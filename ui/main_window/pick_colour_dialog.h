@@ -29,6 +29,10 @@ struct PickableVideo
     qint64 frames = 0;
 };
 
+class Project;
+/// The recordings of the newest trials, each with its view.
+QList<PickableVideo> newestRecordings(Project &project);
+
 /// Takes a robot's colour from a picture: a frame of a recording is chosen, a box drawn round the robot, and
 /// what was found in it shown, or said why nothing was. Decodes and looks on other threads.
 class PickColourDialog : public QDialog

@@ -88,9 +88,23 @@ void RobotDialog::updateButtons()
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(!m_name->text().trimmed().isEmpty());
 }
 
+void RobotDialog::setRobot(const RobotRecord &robot)
+{
+    setWindowTitle(tr("Change robot"));
+    m_before = robot;
+    m_colour = robot.colour;
+    m_name->setText(QString::fromStdString(robot.name));
+    m_heightMode->setCurrentIndex(m_heightMode->findData(static_cast<int>(robot.heightMode)));
+    if (robot.heightM)
+        m_height->setValue(toMillimetres(*robot.heightM));
+    showColour();
+    updateButtons();
+}
+
 RobotRecord RobotDialog::robot() const
 {
-    RobotRecord robot;
+    RobotRecord robot = m_before;
+    robot.heightM.reset();
     robot.name = m_name->text().trimmed().toStdString();
     robot.colour = m_colour;
     robot.heightMode = static_cast<RobotRecord::Height>(m_heightMode->currentData().toInt());

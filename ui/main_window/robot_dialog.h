@@ -21,6 +21,8 @@ class RobotDialog : public QDialog
 public:
     /// videos: in which a robot may be seen, to take its colour from.
     explicit RobotDialog(QList<PickableVideo> videos, QWidget *parent = nullptr);
+    /// One that is to be changed; what is not asked for (length, width) stays.
+    void setRobot(const RobotRecord &robot);
     RobotRecord robot() const;
 
 private:
@@ -30,6 +32,7 @@ private:
     void updateButtons();
 
     QList<PickableVideo> m_videos;
+    RobotRecord m_before;
     QLineEdit *m_name;
     QPushButton *m_colourButton;
     RgbColour m_colour{0xd7, 0x23, 0x28};

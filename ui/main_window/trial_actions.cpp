@@ -44,26 +44,6 @@ QString freeTrialName(const QStringList &taken)
     }
 }
 
-/// The recordings of the newest trials, each with its view.
-QList<PickableVideo> newestRecordings(Project &project)
-{
-    constexpr std::size_t mostTrials = 12;
-    QList<PickableVideo> videos;
-    const auto trials = project.trials().page(nullptr, static_cast<int>(mostTrials));
-    for (std::size_t i = 0; trials && i < std::min(mostTrials, trials->size()); ++i) {
-        const auto recordings = project.trials().recordings((*trials)[i].id);
-        for (std::size_t v = 0; recordings && v < recordings->size(); ++v) {
-            const RecordingRecord &recording = (*recordings)[v];
-            videos.append({TrialActions::tr("%1, camera %2")
-                               .arg(QString::fromStdString((*trials)[i].name),
-                                    QString::fromStdString(recording.cameraName)),
-                           project.resolve(recording), QSize(recording.widthPx, recording.heightPx),
-                           static_cast<qint64>(recording.frameTimes.size())});
-        }
-    }
-    return videos;
-}
-
 QString trackedWords(const TrackOutcome &outcome)
 {
     QStringList parts;

@@ -10,8 +10,8 @@ namespace odo {
 
 class Project;
 
-/// The changes that one dialog makes to a project: told in words, and taken back by the dialog alone as far as they are its
-/// own. On the project's thread; the project must outlive it.
+/// The changes that one dialog makes to a project: told in words, and taken back by the dialog alone as far
+/// as they are its own. On the project's thread; the project must outlive it.
 class OwnChanges
 {
 public:

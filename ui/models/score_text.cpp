@@ -2,11 +2,11 @@
 #include "ui/models/score_text.h"
 
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_units.h"
 #include "ui/models/trial_scene.h"
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -19,10 +19,11 @@ class Words
     Q_DECLARE_TR_FUNCTIONS(ScoreText)
 };
 
-/// Points are counted in halves at the finest; their σ says how much of that is worth anything.
+/// Tenths of a point at the finest.
 QString pointsText(double points)
 {
-    return QLocale().toString(std::round(points * 10) / 10, 'f', std::abs(points - std::round(points)) < 0.05 ? 0 : 1);
+    return QLocale().toString(std::round(points * 10) / 10, 'f',
+                              std::abs(points - std::round(points)) < 0.05 ? 0 : 1);
 }
 
 QString withSigma(double points, double sigma)
@@ -54,24 +55,25 @@ QString lineText(const CriterionScore &line)
 
 BoundUnit boundUnit(const std::string &metric)
 {
-    struct Unit
-    {
-        const char *part, *unit;
-        double factor;
+    const ShownUnits &shown = shownUnits();
+    const auto in = [](const ShownUnit &unit, double siPerStored) {
+        return BoundUnit{unit.name, unit.perSi * siPerStored};
     };
-    static constexpr std::array<Unit, 10> units = {{{"path_completed", "%", 100},
-                                                    {"cross_track", "mm", 1},
-                                                    {"path_length", "m", 1},
-                                                    {"turn_rate", "°/s", 180 / std::numbers::pi},
-                                                    {"speed", "m/s", 1},
-                                                    {"accel", "m/s²", 1},
-                                                    {"time", "s", 1},
-                                                    {"duration", "s", 1},
-                                                    {"_lap", "s", 1},
-                                                    {"radius", "m", 1}}};
-    for (const Unit &each : units)
-        if (metric.find(each.part) != std::string::npos)
-            return {QString::fromUtf8(each.unit), each.factor};
+    const auto has = [&metric](const char *part) { return metric.find(part) != std::string::npos; };
+    if (has("path_completed"))
+        return {QStringLiteral("%"), 100};
+    if (has("cross_track"))
+        return in(shown.length, 0.001); // stored in millimetres
+    if (has("path_length") || has("radius"))
+        return in(shown.distance, 1);
+    if (has("turn_rate"))
+        return {QStringLiteral("°/s"), 180 / std::numbers::pi};
+    if (has("speed"))
+        return in(shown.speed, 1);
+    if (has("accel"))
+        return in(shown.acceleration, 1);
+    if (has("time") || has("duration") || has("_lap"))
+        return {QStringLiteral("s"), 1};
     return {};
 }
 
@@ -80,14 +82,36 @@ QString scoreText(const Score &score)
     return Words::tr("%1 of %2").arg(withSigma(score.points, score.sigma), pointsText(score.most));
 }
 
+FigureText scoreFigure(const Score &score)
+{
+    const bool isSure = score.sigma < 0.05;
+    return {pointsText(score.points), isSure ? QString() : pointsText(score.sigma),
+            Words::tr("of %1").arg(pointsText(score.most))};
+}
+
+Explanation explainScore(const Score &score, const QStringList &inputs)
+{
+    Explanation told;
+    told.what = metricName("score");
+    told.value = scoreText(score);
+    told.formula = Words::tr("the sum of the points of each line; a line gives points × (figure − none at) / "
+                             "(all at − none at), from 0 to all");
+    told.uncertainty = Words::tr("of each line half of what its points differ by when its figure is one σ "
+                                 "more or less; root of the sum of the squares");
+    told.inputs = scoreLines(score) + inputs;
+    return told;
+}
+
 QString criterionText(const Criterion &criterion)
 {
-    const QString full = boundText(criterion.metric, criterion.fullAt), none = boundText(criterion.metric, criterion.noneAt);
+    const QString full = boundText(criterion.metric, criterion.fullAt),
+                  none = boundText(criterion.metric, criterion.noneAt);
     const QString points = pointsText(std::abs(criterion.points));
     const bool less = criterion.fullAt < criterion.noneAt;
     if (criterion.points < 0)
-        return less ? Words::tr("%1 points off at %2 or less, none off at %3 or more").arg(points, full, none)
-                    : Words::tr("%1 points off at %2 or more, none off at %3 or less").arg(points, full, none);
+        return less
+                   ? Words::tr("%1 points off at %2 or less, none off at %3 or more").arg(points, full, none)
+                   : Words::tr("%1 points off at %2 or more, none off at %3 or less").arg(points, full, none);
     return less ? Words::tr("%1 points at %2 or less, none at %3 or more").arg(points, full, none)
                 : Words::tr("%1 points at %2 or more, none at %3 or less").arg(points, full, none);
 }
@@ -112,7 +136,8 @@ std::optional<Score> scoreOf(const TrialScene &scene, std::size_t robot)
     if (scene.scoring.empty() || !analysis || isMeasuredOtherwise(scene, robot))
         return std::nullopt;
     std::vector<Metric> metrics = analysis->profile.metrics;
-    std::ranges::copy(scoringMetrics(analysis->profile.spikes, analysis->profile.passages), std::back_inserter(metrics));
+    std::ranges::copy(scoringMetrics(analysis->profile.spikes, analysis->profile.passages),
+                      std::back_inserter(metrics));
     return scoreOf(scene.scoring, metrics);
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 const QString pseudonymsKey = QStringLiteral("history/pseudonyms");
 
-/// 1: they are, 0: they are not, −1: not asked for yet. Lists of thousands ask for each row: the settings are read once.
+/// 1: they are, 0: they are not, −1: not asked for yet. Lists of thousands ask for each row: the settings are
+/// read once.
 std::atomic<int> known = -1;
 
 } // namespace

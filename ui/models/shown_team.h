@@ -7,7 +7,8 @@
 
 namespace odo {
 
-/// Whether teams that have a pseudonym are shown by it, on this computer and in every mode alike. Remembered. Any thread.
+/// Whether teams that have a pseudonym are shown by it, on this computer and in every mode alike. Remembered.
+/// Any thread.
 bool arePseudonymsShown();
 void showPseudonyms(bool shown);
 

@@ -9,11 +9,12 @@ namespace odo {
 
 namespace {
 
-TrialFilter::Place placeOf(const TrialRecord &trial)
+TrialFilter::Place placeOf(const TrialRecord &trial, const TrialFilter &filter)
 {
     if (trial.binned)
         return TrialFilter::Place::Bin;
-    return trial.archived ? TrialFilter::Place::Archived : TrialFilter::Place::Active;
+    const bool isOfArchived = filter.className.empty() && filter.archivedClasses.contains(trial.className);
+    return trial.archived || isOfArchived ? TrialFilter::Place::Archived : TrialFilter::Place::Active;
 }
 
 } // namespace
@@ -34,7 +35,7 @@ QString searchTextOf(const TrialRecord &trial)
 bool isShown(const TrialFilter &filter, const QStringList &words, const TrialRecord &trial,
              const QString &searchText)
 {
-    if (placeOf(trial) != filter.place || (filter.starred && !trial.starred))
+    if (placeOf(trial, filter) != filter.place || (filter.starred && !trial.starred))
         return false;
     if ((!filter.className.empty() && trial.className != filter.className) ||
         (!filter.team.empty() && trial.teamName != filter.team) ||

@@ -6,6 +6,7 @@
 #include <QString>
 #include <QStringList>
 #include <optional>
+#include <set>
 
 namespace odo {
 
@@ -16,6 +17,7 @@ struct TrialFilter
     /// Each of its words must occur in what a person would look for; upper and lower case count as the same.
     QString text;
     std::string className, team, task, robot; ///< by name; empty: any
+    std::set<std::string> archivedClasses;    ///< whose trials count as archived unless the class is chosen by name
     bool starred = false;                     ///< only those
     Place place = Place::Active;
     std::optional<Instant> from, to; ///< from included, to excluded

@@ -189,7 +189,8 @@ void RecordPage::refresh()
         return;
     }
     m_run->setLineUp(*lineUp);
-    const bool isRenamed = std::exchange(m_isByPseudonym, arePseudonymsShown()) != m_isByPseudonym;
+    const bool wasByPseudonym = std::exchange(m_isByPseudonym, arePseudonymsShown());
+    const bool isRenamed = wasByPseudonym != m_isByPseudonym && m_control.phase() == RunPhase::Ready;
     if (!std::exchange(m_isLineUpRead, true)) {
         m_run->setRun(lineUp->first());
     } else if (isRenamed) { // the name that was suggested would tell whose pseudonym it is

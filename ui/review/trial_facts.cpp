@@ -3,6 +3,7 @@
 
 #include "core/trajectory/gate_passages.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/score_text.h"
 #include "ui/models/shown_team.h"
 
 #include <QCoreApplication>
@@ -162,6 +163,25 @@ QString dateText(Instant instant)
                               QLocale::ShortFormat);
 }
 
+/// The task, with what a run is worth in it.
+void addTask(const TrialScene &scene, QList<Fact> &facts)
+{
+    if (scene.trial.task.empty())
+        return;
+    const bool isOtherwise = !scene.robots.empty() && isMeasuredOtherwise(scene, 0);
+    facts.append({Words::tr("Task"), QString::fromStdString(scene.trial.task),
+                  isOtherwise ? Badge{Words::tr("measured by another course"), BadgeState::Warning} : Badge()});
+    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
+        const std::optional<Score> score = scoreOf(scene, robot);
+        if (!score)
+            continue;
+        const QString who = scene.robots.size() == 1 ? QString() : QString::fromStdString(scene.robots[robot].robot.name) + QStringLiteral(": ");
+        facts.append({Words::tr("Score"), who + scoreText(*score), {}, explainScore(*score, analysisInputs(scene, robot))});
+    }
+    if (isOtherwise && !scene.scoring.empty())
+        facts.append({Words::tr("Score"), Words::tr("none until it is measured again: the task has another course now"), {}});
+}
+
 } // namespace
 
 QList<Fact> trialFacts(const TrialScene &scene)
@@ -173,7 +193,7 @@ QList<Fact> trialFacts(const TrialScene &scene)
     };
     const TrialRecord &trial = scene.trial;
     add(Words::tr("Team"), shownTeam(trial));
-    add(Words::tr("Task"), QString::fromStdString(trial.task));
+    addTask(scene, facts);
     QStringList robots;
     for (const SceneRobot &robot : scene.robots)
         robots << robotText(robot);

@@ -67,6 +67,10 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
     auto *right = new QSplitter(Qt::Vertical);
     m_sketchCard->setContent(m_sketch);
     m_sketchCard->addToHeader(m_showAccuracy);
+    auto *tasks = new QPushButton(tr("Tas&ks…"));
+    tasks->setToolTip(tr("What is driven on this floor: gates, paths, limits, scoring"));
+    m_sketchCard->addToHeader(tasks);
+    connect(tasks, &QPushButton::clicked, this, &TestbedPage::tasksRequested);
     m_showAccuracy->setChecked(true);
     right->addWidget(m_view);
     right->addWidget(m_sketchCard);

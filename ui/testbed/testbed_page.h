@@ -49,6 +49,7 @@ public:
 
 Q_SIGNALS:
     void changed(const QString &words); ///< the project was changed
+    void tasksRequested();              ///< what is driven on the floor is to be looked at
     void failed(const odo::Error &error);
     void settled();
 

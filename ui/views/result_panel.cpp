@@ -3,6 +3,7 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/models/metric_choice.h"
+#include "ui/models/score_text.h"
 #include "ui/models/shown_team.h"
 #include "ui/views/explanation_dialog.h"
 #include "ui/views/figure_grid.h"
@@ -28,7 +29,9 @@ ResultPanel::ResultPanel(QWidget *parent)
     connect(m_robots, &QComboBox::currentIndexChanged, this, &ResultPanel::showRobot);
     m_grid->setChoosable(howComputedWords());
     connect(m_grid, &FigureGrid::chosen, this, [this](std::size_t figure) {
-        showExplanation(window(), explainMetric(*m_scene, m_robot, m_shown.at(figure)));
+        const std::size_t scored = m_score ? 1 : 0; // the score stands first
+        showExplanation(window(), figure < scored ? explainScore(*m_score, analysisInputs(*m_scene, m_robot))
+                                                  : explainMetric(*m_scene, m_robot, m_shown.at(figure - scored)));
     });
 }
 
@@ -60,7 +63,10 @@ void ResultPanel::showRobot(int robot)
     setRemark(remark.join(QStringLiteral(" \u00b7 ")));
     std::vector<NamedFigure> figures;
     m_robot = static_cast<std::size_t>(robot);
-    m_shown = shown.analysis ? tellingMetrics(shown.analysis->profile.metrics, shownFigures)
+    m_score = scoreOf(*m_scene, m_robot);
+    if (m_score)
+        figures.push_back({metricName("score"), scoreFigure(*m_score)});
+    m_shown = shown.analysis ? tellingMetrics(shown.analysis->profile.metrics, shownFigures - figures.size())
                              : std::vector<Metric>();
     for (const Metric &metric : m_shown)
         figures.push_back({metricName(metric.name), metricFigure(metric)});

@@ -24,6 +24,7 @@ private:
 
     TrialScenePtr m_scene;
     std::size_t m_robot = 0;
+    std::optional<Score> m_score; ///< stands before the others
     std::vector<Metric> m_shown;
     FigureGrid *m_grid;
     QComboBox *m_robots; ///< shown for more than one robot

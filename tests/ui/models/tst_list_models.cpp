@@ -214,6 +214,29 @@ private Q_SLOTS:
         QCOMPARE(model.index(1, TrialModel::TeamColumn).data().toString(), QStringLiteral("Team Four"));
         showPseudonyms(false);
     }
+    void scoresAreSortedAndExplained()
+    {
+        TrialModel model;
+        QAbstractItemModelTester tester(&model, strict);
+        const auto scored = [](const char *name, std::int64_t minute, double seconds) {
+            TrialRow row = trialRow(name, minute, {});
+            row.isScored = true;
+            row.score = scoreOf({{"gate_time", 4, 10, 30}}, {{"gate_time", "s", seconds, {}}});
+            return row;
+        };
+        TrialRow otherwise = trialRow("c", 3, {});
+        otherwise.isScored = true;
+        model.setRows({scored("a", 1, 7), otherwise, scored("b", 2, 5), trialRow("d", 4, {})});
+        model.sort(TrialModel::ScoreColumn, Qt::DescendingOrder);
+        QVERIFY(shownNames(model).startsWith(QLatin1String("ba")));
+        const QModelIndex best = model.index(0, TrialModel::ScoreColumn);
+        QCOMPARE(best.data().toString(), QStringLiteral("25 of 30"));
+        QVERIFY(best.data(Qt::ToolTipRole).toString().contains(QLatin1String("Start to finish")));
+        model.sort(TrialModel::NameColumn, Qt::AscendingOrder);
+        QCOMPARE(model.index(2, TrialModel::ScoreColumn).data().toString(), QStringLiteral("measure again"));
+        QVERIFY(model.index(3, TrialModel::ScoreColumn).data().toString().isEmpty());
+        QCOMPARE(model.headerData(TrialModel::StarColumn, Qt::Horizontal, Qt::AccessibleTextRole).toString(), QStringLiteral("Star"));
+    }
     void changesAreLookedThrough()
     {
         ChangeModel model({{Instant(), ChangeEntry::Kind::Undone, "star Trial 2"}, {Instant(), ChangeEntry::Kind::Made, "add robot Red"}});

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/class_repository.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "tests/ui/support/person.h"
+#include "tests/ui/support/stored_example.h"
+#include "ui/history/classes_dialog.h"
+#include "ui/history/history_page.h"
+#include "ui/history/trial_filter_bar.h"
+#include "ui/models/own_changes.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+namespace {
+
+QPushButton *button(const QWidget &in, const char *text)
+{
+    for (QPushButton *each : in.findChildren<QPushButton *>())
+        if (each->text() == QString::fromUtf8(text))
+            return each;
+    qFatal("no button %s", text);
+}
+
+QString told(const QWidget &in)
+{
+    for (QLabel *each : in.findChildren<QLabel *>())
+        if (each->accessibleName() == QLatin1String("What was done"))
+            return each->text();
+    return {};
+}
+
+void press(const QDialog &dialog, const QKeySequence &keys)
+{
+    for (QAction *action : dialog.actions())
+        if (action->shortcut() == keys)
+            action->trigger();
+}
+
+const QKeySequence undoKeys(Qt::CTRL | Qt::Key_Z), redoKeys(Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
+
+} // namespace
+
+class TestClassesDialog : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        const auto made = storeExample(m_folder->path().toStdString());
+        QVERIFY2(made, made ? "" : made.error().message().c_str());
+        m_project = std::move(*Project::open(*made, Project::Access::ReadWrite));
+    }
+    void classesAreMadeRenamedAndDeleted();
+    void teamsAreMadeRenamedAndMoved();
+    void anArchivedClassIsOutOfTheWay();
+    void onlyWhatWasDoneHereIsTakenBack();
+    void whatIsReadOnlyIsNotChanged();
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Project> m_project;
+};
+
+void TestClassesDialog::classesAreMadeRenamedAndDeleted()
+{
+    ClassesDialog dialog(*m_project);
+    QSignalSpy changed(&dialog, &ClassesDialog::changed);
+    auto *list = dialog.findChild<QListWidget *>();
+    {
+        Person person({enterText(QStringLiteral("9C & co"))});
+        button(dialog, "&New class…")->click();
+        QVERIFY(person.isDone());
+    }
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(list->currentItem()->text().startsWith(QLatin1String("9C & co"))); // it is chosen at once
+    {
+        Person person({enterText(QStringLiteral("9B"))});
+        button(dialog, "&Rename…")->click();
+        QVERIFY(person.isDone());
+    }
+    QVERIFY(told(dialog).startsWith(QLatin1String("class '9B': ")));
+    QVERIFY(m_project->classes().all()->size() == 2);
+    button(dialog, "Dele&te")->click();
+    QCOMPARE(m_project->classes().all()->size(), std::size_t(1));
+    press(dialog, undoKeys);
+    QCOMPARE(m_project->classes().all()->size(), std::size_t(2));
+    list->setCurrentRow(0);
+    QVERIFY(!button(dialog, "Dele&te")->isEnabled()); // it has teams
+}
+
+void TestClassesDialog::teamsAreMadeRenamedAndMoved()
+{
+    QVERIFY(m_project->classes().add("9C"));
+    ClassesDialog dialog(*m_project);
+    auto *table = dialog.findChild<QTableWidget *>();
+    dialog.findChild<QListWidget *>()->setCurrentRow(0);
+    QCOMPARE(table->rowCount(), 2);
+    const auto find = [&](const char *name) { return m_project->teams().find(name); };
+    table->item(0, 1)->setText(QStringLiteral("Team 4"));
+    QCOMPARE(find("Falcon")->pseudonym, std::string("Team 4"));
+    table->item(0, 0)->setText(QStringLiteral("Heron")); // taken
+    QVERIFY(told(dialog).startsWith(QLatin1String("team 'Heron': ")));
+    QCOMPARE(table->item(0, 0)->text(), QStringLiteral("Falcon")); // what is stored stands there again
+    table->item(0, 0)->setText(QStringLiteral("Merlin"));
+    QCOMPARE(table->item(table->currentRow(), 0)->text(),
+             QStringLiteral("Merlin")); // chosen still, though it stands elsewhere now
+    QVERIFY(find("Merlin") && !find("Falcon"));
+    button(dialog, "&Move to")->menu()->actions().front()->trigger();
+    QCOMPARE(find("Merlin")->className, std::string("9C"));
+    {
+        Person person({enterText(QStringLiteral("Otter"))});
+        button(dialog, "New t&eam…")->click();
+        QVERIFY(person.isDone());
+    }
+    QCOMPARE(find("Otter")->className, std::string("9B"));
+    dialog.findChild<QListWidget *>()->setCurrentRow(0);
+    for (int row = 0; row < table->rowCount(); ++row)
+        if (table->item(row, 0)->text() == QLatin1String("Otter"))
+            table->setCurrentCell(row, 0);
+    button(dialog, "&Delete")->click();
+    QVERIFY(!find("Otter"));
+    button(dialog, "&Delete")->click(); // Heron has trials
+    QVERIFY(find("Heron").has_value());
+    QVERIFY(told(dialog).contains(QLatin1String("a trial is its")));
+    QSignalSpy roster(&dialog, &ClassesDialog::rosterRequested);
+    button(dialog, "&Import roster…")->click();
+    QCOMPARE(roster.count(), 1);
+}
+
+void TestClassesDialog::anArchivedClassIsOutOfTheWay()
+{
+    HistoryPage page(*m_project);
+    page.refresh();
+    auto *model = page.findChild<QTableView *>(QStringLiteral("trials"))->model();
+    QCOMPARE(model->rowCount(), 3);
+    {
+        ClassesDialog dialog(*m_project);
+        dialog.findChild<QListWidget *>()->setCurrentRow(0);
+        button(dialog, "&Archive")->click();
+        QVERIFY(dialog.findChild<QListWidget *>()->item(0)->text().contains(QLatin1String("archived")));
+    }
+    page.refresh();
+    QCOMPARE(model->rowCount(), 1); // that without a team
+    QComboBox *classes = nullptr, *where = nullptr;
+    for (QComboBox *box : page.findChild<TrialFilterBar *>()->findChildren<QComboBox *>()) {
+        if (box->accessibleName() == QLatin1String("Class"))
+            classes = box;
+        if (box->accessibleName() == QLatin1String("Where"))
+            where = box;
+    }
+    where->setCurrentIndex(1);
+    QCOMPARE(model->rowCount(), 2);
+    where->setCurrentIndex(0);
+    classes->setCurrentIndex(classes->findText(QStringLiteral("9B (archived)")));
+    QCOMPARE(model->rowCount(), 2); // asked for by name
+}
+
+void TestClassesDialog::onlyWhatWasDoneHereIsTakenBack()
+{
+    QVERIFY(m_project->change("star", [&] {
+        return m_project->trials().setStarred(m_project->trials().find("Trial 1")->id, true);
+    }));
+    OwnChanges own(*m_project);
+    QCOMPARE(own.undo().error().code, ErrorCode::NotFound);
+    const auto rename = [&](const char *name) {
+        return [this, name] {
+            return m_project->classes().rename(m_project->classes().all()->front().id, name);
+        };
+    };
+    QVERIFY(own.make(QStringLiteral("nothing"), rename("9B"))->isEmpty()); // it has that name
+    QCOMPARE(own.undo().error().code, ErrorCode::NotFound);
+    QCOMPARE(*own.make(QStringLiteral("rename"), rename("9X")),
+             QStringLiteral("Done: rename. Ctrl+Z takes it back."));
+    QCOMPARE(*own.undo(), QStringLiteral("Undone: rename."));
+    QCOMPARE(m_project->classes().all()->front().name, std::string("9B"));
+    QCOMPARE(*own.redo(), QStringLiteral("Made again: rename."));
+    QCOMPARE(own.redo().error().code, ErrorCode::NotFound);
+    QVERIFY(own.undo() && !own.undo());
+    QVERIFY(m_project->trials().find("Trial 1")->starred);
+}
+
+void TestClassesDialog::whatIsReadOnlyIsNotChanged()
+{
+    ClassesDialog dialog(*m_project, true);
+    for (const char *text : {"&New class…", "&Rename…", "&Archive", "Dele&te", "New t&eam…", "&Move to",
+                             "&Delete", "&Import roster…"})
+        QVERIFY(!button(dialog, text)->isEnabled());
+    QVERIFY(dialog.findChild<QTableWidget *>()->editTriggers() == QAbstractItemView::NoEditTriggers);
+}
+
+QTEST_MAIN(TestClassesDialog)
+#include "tst_classes_dialog.moc"

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/trajectory/task_templates.h"
+#include "tests/ui/support/person.h"
+#include "tests/ui/support/stored_example.h"
+#include "ui/testbed/tasks/gate_table.h"
+#include "ui/testbed/tasks/scoring_table.h"
+#include "ui/testbed/tasks/task_canvas.h"
+#include "ui/testbed/tasks/task_editor.h"
+#include "ui/testbed/tasks/tasks_dialog.h"
+#include "ui/testbed/tasks/template_form.h"
+
+#include <QAccessible>
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+namespace {
+
+template <class Widget>
+Widget *named(const QWidget &in, const char *name)
+{
+    for (Widget *each : in.findChildren<Widget *>())
+        if (each->accessibleName() == QLatin1String(name))
+            return each;
+    qFatal("no %s", name);
+}
+
+QPushButton *button(const QWidget &in, const char *text)
+{
+    for (QPushButton *each : in.findChildren<QPushButton *>())
+        if (each->text() == QString::fromUtf8(text))
+            return each;
+    qFatal("no button %s", text);
+}
+
+TaskDraft draftOf(TaskTemplate kind)
+{
+    TaskDraft draft;
+    draft.task.name = "Line";
+    draft.task.task.kind = kind;
+    draft.taken = {QStringLiteral("Taken")};
+    draft.metrics = {"gate_time", "spikes"};
+    return draft;
+}
+
+} // namespace
+
+class TestTasksDialog : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void init();
+    void aTemplateIsMadeAndSized();
+    void gatesAreDraggedAndMovedByKeys();
+    void gatesAreWrittenInTheTable();
+    void saysWhatIsWrong();
+    void aScoringIsWritten();
+    void tasksAreMadeCopiedAndDeleted();
+    void aCourseThatIsChangedIsToldAndMeasuredAgain();
+    void whatIsReadOnlyIsNotChanged();
+    void everyWidgetHasAName();
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Project> m_project;
+};
+
+void TestTasksDialog::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+    const auto made = storeExample(m_folder->path().toStdString());
+    QVERIFY2(made, made ? "" : made.error().message().c_str());
+    m_project = std::move(*Project::open(*made, Project::Access::ReadWrite));
+}
+
+void TestTasksDialog::aTemplateIsMadeAndSized()
+{
+    TaskEditor editor(draftOf(TaskTemplate::StraightLine));
+    QVERIFY(editor.problem().isEmpty());
+    QCOMPARE(editor.task().task.gates.size(), std::size_t(3));
+    auto *form = editor.findChild<TemplateForm *>();
+    auto *kind = form->findChild<QComboBox *>();
+    kind->setCurrentIndex(kind->findData(int(TaskTemplate::Circle)));
+    QVERIFY(editor.task().task.kind == TaskTemplate::Circle && editor.task().task.path.closed);
+    TemplateSizes sizes = form->sizes();
+    sizes.lengthM = 1.2;
+    form->setTemplate(TaskTemplate::Circle, sizes);
+    QCOMPARE(editor.task().task.path.points.size() > 10, true);
+    Q_EMIT form->changed();
+    const Gate &lap = editor.task().task.gates.front();
+    QVERIFY(std::abs(((lap.from + lap.to) / 2 - sizes.centre).norm() - 0.6) < 1e-9);
+}
+
+void TestTasksDialog::gatesAreDraggedAndMovedByKeys()
+{
+    TaskEditor editor(draftOf(TaskTemplate::StraightLine));
+    auto *canvas = editor.findChild<TaskCanvas *>();
+    canvas->resize(600, 500);
+    const auto gate = [&](std::size_t i) { return editor.task().task.gates.at(i); };
+    const Gate start = gate(0);
+    const QPoint middle = canvas->fromWorld((start.from + start.to) / 2).toPoint();
+    QTest::mousePress(canvas, Qt::LeftButton, {}, middle);
+    QTest::mouseMove(canvas, middle + QPoint(40, 0));
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, middle + QPoint(40, 0));
+    QVERIFY(gate(0).from.x() > start.from.x() + 0.02);
+    QVERIFY(((gate(0).to - gate(0).from) - (start.to - start.from)).norm() <
+            1e-9); // moved, neither turned nor widened
+    const Gate moved = gate(0);
+    const QPoint end = canvas->fromWorld(moved.to).toPoint();
+    QTest::mousePress(canvas, Qt::LeftButton, {}, end);
+    QTest::mouseMove(canvas, end - QPoint(0, 30));
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, end - QPoint(0, 30));
+    QVERIFY((gate(0).from - moved.from).norm() < 1e-9 && (gate(0).to - moved.to).norm() > 0.02);
+
+    QTest::keyClick(canvas, Qt::Key_PageDown);
+    QCOMPARE(canvas->currentGate(), 1);
+    const Gate split = gate(1);
+    QTest::keyClick(canvas, Qt::Key_Right);
+    QVERIFY((gate(1).from - split.from - Eigen::Vector2d(0.01, 0)).norm() < 1e-9);
+    QTest::keyClick(canvas, Qt::Key_Up, Qt::ControlModifier);
+    QVERIFY((gate(1).to - split.to - Eigen::Vector2d(0.01, 0.001)).norm() < 1e-9);
+    QTest::keyClick(canvas, Qt::Key_Plus);
+    QVERIFY(std::abs((gate(1).to - gate(1).from).norm() - (split.to - split.from).norm() - 0.02) < 1e-9);
+    QTest::keyClick(canvas, Qt::Key_Less);
+    QVERIFY(std::abs(
+                std::abs((gate(1).to - gate(1).from).normalized().dot((split.to - split.from).normalized())) -
+                std::cos(5 * M_PI / 180)) < 1e-9);
+    QTest::keyClick(canvas, Qt::Key_PageUp);
+    QTest::keyClick(canvas, Qt::Key_PageUp);
+    QCOMPARE(canvas->currentGate(), 2); // round
+}
+
+void TestTasksDialog::gatesAreWrittenInTheTable()
+{
+    TaskEditor editor(draftOf(TaskTemplate::Free));
+    auto *table = named<QTableWidget>(editor, "Gates in the order in which they are passed");
+    QCOMPARE(table->rowCount(), 2);
+    table->item(0, 0)->setText(QStringLiteral("Here"));
+    table->item(0, 2)->setText(QStringLiteral("1250.5"));
+    QCOMPARE(editor.task().task.gates[0].name, std::string("Here"));
+    QVERIFY(std::abs(editor.task().task.gates[0].from.x() - 1.2505) < 1e-9);
+    auto *role = qobject_cast<QComboBox *>(table->cellWidget(1, 1));
+    role->setCurrentIndex(role->findText(QStringLiteral("split")));
+    Q_EMIT role->activated(role->currentIndex());
+    QVERIFY(editor.task().task.gates[1].role == GateRole::Split);
+    button(editor, "&Add gate")->click();
+    QCOMPARE(editor.task().task.gates.size(), std::size_t(3));
+    const Gate before = editor.task().task.gates[1];
+    button(editor, "Other &way")->click();
+    QVERIFY(editor.task().task.gates[1].from == before.to);
+    button(editor, "&Remove")->click();
+    QCOMPARE(editor.task().task.gates.size(), std::size_t(2));
+}
+
+void TestTasksDialog::saysWhatIsWrong()
+{
+    TaskEditor editor(draftOf(TaskTemplate::StraightLine));
+    QPushButton *save = button(editor, "&Save");
+    auto *name = editor.findChild<QLineEdit *>();
+    name->setText(QStringLiteral(" "));
+    QCOMPARE(editor.problem(), QStringLiteral("The task has no name."));
+    QVERIFY(!save->isEnabled());
+    name->setText(QStringLiteral("Taken"));
+    QCOMPARE(editor.problem(), QStringLiteral("There is a task of that name. Give another name."));
+    name->setText(QStringLiteral("Line"));
+    QVERIFY(save->isEnabled());
+    auto *table = named<QTableWidget>(editor, "Gates in the order in which they are passed");
+    table->item(0, 2)->setText(QStringLiteral("far"));
+    QVERIFY(editor.problem().startsWith(QLatin1String("gate 'Start': its ends are not on a floor")));
+    table->item(0, 2)->setText(QStringLiteral("100"));
+    table->item(1, 0)->setText(QStringLiteral("Start"));
+    QVERIFY(editor.problem().startsWith(QLatin1String("gate 'Start': the name is there twice")));
+    table->item(1, 0)->setText(QString());
+    QCOMPARE(editor.problem(), QStringLiteral("A gate has no name."));
+}
+
+void TestTasksDialog::aScoringIsWritten()
+{
+    TaskEditor editor(draftOf(TaskTemplate::StraightLine));
+    auto *scoring = editor.findChild<ScoringTable *>();
+    QVERIFY(editor.scoring().empty());
+    button(*scoring, "&Add line")->click();
+    QVERIFY(editor.scoring() == (std::vector<Criterion>{{"gate_time", 5, 20, 10}}));
+    auto *table = named<QTableWidget>(editor, "Lines of the scoring");
+    table->item(0, 1)->setText(QStringLiteral("4"));
+    table->item(0, 3)->setText(QStringLiteral("30"));
+    QVERIFY(editor.scoring() == (std::vector<Criterion>{{"gate_time", 4, 20, 30}}));
+    QVERIFY(named<QLabel>(editor, "What the lines mean")
+                ->text()
+                .contains(QString::fromUtf8("30 points at 4\u00a0s or less, none at 20\u00a0s or more")));
+    table->item(0, 2)->setText(QStringLiteral("4"));
+    QVERIFY(editor.problem().startsWith(QLatin1String("line 1 of the scoring: all points and no points")));
+    button(*scoring, "&Remove line")->click();
+    QVERIFY(editor.problem().isEmpty() && editor.scoring().empty());
+}
+
+void TestTasksDialog::tasksAreMadeCopiedAndDeleted()
+{
+    TasksDialog dialog(*m_project);
+    QSignalSpy changed(&dialog, &TasksDialog::changed);
+    const auto count = [&] { return m_project->tasks().all()->size(); };
+    const std::size_t before = count();
+    {
+        Person person({press}); // takes the slalom as it is
+        button(dialog, "&New")->menu()->actions().at(3)->trigger();
+        QVERIFY(person.isDone());
+    }
+    QCOMPARE(count(), before + 1);
+    QVERIFY(m_project->tasks().find("Slalom")->task.kind == TaskTemplate::Slalom);
+    QCOMPARE(changed.count(), 1);
+    {
+        Person person({press});
+        button(dialog, "&Copy…")->click();
+        QVERIFY(person.isDone());
+    }
+    QVERIFY(m_project->tasks().find("Slalom (2)").has_value());
+    {
+        Person person({enterText(QStringLiteral("Gymkhana"))});
+        button(dialog, "&Rename…")->click();
+        QVERIFY(person.isDone());
+    }
+    QVERIFY(m_project->tasks().find("Gymkhana").has_value());
+    button(dialog, "&Delete")->click();
+    QCOMPARE(count(), before + 1);
+    for (QAction *action : dialog.actions())
+        if (action->shortcut() == QKeySequence(Qt::CTRL | Qt::Key_Z))
+            action->trigger();
+    QVERIFY(m_project->tasks().find("Gymkhana").has_value());
+    QCOMPARE(QString::fromStdString(m_project->changes()->front().words),
+             QStringLiteral("delete task Gymkhana"));
+}
+
+void TestTasksDialog::aCourseThatIsChangedIsToldAndMeasuredAgain()
+{
+    TaskRecord task = *m_project->tasks().find("Figure eight, 2 laps");
+    task.task = taskFromTemplate(TaskTemplate::FigureEight, {}).value();
+    TasksDialog dialog(*m_project);
+    QVERIFY(dialog.store(task, {{"best_lap", 4, 10, 30}}));
+    QVERIFY(m_project->tasks().scoring(m_project->tasks().find(task.name)->id)->size() == 1);
+    auto *table = named<QTableWidget>(dialog, "Tasks");
+    QCOMPARE(table->item(table->currentRow(), 0)->text(), QString::fromStdString(task.name));
+    auto *again = button(dialog, "&Measure them again");
+    QVERIFY(!again->isHidden());
+    QSignalSpy wanted(&dialog, &TasksDialog::reprocessRequested);
+    again->click();
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted.front().front().toStringList(), QStringList(QStringLiteral("Trial 1")));
+    // Used ones stay.
+    TasksDialog other(*m_project);
+    table = named<QTableWidget>(other, "Tasks");
+    for (int row = 0; row < table->rowCount(); ++row)
+        if (table->item(row, 0)->text() == QString::fromStdString(task.name))
+            table->setCurrentCell(row, 0);
+    QVERIFY(!button(other, "&Delete")->isEnabled());
+    QVERIFY(!other.store({task.id + 99, "Nowhere", {}}, {}));
+}
+
+void TestTasksDialog::whatIsReadOnlyIsNotChanged()
+{
+    TasksDialog dialog(*m_project, true);
+    for (const char *text : {"&New", "&Edit…", "&Copy…", "&Rename…", "&Delete"})
+        QVERIFY(!button(dialog, text)->isEnabled());
+}
+
+void TestTasksDialog::everyWidgetHasAName()
+{
+    TaskEditor editor(draftOf(TaskTemplate::Slalom));
+    TasksDialog dialog(*m_project);
+    for (const QWidget *window : {static_cast<QWidget *>(&editor), static_cast<QWidget *>(&dialog)})
+        for (QWidget *each : window->findChildren<QWidget *>()) {
+            const bool isReached =
+                each->focusPolicy() != Qt::NoFocus && !qobject_cast<QAbstractButton *>(each) &&
+                !each->objectName().startsWith(QLatin1String("qt_")) && !qobject_cast<QLabel *>(each);
+            if (!isReached || !QAccessible::queryAccessibleInterface(each))
+                continue;
+            QVERIFY2(
+                !QAccessible::queryAccessibleInterface(each)->text(QAccessible::Name).isEmpty() ||
+                    each->parentWidget()->inherits("QAbstractSpinBox") || each->inherits("QTabBar") ||
+                    each->inherits("QTabWidget") || each->inherits("QHeaderView"),
+                qPrintable(QString::fromLatin1(each->metaObject()->className()) + u' ' + each->objectName()));
+        }
+}
+
+QTEST_MAIN(TestTasksDialog)
+#include "tst_tasks_dialog.moc"

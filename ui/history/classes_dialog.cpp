@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/history/classes_dialog.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "ui/views/table_list.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QInputDialog>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QTableWidget>
+#include <algorithm>
+
+namespace odo {
+namespace {
+
+enum Column { NameColumn, PseudonymColumn, ColumnCount };
+constexpr int classesWidth = 300;
+
+QPushButton *plainButton(const QString &text)
+{
+    auto *button = new QPushButton(text);
+    button->setAutoDefault(false);
+    return button;
+}
+
+QHBoxLayout *rowOf(const QList<QPushButton *> &buttons)
+{
+    auto *row = new QHBoxLayout;
+    for (QPushButton *button : buttons)
+        row->addWidget(button);
+    row->addStretch(1);
+    return row;
+}
+
+} // namespace
+
+ClassesDialog::ClassesDialog(Project &project, bool readOnly, QWidget *parent)
+    : QDialog(parent), m_project(project), m_changes(project), m_readOnly(readOnly),
+      m_classList(new QListWidget), m_teamTable(new QTableWidget(0, ColumnCount)),
+      m_moveMenu(new QMenu(this)), m_newClass(plainButton(tr("&New class…"))),
+      m_rename(plainButton(tr("&Rename…"))), m_archive(plainButton(tr("&Archive"))),
+      m_removeClass(plainButton(tr("Dele&te"))), m_newTeam(plainButton(tr("New t&eam…"))),
+      m_move(plainButton(tr("&Move to"))), m_removeTeam(plainButton(tr("&Delete"))),
+      m_roster(plainButton(tr("&Import roster…"))), m_message(new QLabel)
+{
+    setWindowTitle(tr("Classes and teams"));
+    auto *row = new QHBoxLayout;
+    row->addWidget(makeClasses());
+    row->addWidget(makeTeams(), 1);
+    m_message->setTextFormat(Qt::PlainText);
+    m_message->setWordWrap(true);
+    m_message->setAccessibleName(tr("What was done"));
+    auto *close = plainButton(tr("Close"));
+    close->setDefault(true);
+    auto *bottom = new QHBoxLayout;
+    bottom->addWidget(m_message, 1);
+    bottom->addWidget(close);
+    auto *layout = new QVBoxLayout(this);
+    layout->addLayout(row, 1);
+    layout->addLayout(bottom);
+    resize(860, 520);
+    connect(close, &QPushButton::clicked, this, &QDialog::accept);
+    connect(m_roster, &QPushButton::clicked, this, [this] {
+        accept();
+        Q_EMIT rosterRequested();
+    });
+    const auto key = [this](const QKeySequence &keys, Result<QString> (OwnChanges::*what)()) {
+        auto *action = new QAction(this);
+        action->setShortcut(keys);
+        connect(action, &QAction::triggered, this, [this, what] { tell((m_changes.*what)()); });
+        addAction(action);
+    };
+    key(QKeySequence(Qt::CTRL | Qt::Key_Z), &OwnChanges::undo);
+    key(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), &OwnChanges::redo);
+    refresh();
+}
+
+QWidget *ClassesDialog::makeClasses()
+{
+    m_classList->setAccessibleName(tr("Classes"));
+    auto *box = new QWidget;
+    box->setFixedWidth(classesWidth);
+    auto *layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_classList, 1);
+    layout->addLayout(rowOf({m_newClass, m_rename}));
+    layout->addLayout(rowOf({m_archive, m_removeClass}));
+    connect(m_classList, &QListWidget::currentRowChanged, this, [this] {
+        if (!m_isShowing)
+            showTeams();
+    });
+    connect(m_newClass, &QPushButton::clicked, this, &ClassesDialog::addClass);
+    connect(m_rename, &QPushButton::clicked, this, &ClassesDialog::renameClass);
+    connect(m_archive, &QPushButton::clicked, this, &ClassesDialog::archiveClass);
+    connect(m_removeClass, &QPushButton::clicked, this, &ClassesDialog::removeClass);
+    m_archive->setToolTip(tr("An archived class is out of the way: History, Record and the standings show "
+                             "its teams and trials only where it is "
+                             "chosen there by name"));
+    return box;
+}
+
+QWidget *ClassesDialog::makeTeams()
+{
+    m_teamTable->setHorizontalHeaderLabels({tr("Team"), tr("Pseudonym")});
+    m_teamTable->setAccessibleName(tr("Teams of the class"));
+    showAsList(*m_teamTable);
+    m_teamTable->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_teamTable->setEditTriggers(m_readOnly
+                                     ? QAbstractItemView::NoEditTriggers
+                                     : QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_teamTable->setToolTip(tr("Double-click or F2 changes a name or a pseudonym"));
+    m_teamTable->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_move->setMenu(m_moveMenu);
+    auto *box = new QWidget;
+    auto *layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_teamTable, 1);
+    layout->addLayout(rowOf({m_newTeam, m_move, m_removeTeam, m_roster}));
+    connect(m_teamTable, &QTableWidget::cellChanged, this, &ClassesDialog::readCell);
+    connect(m_teamTable, &QTableWidget::currentCellChanged, this, &ClassesDialog::showButtons);
+    connect(m_newTeam, &QPushButton::clicked, this, &ClassesDialog::addTeam);
+    connect(m_removeTeam, &QPushButton::clicked, this, &ClassesDialog::removeTeam);
+    return box;
+}
+
+void ClassesDialog::refresh()
+{
+    auto classes = m_project.classes().all();
+    auto teams = m_project.teams().all();
+    if (!classes || !teams) {
+        m_message->setText(QString::fromStdString((classes ? teams.error() : classes.error()).message()));
+        return;
+    }
+    const ClassRecord *chosen = currentClass();
+    const QString before = !m_wanted.isNull() ? m_wanted
+                           : chosen           ? QString::fromStdString(chosen->name)
+                                              : QString();
+    m_wanted = QString();
+    m_classes = std::move(*classes);
+    m_all = std::move(*teams);
+    m_isShowing = true;
+    m_classList->clear();
+    int row = 0;
+    for (const ClassRecord &each : m_classes) {
+        const QString name = QString::fromStdString(each.name);
+        if (name == before)
+            row = m_classList->count();
+        auto *item =
+            new QListWidgetItem(each.archived ? tr("%1 (archived, %n team(s))", "", each.teams).arg(name)
+                                              : tr("%1 (%n team(s))", "", each.teams).arg(name),
+                                m_classList);
+        item->setToolTip(name.toHtmlEscaped());
+    }
+    m_classList->addItem(tr("Teams without a class"));
+    m_classList->setCurrentRow(row);
+    m_isShowing = false;
+    showTeams();
+}
+
+const ClassRecord *ClassesDialog::currentClass() const
+{
+    const int row = m_classList->currentRow();
+    return row >= 0 && row < static_cast<int>(m_classes.size()) ? &m_classes[static_cast<std::size_t>(row)]
+                                                                : nullptr;
+}
+
+const TeamRecord *ClassesDialog::currentTeam() const
+{
+    const int row = m_teamTable->currentRow();
+    return row >= 0 && row < static_cast<int>(m_teams.size()) ? &m_teams[static_cast<std::size_t>(row)]
+                                                              : nullptr;
+}
+
+void ClassesDialog::showTeams()
+{
+    const ClassRecord *chosen = currentClass();
+    const RecordId current = currentTeam() ? currentTeam()->id : 0;
+    const int before = m_teamTable->currentRow();
+    m_teams.clear();
+    for (const TeamRecord &team : m_all)
+        if (team.className == (chosen ? chosen->name : std::string()))
+            m_teams.push_back(team);
+    std::ranges::stable_sort(m_teams, {}, &TeamRecord::name);
+    m_isShowing = true;
+    m_teamTable->setRowCount(static_cast<int>(m_teams.size()));
+    for (int i = 0; i < m_teamTable->rowCount(); ++i) {
+        const TeamRecord &team = m_teams[static_cast<std::size_t>(i)];
+        m_teamTable->setItem(i, NameColumn, new QTableWidgetItem(QString::fromStdString(team.name)));
+        m_teamTable->setItem(i, PseudonymColumn,
+                             new QTableWidgetItem(QString::fromStdString(team.pseudonym)));
+    }
+    const auto same =
+        std::ranges::find(m_teams, current, &TeamRecord::id); // another name may have put it elsewhere
+    const int row = same != m_teams.end() ? static_cast<int>(same - m_teams.begin()) : std::max(0, before);
+    m_teamTable->setCurrentCell(std::min(row, m_teamTable->rowCount() - 1), NameColumn);
+    m_isShowing = false;
+    showButtons();
+}
+
+void ClassesDialog::showButtons()
+{
+    const ClassRecord *chosen = currentClass();
+    const bool able = chosen && !m_readOnly, hasTeam = currentTeam() && !m_readOnly;
+    m_newClass->setEnabled(!m_readOnly);
+    m_rename->setEnabled(able);
+    m_archive->setEnabled(able);
+    m_archive->setText(chosen && chosen->archived ? tr("Out of the &archive") : tr("&Archive"));
+    m_removeClass->setEnabled(able && chosen->teams == 0);
+    m_newTeam->setEnabled(!m_readOnly);
+    m_roster->setEnabled(!m_readOnly);
+    m_removeTeam->setEnabled(hasTeam);
+    m_moveMenu->clear();
+    for (const ClassRecord &each : m_classes)
+        if (!chosen || each.id != chosen->id)
+            m_moveMenu->addAction(QString::fromStdString(each.name).replace(u'&', QStringLiteral("&&")), this,
+                                  [this, name = each.name] { moveTeam(name); });
+    if (chosen)
+        m_moveMenu->addAction(tr("No class"), this, [this] { moveTeam({}); });
+    m_move->setEnabled(hasTeam && !m_moveMenu->isEmpty());
+}
+
+QString ClassesDialog::askName(const QString &title, const QString &name)
+{
+    bool accepted = false;
+    const QString answer =
+        QInputDialog::getText(this, title, tr("Name:"), QLineEdit::Normal, name, &accepted).trimmed();
+    return accepted && answer != name ? answer : QString();
+}
+
+void ClassesDialog::addClass()
+{
+    const QString name = askName(tr("New class"), {});
+    if (name.isNull())
+        return;
+    m_wanted = name;
+    apply(tr("add class %1").arg(name), [&]() -> Result<void> {
+        const auto added = m_project.classes().add(name.toStdString());
+        return added ? Result<void>() : tl::unexpected(added.error());
+    });
+}
+
+void ClassesDialog::renameClass()
+{
+    const ClassRecord chosen = *currentClass();
+    const QString before = QString::fromStdString(chosen.name), name = askName(tr("Rename class"), before);
+    if (name.isNull())
+        return;
+    m_wanted = name;
+    apply(tr("rename class %1 to %2").arg(before, name),
+          [&] { return m_project.classes().rename(chosen.id, name.toStdString()); });
+}
+
+void ClassesDialog::archiveClass()
+{
+    const ClassRecord chosen = *currentClass();
+    const QString name = QString::fromStdString(chosen.name);
+    apply(chosen.archived ? tr("take class %1 out of the archive").arg(name)
+                          : tr("archive class %1").arg(name),
+          [&] { return m_project.classes().setArchived(chosen.id, !chosen.archived); });
+}
+
+void ClassesDialog::removeClass()
+{
+    const ClassRecord chosen = *currentClass();
+    apply(tr("delete class %1").arg(QString::fromStdString(chosen.name)),
+          [&] { return m_project.classes().remove(chosen.id); });
+}
+
+void ClassesDialog::addTeam()
+{
+    const QString name = askName(tr("New team"), {});
+    if (name.isNull())
+        return;
+    const std::string className = currentClass() ? currentClass()->name : std::string();
+    apply(tr("add team %1").arg(name), [&]() -> Result<void> {
+        const auto added = m_project.teams().add({0, name.toStdString(), className});
+        return added ? Result<void>() : tl::unexpected(added.error());
+    });
+}
+
+void ClassesDialog::moveTeam(const std::string &className)
+{
+    TeamRecord team = *currentTeam();
+    team.className = className;
+    const QString name = QString::fromStdString(team.name);
+    apply(className.empty() ? tr("take team %1 out of its class").arg(name)
+                            : tr("move team %1 to class %2").arg(name, QString::fromStdString(className)),
+          [&] { return m_project.teams().set(team); });
+}
+
+void ClassesDialog::removeTeam()
+{
+    const TeamRecord team = *currentTeam();
+    apply(tr("delete team %1").arg(QString::fromStdString(team.name)),
+          [&] { return m_project.teams().remove(team.id); });
+}
+
+void ClassesDialog::readCell(int row, int column)
+{
+    if (m_isShowing)
+        return;
+    const TeamRecord before = m_teams[static_cast<std::size_t>(row)];
+    TeamRecord team = before;
+    const QString text = m_teamTable->item(row, column)->text().trimmed();
+    (column == NameColumn ? team.name : team.pseudonym) = text.toStdString();
+    if (team.name == before.name && team.pseudonym == before.pseudonym)
+        return showTeams();
+    const QString name = QString::fromStdString(before.name);
+    apply(column == NameColumn ? tr("rename team %1 to %2").arg(name, text)
+                               : tr("change the pseudonym of team %1").arg(name),
+          [&] { return m_project.teams().set(team); });
+}
+
+void ClassesDialog::apply(const QString &words, const std::function<Result<void>()> &work)
+{
+    tell(m_changes.make(words, work));
+}
+
+void ClassesDialog::tell(const Result<QString> &outcome)
+{
+    m_message->setText(outcome ? *outcome : QString::fromStdString(outcome.error().message()));
+    if (!outcome)
+        m_wanted = QString();
+    refresh(); // a cell that was refused shows again what is stored
+    if (outcome)
+        Q_EMIT changed();
+}
+
+} // namespace odo

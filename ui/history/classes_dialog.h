@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/project/class_repository.h"
+#include "ui/models/own_changes.h"
+
+#include <QDialog>
+#include <functional>
+#include <vector>
+
+class QLabel;
+class QListWidget;
+class QMenu;
+class QPushButton;
+class QTableWidget;
+
+namespace odo {
+
+class Project;
+
+/// The classes of a project and their teams: made, renamed, moved, archived and deleted, each as one change
+/// that can be undone, here too (Ctrl+Z takes back what was done here). Names and pseudonyms of teams are
+/// written in place. On the project's thread; the project must outlive it.
+class ClassesDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    explicit ClassesDialog(Project &project, bool readOnly = false, QWidget *parent = nullptr);
+
+Q_SIGNALS:
+    void changed(); ///< the project
+    /// The dialog is closed, and a roster is to be imported.
+    void rosterRequested();
+
+private:
+    QWidget *makeClasses();
+    QWidget *makeTeams();
+    void refresh();
+    void showTeams();
+    void showButtons();
+    const ClassRecord *currentClass() const;
+    const TeamRecord *currentTeam() const;
+    void addClass();
+    void renameClass();
+    void archiveClass();
+    void removeClass();
+    void addTeam();
+    void moveTeam(const std::string &className);
+    void removeTeam();
+    void readCell(int row, int column);
+    QString askName(const QString &title, const QString &name);
+    void apply(const QString &words, const std::function<Result<void>()> &work);
+    void tell(const Result<QString> &outcome);
+
+    Project &m_project;
+    OwnChanges m_changes;
+    const bool m_readOnly;
+    bool m_isShowing = false;
+    std::vector<ClassRecord> m_classes;
+    std::vector<TeamRecord> m_all, m_teams; ///< of all classes; of the one that is chosen
+    QString m_wanted;                       ///< class that is chosen once it is there
+    QListWidget *m_classList;
+    QTableWidget *m_teamTable;
+    QMenu *m_moveMenu;
+    QPushButton *m_newClass, *m_rename, *m_archive, *m_removeClass, *m_newTeam, *m_move, *m_removeTeam,
+        *m_roster;
+    QLabel *m_message;
+};
+
+} // namespace odo

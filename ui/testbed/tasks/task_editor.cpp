@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/tasks/task_editor.h"
+
+#include "core/exchange/task_file.h"
+#include "core/trajectory/task_templates.h"
+#include "ui/testbed/tasks/gate_table.h"
+#include "ui/testbed/tasks/scoring_table.h"
+#include "ui/testbed/tasks/task_canvas.h"
+#include "ui/testbed/tasks/template_form.h"
+#include "ui/views/path_field.h"
+#include "ui/views/theme.h"
+
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScreen>
+#include <QTabWidget>
+
+namespace odo {
+namespace {
+
+constexpr int columnWidth = 440;
+
+QPushButton *plainButton(const QString &text)
+{
+    auto *button = new QPushButton(text);
+    button->setAutoDefault(false);
+    return button;
+}
+
+/// 0 stands for none.
+QDoubleSpinBox *limitBox(const QString &unit, double most, std::optional<double> limit)
+{
+    auto *box = new QDoubleSpinBox;
+    box->setRange(0, most);
+    box->setDecimals(2);
+    box->setSingleStep(0.5);
+    box->setSuffix(unit);
+    box->setSpecialValueText(TaskEditor::tr("none"));
+    box->setValue(limit.value_or(0));
+    return box;
+}
+
+std::optional<double> limitOf(const QDoubleSpinBox &box)
+{
+    return box.value() > 0 ? std::optional(box.value()) : std::nullopt;
+}
+
+/// Where a task begins: in the middle of the markers.
+Eigen::Vector2d middleOf(const std::optional<MarkerLayout> &layout)
+{
+    Eigen::AlignedBox2d box;
+    if (layout)
+        for (const Marker &marker : layout->markers)
+            box.extend(marker.pointInWorld);
+    return box.isEmpty() ? TemplateSizes().centre : Eigen::Vector2d(box.center());
+}
+
+} // namespace
+
+TaskEditor::TaskEditor(TaskDraft draft, QWidget *parent)
+    : QDialog(parent), m_taken(draft.taken), m_task(std::move(draft.task)),
+      m_name(new QLineEdit(QString::fromStdString(m_task.name))), m_template(new TemplateForm),
+      m_gates(new GateTable), m_speed(limitBox(tr(" m/s"), 100, m_task.task.limits.maxSpeedMps)),
+      m_accel(limitBox(tr(" m/s²"), 1000, m_task.task.limits.maxAccelMps2)),
+      m_scoring(new ScoringTable(draft.metrics)), m_canvas(new TaskCanvas), m_message(new QLabel),
+      m_save(plainButton(tr("&Save")))
+{
+    setWindowTitle(tr("Task"));
+    m_canvas->setLayout(draft.layout);
+    m_template->setTemplate(m_task.task.kind, suggestedSizes(m_task.task, middleOf(draft.layout)));
+    m_scoring->setCriteria(draft.scoring);
+    auto *tabs = new QTabWidget;
+    tabs->addTab(makeCourse(), tr("&Course"));
+    tabs->addTab(m_scoring, tr("Sco&ring"));
+    tabs->setFixedWidth(columnWidth);
+    auto *row = new QHBoxLayout;
+    row->addWidget(tabs);
+    row->addWidget(m_canvas, 1);
+    auto *remark = new QLabel(draft.remark);
+    remark->setTextFormat(Qt::PlainText);
+    remark->setWordWrap(true);
+    remark->setVisible(!draft.remark.isEmpty());
+    auto *layout = new QVBoxLayout(this);
+    layout->addLayout(row, 1);
+    layout->addWidget(remark);
+    layout->addLayout(makeButtons());
+    resize(QSize(1040, 660).boundedTo(screen()->availableSize() * 0.95));
+    connectAll();
+    if (m_task.id == 0 && m_task.task.gates.empty() && m_task.task.path.points.empty())
+        makeAnew();
+    m_gates->setGates(m_task.task.gates);
+    m_canvas->setTask(m_task.task);
+    m_canvas->setCurrentGate(0);
+    m_gates->setCurrent(0);
+    m_name->selectAll();
+    check();
+}
+
+QLayout *TaskEditor::makeButtons()
+{
+    m_message->setTextFormat(Qt::PlainText);
+    m_message->setWordWrap(true);
+    m_message->setAccessibleName(tr("What is wrong"));
+    auto *import = plainButton(tr("&Import file…")), *cancel = plainButton(tr("Cancel"));
+    import->setToolTip(tr("Take gates, path and limits from a task file (JSON)"));
+    m_save->setProperty("primary", true);
+    m_save->setDefault(true);
+    auto *buttons = new QHBoxLayout;
+    buttons->addWidget(import);
+    buttons->addWidget(m_message, 1);
+    buttons->addWidget(m_save);
+    buttons->addWidget(cancel);
+    connect(import, &QPushButton::clicked, this, &TaskEditor::importFile);
+    connect(m_save, &QPushButton::clicked, this, &QDialog::accept);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    return buttons;
+}
+
+void TaskEditor::connectAll()
+{
+    connect(m_name, &QLineEdit::textChanged, this, &TaskEditor::check);
+    connect(m_template, &TemplateForm::changed, this, &TaskEditor::makeAnew);
+    connect(m_gates, &GateTable::changed, this, &TaskEditor::takeGates);
+    connect(m_gates, &GateTable::currentChanged, m_canvas, &TaskCanvas::setCurrentGate);
+    connect(m_canvas, &TaskCanvas::gatePicked, m_gates, &GateTable::setCurrent);
+    connect(m_canvas, &TaskCanvas::gateMoved, this, &TaskEditor::moveGate);
+    for (QDoubleSpinBox *limit : {m_speed, m_accel})
+        connect(limit, &QDoubleSpinBox::valueChanged, this, &TaskEditor::takeLimits);
+    connect(m_scoring, &ScoringTable::changed, this, &TaskEditor::check);
+}
+
+QWidget *TaskEditor::makeCourse()
+{
+    auto *course = new QWidget;
+    auto *name = new QFormLayout;
+    name->addRow(tr("&Name"), m_name);
+    auto *limits = new QFormLayout;
+    limits->addRow(tr("Speed limi&t"), m_speed);
+    limits->addRow(tr("Acceleration l&imit"), m_accel);
+    m_speed->setToolTip(tr("What no robot in the task can do: a measurement beyond it is a spike"));
+    m_accel->setToolTip(m_speed->toolTip());
+    auto *layout = new QVBoxLayout(course);
+    layout->addLayout(name);
+    layout->addWidget(m_template);
+    layout->addWidget(m_gates, 1);
+    layout->addLayout(limits);
+    return course;
+}
+
+void TaskEditor::makeAnew()
+{
+    const TaskLimits limits = m_task.task.limits;
+    const auto made = taskFromTemplate(m_template->kind(), m_template->sizes());
+    m_templateProblem = made ? QString() : QString::fromStdString(made.error().message());
+    if (made) {
+        m_task.task = *made;
+        m_task.task.limits = limits;
+        m_gates->setGates(m_task.task.gates);
+        m_canvas->setTask(m_task.task);
+    }
+    check();
+}
+
+void TaskEditor::takeGates()
+{
+    m_task.task.gates = m_gates->gates();
+    m_canvas->setTask(m_task.task);
+    check();
+}
+
+void TaskEditor::moveGate(int gate, const Eigen::Vector2d &from, const Eigen::Vector2d &to)
+{
+    Gate &moved = m_task.task.gates[static_cast<std::size_t>(gate)];
+    moved.from = from;
+    moved.to = to;
+    m_gates->setGates(m_task.task.gates);
+    m_canvas->setTask(m_task.task);
+    check();
+}
+
+void TaskEditor::takeLimits()
+{
+    m_task.task.limits = {limitOf(*m_speed), limitOf(*m_accel)};
+    check();
+}
+
+void TaskEditor::importFile()
+{
+    const QString file = QFileDialog::getOpenFileName(this, tr("Task file"), {},
+                                                      tr("Tasks (*.json *.yaml *.yml);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    const auto read = readTaskFile(pathOf(file));
+    if (!read) {
+        m_message->setText(QString::fromStdString(read.error().message()));
+        return;
+    }
+    m_task.task = *read;
+    m_template->setTemplate(read->kind, suggestedSizes(*read, TemplateSizes().centre));
+    m_gates->setGates(read->gates);
+    m_canvas->setTask(*read);
+    m_speed->setValue(read->limits.maxSpeedMps.value_or(0));
+    m_accel->setValue(read->limits.maxAccelMps2.value_or(0));
+    check();
+}
+
+TaskRecord TaskEditor::task() const
+{
+    TaskRecord task = m_task;
+    task.name = m_name->text().trimmed().toStdString();
+    return task;
+}
+
+std::vector<Criterion> TaskEditor::scoring() const
+{
+    return m_scoring->criteria();
+}
+
+QString TaskEditor::problem() const
+{
+    if (m_name->text().trimmed().isEmpty())
+        return tr("The task has no name.");
+    if (m_taken.contains(m_name->text().trimmed()))
+        return tr("There is a task of that name. Give another name.");
+    if (!m_templateProblem.isEmpty())
+        return m_templateProblem;
+    for (const Gate &gate : m_task.task.gates)
+        if (gate.name.empty())
+            return tr("A gate has no name.");
+    if (const auto valid = checkTask(m_task.task); !valid)
+        return QString::fromStdString(valid.error().message());
+    if (const auto valid = checkScoring(m_scoring->criteria()); !valid)
+        return QString::fromStdString(valid.error().message());
+    return {};
+}
+
+void TaskEditor::check()
+{
+    const QString wrong = problem();
+    m_message->setText(wrong);
+    QPalette words = palette();
+    words.setColor(QPalette::WindowText, ThemeColours::of(palette()).spike);
+    m_message->setPalette(words);
+    m_save->setEnabled(wrong.isEmpty());
+}
+
+} // namespace odo

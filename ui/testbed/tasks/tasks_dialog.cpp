@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/tasks/tasks_dialog.h"
+
+#include "core/project/project.h"
+#include "ui/models/score_text.h"
+#include "ui/testbed/tasks/task_canvas.h"
+#include "ui/testbed/tasks/task_editor.h"
+#include "ui/testbed/tasks/template_form.h"
+#include "ui/views/table_list.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLocale>
+#include <QMenu>
+#include <QPushButton>
+#include <QScreen>
+#include <QTableWidget>
+#include <algorithm>
+
+namespace odo {
+namespace {
+
+enum Column { NameColumn, TemplateColumn, UseColumn, ColumnCount };
+constexpr int listWidth = 430;
+
+/// That of the cameras, for a task lies among their markers.
+std::optional<MarkerLayout> layoutOf(Project &project)
+{
+    for (const CameraRecord &camera : project.cameras().all().value_or(std::vector<CameraRecord>())) {
+        const auto registration = project.cameras().currentRegistration(camera.id);
+        if (!registration || !*registration)
+            continue;
+        if (const auto layout = project.layouts().get((*registration)->layout))
+            return layout->layout;
+    }
+    const auto layouts = project.layouts().all();
+    return layouts && !layouts->empty() ? std::optional(layouts->front().layout) : std::nullopt;
+}
+
+QPushButton *plainButton(const QString &text)
+{
+    auto *button = new QPushButton(text);
+    button->setAutoDefault(false);
+    return button;
+}
+
+} // namespace
+
+TasksDialog::TasksDialog(Project &project, bool readOnly, QWidget *parent)
+    : QDialog(parent), m_project(project), m_changes(project), m_readOnly(readOnly),
+      m_table(new QTableWidget(0, ColumnCount)), m_canvas(new TaskCanvas), m_words(new QLabel),
+      m_message(new QLabel), m_new(plainButton(tr("&New"))), m_edit(plainButton(tr("&Edit…"))),
+      m_copy(plainButton(tr("&Copy…"))), m_rename(plainButton(tr("&Rename…"))),
+      m_remove(plainButton(tr("&Delete"))), m_measure(plainButton(tr("&Measure them again")))
+{
+    setWindowTitle(tr("Tasks"));
+    for (QLabel *label : {m_words, m_message}) {
+        label->setTextFormat(Qt::PlainText);
+        label->setWordWrap(true);
+    }
+    m_words->setAccessibleName(tr("What depends on the task"));
+    m_message->setAccessibleName(tr("What was done"));
+    auto *row = new QHBoxLayout;
+    row->addWidget(makeList());
+    row->addLayout(makePreview(), 1);
+    auto *close = plainButton(tr("Close"));
+    close->setDefault(true);
+    auto *bottom = new QHBoxLayout;
+    bottom->addWidget(m_message, 1);
+    bottom->addWidget(close);
+    auto *layout = new QVBoxLayout(this);
+    layout->addLayout(row, 1);
+    layout->addLayout(bottom);
+    resize(QSize(1000, 600).boundedTo(screen()->availableSize() * 0.95));
+    connect(close, &QPushButton::clicked, this, &QDialog::accept);
+    addKeys();
+    refresh({});
+}
+
+QWidget *TasksDialog::makeList()
+{
+    m_table->setHorizontalHeaderLabels({tr("Task"), tr("Template"), tr("Used by")});
+    m_table->setAccessibleName(tr("Tasks"));
+    showAsList(*m_table);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setWordWrap(false);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
+    auto *templates = new QMenu(m_new);
+    for (const TaskTemplate kind : {TaskTemplate::StraightLine, TaskTemplate::Circle,
+                                    TaskTemplate::FigureEight, TaskTemplate::Slalom, TaskTemplate::Free})
+        templates->addAction(templateName(kind), this, [this, kind] { makeNew(kind); });
+    m_new->setMenu(templates);
+    auto *tools = new QHBoxLayout;
+    for (QPushButton *button : {m_new, m_edit, m_copy, m_rename, m_remove})
+        tools->addWidget(button);
+    auto *list = new QWidget;
+    list->setFixedWidth(listWidth);
+    auto *layout = new QVBoxLayout(list);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_table, 1);
+    layout->addLayout(tools);
+    connect(m_edit, &QPushButton::clicked, this, &TasksDialog::change);
+    connect(m_copy, &QPushButton::clicked, this, &TasksDialog::copy);
+    connect(m_rename, &QPushButton::clicked, this, &TasksDialog::rename);
+    connect(m_remove, &QPushButton::clicked, this, &TasksDialog::remove);
+    connect(m_table, &QTableWidget::currentCellChanged, this, &TasksDialog::showCurrent);
+    connect(m_table, &QTableWidget::cellDoubleClicked, this, &TasksDialog::change);
+    return list;
+}
+
+QLayout *TasksDialog::makePreview()
+{
+    m_canvas->setEditable(false);
+    m_canvas->setToolTip({});
+    m_canvas->setFocusPolicy(Qt::NoFocus);
+    m_canvas->setLayout(layoutOf(m_project));
+    auto *again = new QHBoxLayout;
+    again->addWidget(m_measure);
+    again->addStretch(1);
+    auto *preview = new QVBoxLayout;
+    preview->addWidget(m_canvas, 1);
+    preview->addWidget(m_words);
+    preview->addLayout(again);
+    connect(m_measure, &QPushButton::clicked, this, &TasksDialog::measureAgain);
+    return preview;
+}
+
+void TasksDialog::addKeys()
+{
+    const auto add = [this](const QKeySequence &keys, auto slot) {
+        auto *action = new QAction(this);
+        action->setShortcut(keys);
+        connect(action, &QAction::triggered, this, slot);
+        addAction(action);
+    };
+    add(QKeySequence(Qt::CTRL | Qt::Key_Z), [this] { takeBack(m_changes.undo()); });
+    add(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [this] { takeBack(m_changes.redo()); });
+    add(QKeySequence(Qt::Key_F2), [this] { rename(); });
+    add(QKeySequence(Qt::Key_Delete), [this] { remove(); });
+}
+
+void TasksDialog::refresh(const QString &choose)
+{
+    auto tasks = m_project.tasks().all();
+    auto uses = m_project.tasks().uses();
+    if (!tasks || !uses) {
+        m_message->setText(QString::fromStdString((tasks ? uses.error() : tasks.error()).message()));
+        return;
+    }
+    m_tasks = std::move(*tasks);
+    m_uses = std::move(*uses);
+    std::ranges::stable_sort(m_tasks, {}, &TaskRecord::name);
+    m_otherwiseOf.clear();
+    for (const RecordId id : m_project.analyses().trialsMeasuredOtherwise().value_or(std::vector<RecordId>()))
+        if (const auto trial = m_project.trials().get(id); trial && !trial->binned)
+            m_otherwiseOf[trial->task] << QString::fromStdString(trial->name);
+    int row = 0;
+    m_table->setRowCount(static_cast<int>(m_tasks.size()));
+    for (int i = 0; i < m_table->rowCount(); ++i) {
+        const TaskRecord &task = m_tasks[static_cast<std::size_t>(i)];
+        const TaskUse use = m_uses[task.id];
+        const QString name = QString::fromStdString(task.name);
+        const QString words = use.trials > 0     ? tr("%n trial(s)", "", use.trials)
+                              : use.analyses > 0 ? tr("earlier results")
+                                                 : tr("nothing");
+        m_table->setItem(i, NameColumn, new QTableWidgetItem(name));
+        m_table->item(i, NameColumn)->setToolTip(name.toHtmlEscaped());
+        m_table->setItem(i, TemplateColumn, new QTableWidgetItem(templateName(task.task.kind)));
+        m_table->setItem(i, UseColumn, new QTableWidgetItem(words));
+        if (name == choose)
+            row = i;
+    }
+    m_table->setCurrentCell(m_tasks.empty() ? -1 : row, 0);
+    showCurrent();
+}
+
+const TaskRecord *TasksDialog::current() const
+{
+    const int row = m_table->currentRow();
+    return row >= 0 && row < static_cast<int>(m_tasks.size()) ? &m_tasks[static_cast<std::size_t>(row)]
+                                                              : nullptr;
+}
+
+void TasksDialog::showCurrent()
+{
+    const TaskRecord *task = current();
+    m_otherwise.clear();
+    showButtons();
+    m_canvas->setTask(task ? task->task : Task());
+    if (!task) {
+        m_words->setText(tr("No task yet. New makes one from a template: its gates, path and scoring say "
+                            "what is to be driven, and how well it was."));
+        m_measure->hide();
+        return;
+    }
+    if (const auto otherwise = m_otherwiseOf.find(task->name); otherwise != m_otherwiseOf.end())
+        m_otherwise = otherwise->second;
+    m_words->setText(wordsOf(*task));
+    m_measure->setVisible(!m_otherwise.isEmpty() && !m_readOnly);
+}
+
+QString TasksDialog::wordsOf(const TaskRecord &task)
+{
+    const TaskUse use = m_uses[task.id];
+    QStringList words;
+    if (isEarlierVersion(task, use))
+        words << tr("The course as it was before it was changed: %n result(s) measured by it keep it.", "",
+                    use.analyses);
+    else
+        words << (use.trials > 0 ? tr("%n trial(s) have this task.", "", use.trials)
+                                 : tr("No trial has this task."));
+    if (!m_otherwise.isEmpty())
+        words << tr("%n of them measured by another course: times at gates and distances from the path are "
+                    "of that one, and there is no score "
+                    "until they are measured again.",
+                    "", static_cast<int>(m_otherwise.size()));
+    const auto scoring = m_project.tasks().scoring(task.id);
+    words << (scoring && !scoring->empty()
+                  ? tr("It is scored by %n figure(s).", "", static_cast<int>(scoring->size()))
+                  : tr("It is not scored."));
+    return words.join(u' ');
+}
+
+void TasksDialog::showButtons()
+{
+    const TaskRecord *task = current();
+    const bool able = task && !m_readOnly;
+    const bool earlier = task && isEarlierVersion(*task, m_uses[task->id]);
+    m_new->setEnabled(!m_readOnly);
+    m_copy->setEnabled(able);
+    m_edit->setEnabled(able && !earlier);
+    m_rename->setEnabled(able && !earlier);
+    const bool used =
+        task && m_uses.contains(task->id) && (m_uses[task->id].trials > 0 || m_uses[task->id].analyses > 0);
+    m_remove->setEnabled(able && !used);
+    m_remove->setToolTip(used ? tr("Trials have this task, or were measured by it: it stays, so that their "
+                                   "figures say what they were measured by")
+                              : tr("Deletes the task (Del); Ctrl+Z takes it back"));
+}
+
+QString TasksDialog::freeName(const QString &stem) const
+{
+    const auto taken = [this](const QString &name) {
+        return std::ranges::find(m_tasks, name.toStdString(), &TaskRecord::name) != m_tasks.end();
+    };
+    QString name = stem;
+    for (int number = 2; taken(name); ++number)
+        name = QStringLiteral("%1 (%2)").arg(stem).arg(number);
+    return name;
+}
+
+TaskDraft TasksDialog::draftOf(const TaskRecord &task) const
+{
+    TaskDraft draft;
+    draft.task = task;
+    for (const TaskRecord &each : m_tasks)
+        if (each.id != task.id)
+            draft.taken << QString::fromStdString(each.name);
+    const std::vector<std::string> usual{
+        "gate_time",        "best_lap",        "mean_lap",        "laps",           "gates_passed",
+        "cross_track_mean", "cross_track_rms", "cross_track_max", "path_completed", "duration",
+        "max_speed",        "mean_speed",      "stops",           "standing_time",  "straightness",
+        "path_length",      "spikes",          "limit_breaches"};
+    draft.metrics = usual;
+    for (const std::string &name : m_project.analyses().metricNames().value_or(std::vector<std::string>()))
+        if (std::ranges::find(usual, name) == usual.end())
+            draft.metrics.push_back(name);
+    if (task.id != 0)
+        draft.scoring = m_project.tasks().scoring(task.id).value_or(std::vector<Criterion>());
+    draft.layout = layoutOf(m_project);
+    return draft;
+}
+
+void TasksDialog::makeNew(TaskTemplate kind)
+{
+    TaskRecord task;
+    task.name = freeName(templateName(kind)).toStdString();
+    task.task.kind = kind;
+    edit(draftOf(task));
+}
+
+void TasksDialog::change()
+{
+    const TaskRecord *task = current();
+    if (!task || !m_edit->isEnabled())
+        return;
+    TaskDraft draft = draftOf(*task);
+    if (const int trials = m_uses[task->id].analyses; trials > 0)
+        draft.remark = tr(
+            "%n result(s) measured by this course stay true: a course that is changed is kept for them as an "
+            "earlier version. "
+            "The trials go over to the new one; their times and scores follow once they are measured again.",
+            "", trials);
+    edit(draft);
+}
+
+void TasksDialog::copy()
+{
+    const TaskRecord *task = current();
+    if (!task || m_readOnly)
+        return;
+    TaskDraft draft = draftOf(*task);
+    draft.taken << QString::fromStdString(task->name);
+    draft.task.id = 0;
+    draft.task.name = freeName(QString::fromStdString(task->name)).toStdString();
+    edit(draft);
+}
+
+void TasksDialog::edit(const TaskDraft &draft)
+{
+    TaskEditor editor(draft, this);
+    if (editor.exec() == QDialog::Accepted)
+        store(editor.task(), editor.scoring());
+}
+
+bool TasksDialog::store(const TaskRecord &task, const std::vector<Criterion> &scoring)
+{
+    const QString name = QString::fromStdString(task.name);
+    return apply(task.id == 0 ? tr("add task %1").arg(name) : tr("change task %1").arg(name), name,
+                 [&]() -> Result<void> {
+                     if (task.id != 0)
+                         if (auto renamed = m_project.tasks().rename(task.id, task.name); !renamed)
+                             return renamed;
+                     const auto stored =
+                         task.id == 0 ? m_project.tasks().add(task) : m_project.tasks().change(task);
+                     if (!stored)
+                         return tl::unexpected(stored.error());
+                     return m_project.tasks().setScoring(stored->id, scoring);
+                 });
+}
+
+void TasksDialog::rename()
+{
+    const TaskRecord *task = current();
+    if (!task || !m_rename->isEnabled())
+        return;
+    bool accepted = false;
+    const QString before = QString::fromStdString(task->name);
+    const QString name =
+        QInputDialog::getText(this, tr("Rename task"), tr("Name:"), QLineEdit::Normal, before, &accepted)
+            .trimmed();
+    if (!accepted || name == before)
+        return;
+    apply(tr("rename task %1 to %2").arg(before, name), name,
+          [&, id = task->id] { return m_project.tasks().rename(id, name.toStdString()); });
+}
+
+void TasksDialog::remove()
+{
+    const TaskRecord *task = current();
+    if (!task || !m_remove->isEnabled())
+        return;
+    apply(tr("delete task %1").arg(QString::fromStdString(task->name)), {},
+          [&, id = task->id] { return m_project.tasks().remove(id); });
+}
+
+bool TasksDialog::apply(const QString &words, const QString &choose,
+                        const std::function<Result<void>()> &work)
+{
+    const Result<QString> done = m_changes.make(words, work);
+    tell(done);
+    if (!done)
+        return false;
+    refresh(choose);
+    Q_EMIT changed();
+    return true;
+}
+
+void TasksDialog::tell(const Result<QString> &outcome)
+{
+    m_message->setText(outcome ? *outcome : QString::fromStdString(outcome.error().message()));
+}
+
+void TasksDialog::takeBack(const Result<QString> &outcome)
+{
+    tell(outcome);
+    if (!outcome)
+        return;
+    const TaskRecord *task = current();
+    refresh(task ? QString::fromStdString(task->name) : QString());
+    Q_EMIT changed();
+}
+
+void TasksDialog::measureAgain()
+{
+    const QStringList trials = m_otherwise;
+    accept();
+    Q_EMIT reprocessRequested(trials);
+}
+
+} // namespace odo

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/project/repositories.h"
+#include "ui/models/own_changes.h"
+
+#include <QDialog>
+#include <QStringList>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+class QLabel;
+class QLayout;
+class QPushButton;
+class QTableWidget;
+
+namespace odo {
+
+class Project;
+class TaskCanvas;
+struct TaskDraft;
+
+/// The tasks of a project: made from templates, changed, copied, renamed, deleted, each as one change that
+/// can be undone, here too (Ctrl+Z takes back what was done here). Says what depends on each, and offers to
+/// measure trials again that were measured by another course. On the project's thread; the project must
+/// outlive it.
+class TasksDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    explicit TasksDialog(Project &project, bool readOnly = false, QWidget *parent = nullptr);
+
+    /// As the buttons, without asking: stores a new task or another course.
+    bool store(const TaskRecord &task, const std::vector<Criterion> &scoring);
+
+Q_SIGNALS:
+    void changed(); ///< the project
+    /// The dialog is closed, and these are to be measured again.
+    void reprocessRequested(const QStringList &trials);
+
+private:
+    QWidget *makeList();
+    QLayout *makePreview();
+    void addKeys();
+    void refresh(const QString &choose);
+    void showCurrent();
+    QString wordsOf(const TaskRecord &task);
+    void showButtons();
+    const TaskRecord *current() const;
+    TaskDraft draftOf(const TaskRecord &task) const;
+    void edit(const TaskDraft &draft);
+    void makeNew(TaskTemplate kind);
+    void change();
+    void copy();
+    void rename();
+    void remove();
+    void measureAgain();
+    bool apply(const QString &words, const QString &choose, const std::function<Result<void>()> &work);
+    void tell(const Result<QString> &outcome);
+    void takeBack(const Result<QString> &outcome);
+    QString freeName(const QString &stem) const;
+
+    Project &m_project;
+    OwnChanges m_changes;
+    const bool m_readOnly;
+    std::vector<TaskRecord> m_tasks;
+    std::map<RecordId, TaskUse> m_uses;
+    std::map<std::string, QStringList>
+        m_otherwiseOf;       ///< trials that were measured by another course, by task
+    QStringList m_otherwise; ///< those of the chosen task
+    QTableWidget *m_table;
+    TaskCanvas *m_canvas;
+    QLabel *m_words, *m_message;
+    QPushButton *m_new, *m_edit, *m_copy, *m_rename, *m_remove, *m_measure;
+};
+
+} // namespace odo
