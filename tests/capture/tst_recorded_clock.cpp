@@ -79,6 +79,44 @@ private Q_SLOTS:
             recorded.times.readings.push_back({reading.device, reading.before + 60s, reading.after + 60s});
         QVERIFY(worstS(recorded) < 0.0003);
     }
+    void aScaleThatJumpsForwardIsParted_data()
+    {
+        QTest::addColumn<double>("jumpS");
+        QTest::addColumn<double>("lateS");
+        // A camera that was away for two seconds, whose scale went on by a picture that was late.
+        QTest::newRow("by a little") << 0.2 << 0.0;
+        QTest::newRow("by much") << 20.0 << 0.0;
+        QTest::newRow("back, less than the gap") << -1.5 << 0.0;
+        QTest::newRow("pictures from before come after a reading of the new scale") << 20.0 << 3.0;
+    }
+    void aScaleThatJumpsForwardIsParted()
+    {
+        QFETCH(double, jumpS);
+        QFETCH(double, lateS);
+        constexpr Nanoseconds away = 2s;
+        Recorded recorded = recordedWith(50e-6, 50e-6, 300, true);
+        const std::size_t jump = 145; // between two readings
+        const Nanoseconds at = recorded.truth[jump];
+        for (std::size_t i = 0; i < recorded.truth.size(); ++i) {
+            RawTime &picture = recorded.times.pictures[i];
+            if (i < jump) {
+                picture.arrival += fromSeconds(lateS);
+                continue;
+            }
+            recorded.truth[i] += away;
+            picture.arrival += away;
+            picture.device += away + fromSeconds(jumpS);
+        }
+        for (ClockReading &reading : recorded.times.readings) {
+            if (reading.before < at)
+                continue;
+            reading.before += away;
+            reading.after += away;
+            reading.device += away + fromSeconds(jumpS);
+        }
+        const double worst = worstS(recorded);
+        QVERIFY2(worst < 0.0003, qPrintable(QString::number(worst)));
+    }
     void timesAlwaysIncrease()
     {
         RecordedTimes times;
