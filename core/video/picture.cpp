@@ -7,6 +7,7 @@
 #include <libyuv/convert_argb.h>
 #include <libyuv/scale.h>
 #include <opencv2/imgcodecs.hpp>
+#include <vector>
 
 namespace odo {
 
@@ -24,16 +25,17 @@ struct ScaledPlane
             view = plane;
             return;
         }
-        memory.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        memory = std::make_unique_for_overwrite<std::uint8_t[]>(static_cast<std::size_t>(width) *
+                                                                static_cast<std::size_t>(height));
         // Bilinear keeps things within half a pixel of their place; over more than two source pixels it would
         // skip some and shimmer, there the average is better.
         const bool shrinksMuch = plane.width > 2 * width || plane.height > 2 * height;
         libyuv::ScalePlane(plane.data, static_cast<int>(plane.stride), plane.width, plane.height,
-                           memory.data(), width, width, height,
+                           memory.get(), width, width, height,
                            shrinksMuch ? libyuv::kFilterBox : libyuv::kFilterBilinear);
-        view = {memory.data(), width, height, width};
+        view = {memory.get(), width, height, width};
     }
-    std::vector<std::uint8_t> memory;
+    std::unique_ptr<std::uint8_t[]> memory;
     PlaneView view;
 };
 
@@ -103,8 +105,9 @@ ScreenPicture toScreen(const Frame &frame, int width, int height)
         return picture;
     picture.width = width;
     picture.height = height;
-    picture.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    auto *to = reinterpret_cast<std::uint8_t *>(picture.pixels.data());
+    picture.pixels = std::make_unique_for_overwrite<std::uint32_t[]>(static_cast<std::size_t>(width) *
+                                                                     static_cast<std::size_t>(height));
+    auto *to = reinterpret_cast<std::uint8_t *>(picture.pixels.get());
     const bool halved = frame.format.chromaShiftX == 1 && frame.format.chromaShiftY == 1;
     const int chromaWidth = halved ? (width + 1) / 2 : width,
               chromaHeight = halved ? (height + 1) / 2 : height;

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <vector>
+#include <memory>
 
 namespace odo {
 
@@ -14,11 +14,11 @@ namespace odo {
 struct ScreenPicture
 {
     int width = 0, height = 0;
-    std::vector<std::uint32_t> pixels;
+    std::unique_ptr<std::uint32_t[]> pixels; ///< null: no picture
 };
 
-/// Scales a frame to this size and converts it for the screen, by its own matrix and range (libyuv). Empty
-/// for a size of 0 or less. Any thread.
+/// Scales a frame to this size and converts it for the screen, by its own matrix and range (libyuv). No
+/// picture for a size of 0 or less. Any thread.
 ScreenPicture toScreen(const Frame &frame, int width, int height);
 
 /// Reads a still picture (PNG, JPEG, ...) as a full-range 4:4:4 frame. Refuses more than 100 megapixels

@@ -7,6 +7,7 @@
 
 #include <QEvent>
 #include <QPainter>
+#include <QtMath>
 
 namespace odo {
 namespace {
@@ -16,6 +17,13 @@ constexpr std::size_t placesShown = 300; // ten seconds at 30 pictures a second
 /// time costs more than all else that is painted here.
 constexpr std::size_t placesPaintedAnew = 12;
 constexpr int usualWidth = 1280, usualHeight = 720;
+
+/// Those that are wholly inside.
+QRect wholePixelsOf(const QRectF &area)
+{
+    return QRect(QPoint(qCeil(area.left()), qCeil(area.top())),
+                 QPoint(qFloor(area.right()) - 1, qFloor(area.bottom()) - 1));
+}
 
 } // namespace
 
@@ -153,8 +161,11 @@ void LivePictureArea::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     const ThemeColours colours = ThemeColours::of(palette());
-    painter.fillRect(rect(), colours.pictureGround);
-    if (hasPicture()) {
+    if (!hasPicture()) {
+        painter.fillRect(rect(), colours.pictureGround);
+    } else {
+        for (const QRect &beside : QRegion(rect()) - wholePixelsOf(pictureRect()))
+            painter.fillRect(beside, colours.pictureGround);
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.drawImage(pictureRect(), m_picture.image);
         if (m_wayLayer.isNull())

@@ -95,7 +95,8 @@ Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
         return feeds;
     };
     const LiveTracker::Listener listener{[this](const LiveSight &sight) {
-                                             if (!m_onItsWay[sight.view].exchange(true))
+                                             if (m_pace[sight.view].takes(sight.picture.taken) &&
+                                                 !m_onItsWay[sight.view].exchange(true))
                                                  m_toShow.pushOrDrop(sight);
                                          },
                                          [this, generation = m_generation](const LiveMoment &moment) {
@@ -122,6 +123,7 @@ void RunningCameras::stop()
     ++m_generation;
     m_opening = false;
     m_tracker.reset();
+    m_pace = {};
     if (m_session)
         onWorker([session = std::move(m_session)]() mutable { session.reset(); });
     m_session.reset();

@@ -3,6 +3,7 @@
 
 #include "core/capture/capture_session.h"
 #include "core/workflow/live_tracking.h"
+#include "ui/record/screen_pace.h"
 
 #include <QImage>
 #include <QObject>
@@ -88,6 +89,7 @@ private:
     bool m_opening = false;
 
     BoundedQueue<LiveSight> m_toShow{mostViews};
+    std::array<ScreenPace, mostViews> m_pace; ///< of the tracker's threads, one at a time
     std::array<std::atomic<bool>, mostViews>
         m_onItsWay{}; ///< a picture of the view that the screen has not got yet
     std::array<std::atomic<qint64>, mostViews> m_shownSize{}; ///< width << 32 | height

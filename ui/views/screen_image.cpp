@@ -5,11 +5,11 @@ namespace odo {
 
 QImage toImage(ScreenPicture &&picture)
 {
-    if (picture.pixels.empty())
+    if (!picture.pixels)
         return {};
     auto *owned = new ScreenPicture(std::move(picture)); // freed by the image's last copy
     return QImage(
-        reinterpret_cast<const uchar *>(owned->pixels.data()), owned->width, owned->height,
+        reinterpret_cast<const uchar *>(owned->pixels.get()), owned->width, owned->height,
         owned->width * qsizetype(sizeof(std::uint32_t)), QImage::Format_RGB32,
         [](void *pointer) { delete static_cast<ScreenPicture *>(pointer); }, owned);
 }
