@@ -70,6 +70,14 @@ double median(std::vector<double> values)
     return values[values.size() / 2];
 }
 
+/// How many of these pictures were taken while the others were, too.
+std::size_t takenBeside(const TakenTimes &others, const TakenTimes &these)
+{
+    const Nanoseconds from = others.frames.front().code.begin, to = others.frames.back().code.begin;
+    return static_cast<std::size_t>(std::ranges::count_if(
+        these.frames, [&](const auto &frame) { return frame.code.begin >= from && frame.code.begin <= to; }));
+}
+
 /// By how much the pictures of both are thought to be further apart than they were.
 std::vector<double> pairErrorsMs(const TakenTimes &a, const TakenTimes &b)
 {
@@ -122,7 +130,8 @@ void TestAravisClocks::timesAreThoseOfTheTruth()
 
     const PairFigures wide = pairFigures({a.derived.taken, b.derived.taken}, 15ms),
                       narrow = pairFigures({a.derived.taken, b.derived.taken}, 5ms);
-    QVERIFY(wide.pairs > enough * 9 / 10);
+    QVERIFY(wide.pairs > takenBeside(b, a) * 9 / 10); // cameras begin one after the other
+    QVERIFY(wide.pairs > enough / 3);
     QCOMPARE(narrow.pairs, 0u);
     const double apart = 1e3 * median(wide.errorsS);
     const double truth = 1e3 * toSeconds(b.frames[100].code.begin - a.frames[100].code.begin),
