@@ -12,6 +12,9 @@ target_compile_definitions(odograph_options INTERFACE
   QT_NO_CONTEXTLESS_CONNECT QT_NO_NARROWING_CONVERSIONS_IN_CONNECT
   EIGEN_MPL2_ONLY)
 if(ODOGRAPH_SANITIZE)
+  # Under AddressSanitizer Eigen would lay out its memory differently from what the libraries that share its
+  # templates with us (Ceres) were built with, and each would free what is the other's.
+  target_compile_definitions(odograph_options INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   target_compile_options(odograph_options INTERFACE -fsanitize=${ODOGRAPH_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(odograph_options INTERFACE -fsanitize=${ODOGRAPH_SANITIZE})
 endif()
