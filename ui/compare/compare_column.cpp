@@ -10,7 +10,9 @@
 #include "ui/views/table_list.h"
 #include "ui/views/theme.h"
 
+#include <QComboBox>
 #include <QHeaderView>
+#include <QSignalBlocker>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -21,7 +23,6 @@ namespace odo {
 namespace {
 
 constexpr int columnWidth = 500, numberWidth = 112, differenceWidth = 126;
-constexpr std::size_t second = 1; ///< the run that is shown against the first
 
 /// Mutes a difference that is within the error; its sign ≈ says the same.
 class DifferenceDelegate : public QStyledItemDelegate
@@ -81,9 +82,17 @@ QTableView *tableOf(DifferenceModel *model, const QString &name)
 
 CompareColumn::CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *parent)
     : QWidget(parent), m_timeline(timeline), m_result(new Card(tr("Time difference"))),
-      m_sectorCard(new Card(tr("Sectors"))), m_metricCard(new Card(tr("Figures"))), m_figures(new FigureGrid),
-      m_sectors(new DifferenceModel(this)), m_metrics(new DifferenceModel(this))
+      m_sectorCard(new Card(tr("Sectors"))), m_metricCard(new Card(tr("Figures"))),
+      m_others(new QComboBox(this)), m_figures(new FigureGrid), m_sectors(new DifferenceModel(this)),
+      m_metrics(new DifferenceModel(this))
 {
+    m_others->setAccessibleName(tr("Run that is shown against the first"));
+    m_others->setToolTip(m_others->accessibleName());
+    m_others->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_others->setMinimumContentsLength(14);
+    m_others->hide();
+    m_result->addToHeader(m_others);
+    connect(m_others, &QComboBox::currentIndexChanged, this, &CompareColumn::showRun);
     auto *runs = new Card(tr("Runs"));
     runs->setContent(chooser);
     runs->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
@@ -111,34 +120,54 @@ void CompareColumn::setScene(ComparisonScenePtr scene)
         card->setVisible(m_scene != nullptr);
     if (!m_scene)
         return;
+    {
+        const QSignalBlocker quiet(m_others);
+        m_others->clear();
+        for (std::size_t run = 1; run < m_scene->runCount(); ++run)
+            m_others->addItem(QString::fromStdString(m_scene->name(run)));
+        if (m_other >= m_scene->runCount())
+            m_other = 1;
+        m_others->setCurrentIndex(static_cast<int>(m_other) - 1);
+    }
+    m_others->setVisible(m_scene->runCount() > 2);
+    m_gates = m_scene->compared.gates;
+    showRun();
+}
+
+void CompareColumn::showRun()
+{
+    if (!m_scene || m_others->currentIndex() < 0)
+        return;
+    m_other = static_cast<std::size_t>(m_others->currentIndex()) + 1;
     const QString first = QString::fromStdString(m_scene->name(0)),
-                  other = QString::fromStdString(m_scene->name(second));
+                  other = QString::fromStdString(m_scene->name(m_other));
     // Names of trials often differ at their ends alone.
     const auto fitted = [this](const QString &name) {
         return fontMetrics().elidedText(name, Qt::ElideMiddle, numberWidth - 24);
     };
     for (DifferenceModel *model : {m_sectors, m_metrics})
         model->setRunNames(fitted(first), fitted(other));
-    m_metrics->setMetrics(m_scene->compared.metrics.front());
-    m_result->setRemark(tr("of %1").arg(other));
+    m_metrics->setMetrics(m_scene->compared.metrics.at(m_other - 1));
+    m_result->setRemark(m_scene->runCount() > 2 ? tr("of") : tr("of %1").arg(other));
     const RunComparison &comparison = m_scene->compared.comparison;
     m_end.reset();
     for (std::size_t station = comparison.waysM.size(); station-- > 0 && !m_end;)
-        m_end = differenceAt(*m_scene, second, comparison.distanceM(station));
-    setGates(m_scene->compared.gates);
+        m_end = differenceAt(*m_scene, m_other, comparison.distanceM(station));
+    setGates(m_gates);
     showFigures();
 }
 
 void CompareColumn::setGates(const std::vector<PathGate> &gates)
 {
-    m_sectors->setSectors(sectorTimes(m_scene->compared.comparison, gates), second);
+    m_gates = gates;
+    m_sectors->setSectors(sectorTimes(m_scene->compared.comparison, gates), m_other);
 }
 
 void CompareColumn::showFigures()
 {
     if (!m_scene || !isVisible())
         return;
-    const auto here = differenceAt(*m_scene, second, m_scene->distanceAt(0, m_timeline.currentTime()));
+    const auto here = differenceAt(*m_scene, m_other, m_scene->distanceAt(0, m_timeline.currentTime()));
     m_figures->setFigures(
         {timeFigure(m_end, tr("Later at the end"), tr("Earlier at the end"), tr("At the end")),
          timeFigure(here, tr("Later here"), tr("Earlier here"), tr("Here"))});

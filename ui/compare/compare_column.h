@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-class QTableView;
+class QComboBox;
 
 namespace odo {
 
@@ -16,7 +16,8 @@ class FigureGrid;
 class Timeline;
 
 /// The right column of Compare: which runs, how far apart they are in time at the end and here, the times
-/// from gate to gate, and all figures, of the second run against the first.
+/// from gate to gate, and all figures, of the second run against the first; of several further runs, of the
+/// one that is chosen.
 class CompareColumn : public QWidget
 {
     Q_OBJECT
@@ -27,11 +28,15 @@ public:
     void setGates(const std::vector<PathGate> &gates);
 
 private:
+    void showRun();
     void showFigures();
 
     Timeline &m_timeline;
     ComparisonScenePtr m_scene;
     Card *m_result, *m_sectorCard, *m_metricCard;
+    QComboBox *m_others;     ///< shown for more than two runs
+    std::size_t m_other = 1; ///< the run that is shown against the first
+    std::vector<PathGate> m_gates;
     FigureGrid *m_figures;
     DifferenceModel *m_sectors, *m_metrics;
     std::optional<CurveValue> m_end; ///< time difference where the last of both can be compared

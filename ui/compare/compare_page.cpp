@@ -77,6 +77,7 @@ ComparePage::ComparePage(Project &project, QWidget *parent)
         m_runs = m_chooser->runs();
         m_wantsPartner = false;
         m_chooser->alignAutomatically();
+        m_originM.reset();
         load();
     });
     connect(m_chooser, &RunChooser::alignmentChanged, this, &ComparePage::load);
@@ -101,6 +102,7 @@ void ComparePage::showTrials(const QStringList &trials)
     m_wantsPartner = m_runs.size() == 1;
     m_isListStale = true; // the runs are looked up in it
     m_chooser->alignAutomatically();
+    m_originM.reset();
     load();
 }
 
@@ -151,6 +153,8 @@ void ComparePage::load()
             settings.handTimesS[1] += m_chooser->shiftS();
         }
     }
+    if (settings.alignBy == AlignBy::Distance && m_originM && m_chooser->placeM())
+        settings.placeM = *m_originM + *m_chooser->placeM();
     m_reader->read<Reading>([wish = Wish{std::move(settings), m_isListStale, m_wantsPartner}](
                                 Project &project) { return readRuns(project, wish); },
                             [this](Result<Reading> reading) { take(std::move(reading)); });
@@ -195,6 +199,10 @@ void ComparePage::adopt(ComparisonScenePtr scene)
         m_handTimesS.clear();
         for (const RunOnPath &run : m_scene->compared.comparison.runs)
             m_handTimesS.push_back(run.aligned.timeS);
+    }
+    if (m_scene) {
+        const RunComparison &comparison = m_scene->compared.comparison;
+        m_originM = comparison.alignedBy == AlignBy::Distance ? std::optional(comparison.originM) : std::nullopt;
     }
     if (m_scene && !m_scene->settings.alignBy)
         m_chooser->setAlignedBy(m_scene->compared.comparison.alignedBy);

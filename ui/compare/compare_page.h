@@ -5,6 +5,7 @@
 #include "ui/models/comparison_scene.h"
 
 #include <QWidget>
+#include <optional>
 
 class QStackedWidget;
 
@@ -66,6 +67,7 @@ private:
     ProjectReader *m_reader;
     ComparisonScenePtr m_scene;
     std::vector<CompareSettings::Run> m_runs; ///< that are compared, or are to be
+    std::optional<double> m_originM;  ///< by distance: the way that a place is counted from
     std::vector<double> m_handTimesS;         ///< the moments that a shift by hand is counted from
     bool m_isListStale = false, m_wantsPartner = false;
     Timeline *m_timeline;

@@ -65,7 +65,8 @@ RunChooser::RunChooser(QWidget *parent)
       m_align(runList(tr("The moment that counts as the same"))),
       m_swap(flatButton(QStringLiteral("swap"), tr("Swap the two runs"))),
       m_more(flatButton(QStringLiteral("add"), tr("Further runs"))), m_menu(new QMenu(this)),
-      m_shiftName(new QLabel(tr("&Shift"))), m_shift(new QDoubleSpinBox)
+      m_shiftName(new QLabel(tr("&Shift"))), m_placeName(new QLabel(tr("Pla&ce"))),
+      m_shift(new QDoubleSpinBox), m_place(new QDoubleSpinBox)
 {
     m_more->setPopupMode(QToolButton::InstantPopup);
     m_more->setMenu(m_menu);
@@ -83,6 +84,15 @@ RunChooser::RunChooser(QWidget *parent)
     m_shift->setAccessibleName(tr("How much later the second run's moment lies"));
     m_shift->setToolTip(m_shift->accessibleName());
     m_shiftName->setBuddy(m_shift);
+    m_place->setRange(0, 10000);
+    m_place->setDecimals(2);
+    m_place->setSingleStep(0.1);
+    m_place->setSuffix(tr(" m"));
+    m_place->setSpecialValueText(tr("where all have begun"));
+    m_place->setKeyboardTracking(false);
+    m_place->setAccessibleName(tr("How far along the way the runs are taken to be at the same time"));
+    m_place->setToolTip(m_place->accessibleName());
+    m_placeName->setBuddy(m_place);
     const auto named = [](const QString &text, QWidget *buddy) {
         auto *label = new QLabel(text);
         label->setBuddy(buddy);
@@ -103,6 +113,8 @@ RunChooser::RunChooser(QWidget *parent)
     grid->addWidget(m_align, 2, 1, 1, 2);
     grid->addWidget(m_shiftName, 3, 0);
     grid->addWidget(m_shift, 3, 1, 1, 2);
+    grid->addWidget(m_placeName, 4, 0);
+    grid->addWidget(m_place, 4, 1, 1, 2);
     showShift();
 
     for (QComboBox *list : {m_first, m_second})
@@ -113,7 +125,8 @@ RunChooser::RunChooser(QWidget *parent)
         showShift();
         Q_EMIT alignmentChanged();
     });
-    connect(m_shift, &QDoubleSpinBox::valueChanged, this, &RunChooser::alignmentChanged);
+    for (QDoubleSpinBox *number : {m_shift, m_place})
+        connect(number, &QDoubleSpinBox::valueChanged, this, &RunChooser::alignmentChanged);
 }
 
 void RunChooser::setChoices(QList<RunChoice> choices)
@@ -162,11 +175,17 @@ double RunChooser::shiftS() const
     return m_shift->value();
 }
 
+std::optional<double> RunChooser::placeM() const
+{
+    return m_place->value() > 0 ? std::optional(m_place->value()) : std::nullopt;
+}
+
 void RunChooser::alignAutomatically()
 {
-    const QSignalBlocker quiet(m_shift);
+    const QSignalBlocker quiet(m_shift), alsoQuiet(m_place);
     m_align->setCurrentIndex(0);
     m_shift->setValue(0);
+    m_place->setValue(0);
     showShift();
 }
 
@@ -214,6 +233,9 @@ void RunChooser::showShift()
     const bool byHand = alignBy() == AlignBy::ByHand;
     m_shift->setVisible(byHand);
     m_shiftName->setVisible(byHand);
+    const bool byPlace = alignBy() == AlignBy::Distance;
+    m_place->setVisible(byPlace);
+    m_placeName->setVisible(byPlace);
 }
 
 } // namespace odo

@@ -14,7 +14,8 @@ class QToolButton;
 namespace odo {
 
 /// Which runs are compared and how they are aligned: two lists and a button that swaps them, further runs
-/// from a menu, the alignment, and by hand the seconds by which the second run's moment is moved.
+/// from a menu, the alignment, by hand the seconds by which the second run's moment is moved, by distance the
+/// place.
 class RunChooser : public QWidget
 {
     Q_OBJECT
@@ -27,6 +28,8 @@ public:
     std::vector<CompareSettings::Run> runs() const;
     std::optional<AlignBy> alignBy() const;
     double shiftS() const;
+    /// By distance: how far from the beginning of what is compared, metres; nullopt: where all have begun.
+    std::optional<double> placeM() const;
     /// Back to what the runs themselves give. Emits nothing.
     void alignAutomatically();
     /// What the automatic choice came to.
@@ -47,8 +50,8 @@ private:
     QComboBox *m_first, *m_second, *m_align;
     QToolButton *m_swap, *m_more;
     QMenu *m_menu;
-    QLabel *m_shiftName;
-    QDoubleSpinBox *m_shift;
+    QLabel *m_shiftName, *m_placeName;
+    QDoubleSpinBox *m_shift, *m_place;
 };
 
 /// The alignment in words: "start gate".

@@ -92,10 +92,12 @@ void drawChartFocus(QPainter &painter, const QRect &widget, const QPalette &pale
 }
 
 double drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &value, double top,
-                       const QString &text, const QColor &colour, const QPalette &palette)
+                       const QString &fullText, const QColor &colour, const QPalette &palette)
 {
     const ThemeColours colours = ThemeColours::of(palette);
     const QFontMetricsF metrics(painter.font());
+    // The value stands at its end; a long name before it gives way.
+    const QString text = metrics.elidedText(fullText, Qt::ElideLeft, plot.rect.width() / 2);
     const QPointF at = plot.at(value.x(), value.y());
     const double height = metrics.height() + 6, width = metrics.horizontalAdvance(text) + 14;
     const bool fits = at.x() + 6 + width <= plot.rect.right();

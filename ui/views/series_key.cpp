@@ -9,7 +9,7 @@ namespace odo {
 
 namespace {
 
-constexpr int lineLength = 26, lineGap = 6, entryGap = 14;
+constexpr int lineLength = 26, lineGap = 6, entryGap = 14, longestName = 130;
 
 } // namespace
 
@@ -24,16 +24,24 @@ void SeriesKey::setNames(const QStringList &names)
 {
     m_names = names;
     setAccessibleDescription(names.join(QStringLiteral(", ")));
+    // As plain text, whatever the names contain, and not wider than the screen.
+    setToolTip(QStringLiteral("<p>%1</p>")
+                   .arg(names.join(u'\n').left(2000).toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"))));
     setVisible(names.size() > 1);
     updateGeometry();
     update();
+}
+
+QString SeriesKey::shown(const QString &name) const
+{
+    return fontMetrics().elidedText(name, Qt::ElideMiddle, longestName);
 }
 
 QSize SeriesKey::sizeHint() const
 {
     int width = 0;
     for (const QString &name : m_names)
-        width += lineLength + lineGap + fontMetrics().horizontalAdvance(name) + entryGap;
+        width += lineLength + lineGap + fontMetrics().horizontalAdvance(shown(name)) + entryGap;
     return {width, fontMetrics().height()};
 }
 
@@ -49,8 +57,8 @@ void SeriesKey::paintEvent(QPaintEvent *)
         left += lineLength + lineGap;
         painter.setPen(ThemeColours::of(palette()).text);
         painter.drawText(QRect(left, 0, width() - left, height()), Qt::AlignLeft | Qt::AlignVCenter,
-                         m_names[i]);
-        left += fontMetrics().horizontalAdvance(m_names[i]) + entryGap;
+                         shown(m_names[i]));
+        left += fontMetrics().horizontalAdvance(shown(m_names[i])) + entryGap;
     }
 }
 

@@ -6,8 +6,8 @@
 
 namespace odo {
 
-/// Which line is whose: the lines of seriesColour and seriesDash with names beside them. Hidden for fewer
-/// than two.
+/// Which line is whose: the lines of seriesColour and seriesDash with names beside them, long ones cut in
+/// their middle and whole in the tool tip. Hidden for fewer than two.
 class SeriesKey : public QWidget
 {
     Q_OBJECT
@@ -22,6 +22,7 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    QString shown(const QString &name) const;
     QStringList m_names;
 };
 

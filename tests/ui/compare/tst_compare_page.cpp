@@ -180,6 +180,66 @@ private Q_SLOTS:
                 std::abs(difference->value + 0.1) < 1e-6); // its clock begins later: it is earlier by it
     }
 
+    void aPlaceIsWhereBothAreAtTheSameTime()
+    {
+        const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+        QVERIFY(shown.page->scene());
+        const auto field = [&](auto *kind, const QString &name) {
+            for (auto *each : shown.page->findChildren<std::remove_pointer_t<decltype(kind)> *>())
+                if (each->accessibleName() == name)
+                    return each;
+            return decltype(kind)(nullptr);
+        };
+        auto *align = field(static_cast<QComboBox *>(nullptr), QStringLiteral("The moment that counts as the same"));
+        auto *place = field(static_cast<QDoubleSpinBox *>(nullptr),
+                            QStringLiteral("How far along the way the runs are taken to be at the same time"));
+        QVERIFY(align && place && !place->isVisible());
+        const auto wait = [&] { return QTest::qWaitFor([&] { return shown.page->isSettled(); }, longestMs); };
+        align->setCurrentIndex(align->findData(int(AlignBy::Distance)));
+        Q_EMIT align->activated(align->currentIndex());
+        QVERIFY(wait());
+        QVERIFY(place->isVisible());
+        const double originM = shown.page->scene()->compared.comparison.originM;
+        place->setValue(0.5);
+        QVERIFY(wait());
+        const RunComparison &comparison = shown.page->scene()->compared.comparison;
+        QCOMPARE(comparison.alignedBy, AlignBy::Distance);
+        QVERIFY(std::abs(comparison.originM - originM) < 1e-9);
+        const auto there = comparison.timeDifferenceAt(1, originM + 0.5);
+        QVERIFY(there && std::abs(there->value) < 1e-9);
+        place->setValue(500); // nobody gets there
+        QVERIFY(wait());
+        QVERIFY(!shown.page->scene());
+        QVERIFY(emptyWords(*shown.page).contains(QStringLiteral("choose a place that both runs pass")));
+        place->setValue(0);
+        QVERIFY(wait());
+        QVERIFY(shown.page->scene());
+    }
+    void ofThreeRunsOneIsChosenAgainstTheFirst()
+    {
+        const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+        shown.page->chooser().setRuns({{"Trial 1", "Red 2"}, {"Trial 2", "Red 2"}, {"Trial 2", "Blue 1"}});
+        Q_EMIT shown.page->chooser().runsChanged();
+        QVERIFY(QTest::qWaitFor([&] { return shown.page->isSettled(); }, longestMs));
+        QVERIFY(shown.page->scene());
+        QCOMPARE(shown.page->scene()->runCount(), std::size_t(3));
+        QComboBox *others = nullptr;
+        for (QComboBox *each : shown.page->findChildren<QComboBox *>())
+            if (each->accessibleName() == QStringLiteral("Run that is shown against the first"))
+                others = each;
+        QVERIFY(others && others->isVisible());
+        QCOMPARE(others->count(), 2);
+        const QAbstractItemModel *figures = table(*shown.page, "Figures of both runs")->model();
+        const auto headline = [&] {
+            return figures->headerData(DifferenceModel::SecondColumn, Qt::Horizontal).toString();
+        };
+        const QString before = headline();
+        others->setCurrentIndex(1);
+        QVERIFY(headline() != before);
+        shown.page->showTrials({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+        QVERIFY(QTest::qWaitFor([&] { return shown.page->isSettled(); }, longestMs));
+        QVERIFY(!others->isVisible());
+    }
     void gatesAreDraggedAndMovedByKeys()
     {
         const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A laptop's screen of 1366×768, or one of 2732×1536 at 200 %: nothing may need more.
+#include "tests/ui/support/stored_example.h"
+#include "ui/main_window/appearance.h"
+#include "ui/main_window/main_window.h"
+
+#include <QApplication>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+class TestSmallScreen : public QObject
+{
+    Q_OBJECT
+    QTemporaryDir m_folder;
+    std::filesystem::path m_project;
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QCoreApplication::setOrganizationName(QStringLiteral("odograph-test"));
+        QCoreApplication::setApplicationName(QStringLiteral("tst_small_screen"));
+        applyAppearance(*qApp, Theme::Light);
+        QSettings().clear();
+        const auto made = storeExample(m_folder.path().toStdString());
+        QVERIFY2(made, made ? "" : made.error().message().c_str());
+        m_project = *made;
+    }
+    void everyModeFits_data()
+    {
+        QTest::addColumn<int>("mode");
+        QTest::newRow("testbed") << static_cast<int>(MainWindow::Mode::Testbed);
+        QTest::newRow("record") << static_cast<int>(MainWindow::Mode::Record);
+        QTest::newRow("review") << static_cast<int>(MainWindow::Mode::Review);
+        QTest::newRow("compare") << static_cast<int>(MainWindow::Mode::Compare);
+        QTest::newRow("history") << static_cast<int>(MainWindow::Mode::History);
+    }
+    void everyModeFits()
+    {
+        QFETCH(int, mode);
+        constexpr QSize screen(1366, 768);
+        constexpr int decoration = 40; // title bar and panel of a desktop
+        MainWindow window;
+        QVERIFY(window.openProject(m_project));
+        window.showMode(static_cast<MainWindow::Mode>(mode));
+        window.show();
+        QTRY_VERIFY_WITH_TIMEOUT(window.isSettled(), 20000);
+        const QWidget *page = window.findChild<QStackedWidget *>()->currentWidget();
+        const QSize least = page->minimumSizeHint(), whole = window.minimumSizeHint();
+        const QString words = QStringLiteral("page %1×%2, window %3×%4")
+                                  .arg(least.width())
+                                  .arg(least.height())
+                                  .arg(whole.width())
+                                  .arg(whole.height());
+        QVERIFY2(whole.width() <= screen.width() && whole.height() <= screen.height() - decoration,
+                 qPrintable(words));
+        window.resize(screen.width(), screen.height() - decoration);
+        QCOMPARE(window.size(), QSize(screen.width(), screen.height() - decoration));
+    }
+};
+
+QTEST_MAIN(TestSmallScreen)
+#include "tst_small_screen.moc"
