@@ -2,6 +2,7 @@
 #include "ui/review/range_facts.h"
 
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_units.h"
 #include "ui/views/profile_chart.h"
 #include "ui/views/profile_curve.h"
 
@@ -30,20 +31,12 @@ QString unitOver(Quantity quantity, int power)
 {
     static const QString powers[] = {
         {}, QStringLiteral("/s"), QStringLiteral("/s²"), QStringLiteral("/s³"), QStringLiteral("/s⁴")};
-    switch (quantity) {
-    case Quantity::Speed:
-        return u'm' + powers[1 + power];
-    case Quantity::Acceleration:
-        return u'm' + powers[2 + power];
-    case Quantity::Heading:
-        return u'°' + powers[power];
-    case Quantity::TurnRate:
-        return u'°' + powers[1 + power];
-    case Quantity::PositionX:
-    case Quantity::PositionY:
-        break;
-    }
-    return QStringLiteral("mm") + powers[power];
+    // "cm/s" as a person wants it, without what it is over.
+    const QString base = curveUnit(quantity).section(u'/', 0, 0);
+    if (quantity == Quantity::Acceleration)
+        return base + powers[2 + power];
+    const bool isRate = quantity == Quantity::Speed || quantity == Quantity::TurnRate;
+    return base + powers[(isRate ? 1 : 0) + power];
 }
 
 QString valueText(Quantity quantity, const CurveValue &value, int power = 0)
@@ -168,7 +161,9 @@ QList<Fact> rangeFacts(const RangeReport &report)
              .arg(secondsText(span.begin), secondsText(span.end), secondsText(span.end - span.begin)),
          {}}};
     if (report.path) {
-        const QString text = figureText(report.path->value, report.path->sigma, QStringLiteral("m")).text();
+        const ShownUnit &unit = shownUnits().distance;
+        const QString text =
+            figureText(unit.perSi * report.path->value, unit.perSi * report.path->sigma, unit.name).text();
         Explanation how = explainMetric(*report.request.scene, report.request.robot,
                                         {"path_length", "m", report.path->value, report.path->sigma});
         how.inputs = inputsOf(report);

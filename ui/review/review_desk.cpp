@@ -133,7 +133,7 @@ QList<QAction *> ReviewDesk::dockActions() const
 
 QList<QAction *> ReviewDesk::chartActions() const
 {
-    return m_span->actions();
+    return m_span->actions() << m_map->disagreementAction();
 }
 
 QList<Quantity> ReviewDesk::quantities() const

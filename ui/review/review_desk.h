@@ -35,7 +35,7 @@ public:
     bool isSettled() const;
     /// One a dock: shows and hides it.
     QList<QAction *> dockActions() const;
-    /// What the charts show: more, less, all, against time or distance.
+    /// What charts and map show: more, less, all, against time or distance; the views' disagreement.
     QList<QAction *> chartActions() const;
     /// What the charts show, from above.
     QList<Quantity> quantities() const;

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/models/trial_scene.h"
+#include "ui/models/background_task.h"
+#include "ui/models/scene_disagreement.h"
 #include "ui/views/card.h"
+
+#include <memory>
+#include <vector>
+
+class QAction;
+class QComboBox;
+class QToolButton;
 
 namespace odo {
 
@@ -10,7 +18,8 @@ class MapArea;
 class Timeline;
 
 /// The virtual top-down map: X to the right, Y up. The floor as the cameras see it (muted), a grid, the
-/// markers, each robot's trail coloured by its speed, its place now with heading and σ, and the spikes.
+/// markers, each robot's trail coloured by its speed or by how far the views disagree, its place now with
+/// heading and σ, and the spikes.
 class FloorMap : public Card
 {
     Q_OBJECT
@@ -19,8 +28,11 @@ public:
     ~FloorMap() override;
 
     void setScene(TrialScenePtr scene);
-    /// True when the picture of the floor is there (or cannot be had).
+    /// True when the picture of the floor is there (or cannot be had), and so is what colours the trails.
     bool isSettled() const;
+
+    /// Colours by the views' disagreement instead of the speed; with words and key, for menus and pages.
+    QAction *disagreementAction() const { return m_disagreement; }
 
     /// Where a point of the floor (metres) lies in the map area, in its widget coordinates.
     QPointF fromWorld(const Eigen::Vector2d &pointInWorld) const;
@@ -30,7 +42,19 @@ Q_SIGNALS:
     void settled();
 
 private:
+    void setColouring(bool byDisagreement);
+    void compare();
+    void takeComparison();
+    void explain();
+
     MapArea *m_area;
+    QComboBox *m_colouring;
+    QToolButton *m_how;
+    QAction *m_disagreement;
+    TrialScenePtr m_scene;
+    TrialScenePtr m_compared; ///< of which m_found is, or is being made
+    std::shared_ptr<std::vector<ViewDisagreement>> m_found;
+    BackgroundTask m_task;
 };
 
 } // namespace odo

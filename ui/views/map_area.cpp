@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/map_area.h"
 
+#include "ui/models/figure_text.h"
 #include "ui/models/profile_place.h"
 #include "ui/models/shown_units.h"
 #include "ui/models/timeline.h"
@@ -11,6 +12,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -52,7 +54,7 @@ void MapArea::setScene(TrialScenePtr scene)
 {
     m_scene = std::move(scene);
     m_floor = {};
-    forgetStill();
+    setDisagreements({});
     if (m_scene) {
         m_bounds = m_scene->floorBounds();
         m_topSpeedMps = topSpeed(*m_scene);
@@ -107,8 +109,8 @@ void MapArea::paintTrail(QPainter &painter, const Profile &profile) const
     const QColor rim = isDark(palette()) ? QColor(235, 238, 240, 150) : QColor(25, 30, 35, 110);
     painter.strokePath(whole, QPen(rim, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     for (const Piece &piece : pieces) {
-        painter.setPen(QPen(scaleColour(m_topSpeedMps > 0 ? piece.speedMps / m_topSpeedMps : 0), 3, Qt::SolidLine,
-                            Qt::RoundCap));
+        painter.setPen(QPen(scaleColour(m_topSpeedMps > 0 ? piece.speedMps / m_topSpeedMps : 0), 3,
+                            Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(piece.line);
     }
 }
@@ -131,9 +133,62 @@ void MapArea::paintSpikes(QPainter &painter, const Profile &profile) const
     }
 }
 
+void MapArea::setColouring(MapColouring colouring)
+{
+    m_colouring = colouring;
+    forgetStill();
+}
+
+void MapArea::setDisagreements(std::vector<ViewDisagreement> disagreements)
+{
+    constexpr double leastM = 0.001;
+    m_disagreements = std::move(disagreements);
+    std::vector<double> apart;
+    for (const ViewDisagreement &robot : m_disagreements)
+        for (const Disagreement &place : robot.places)
+            apart.push_back(place.apartM);
+    std::sort(apart.begin(), apart.end());
+    // A few that stand out must not leave one colour for all others.
+    m_topDisagreementM = apart.empty() ? 0 : std::max(leastM, apart[(apart.size() - 1) * 95 / 100]);
+    forgetStill();
+}
+
+void MapArea::paintDisagreements(QPainter &painter) const
+{
+    constexpr double radius = 3;
+    std::vector<const Disagreement *> places;
+    QStringList words;
+    for (std::size_t robot = 0; robot < m_disagreements.size(); ++robot) {
+        const QString name =
+            m_disagreements.size() > 1
+                ? QString::fromStdString(m_scene->robots[robot].robot.name) + QStringLiteral(": ")
+                : QString();
+        words << name + disagreementWords(m_disagreements[robot]);
+        for (const Disagreement &place : m_disagreements[robot].places)
+            places.push_back(&place);
+    }
+    // The largest on top.
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Disagreement *a, const Disagreement *b) { return a->apartM < b->apartM; });
+    painter.setPen(QPen(isDark(palette()) ? QColor(235, 238, 240, 120) : QColor(25, 30, 35, 90), 0.6));
+    for (const Disagreement *place : places) {
+        painter.setBrush(scaleColour(std::min(1.0, place->apartM / m_topDisagreementM)));
+        painter.drawEllipse(fromWorld(place->position), radius, radius);
+    }
+    const ThemeColours colours = ThemeColours::of(palette());
+    const QRectF room(8, 4, width() - 16, height());
+    const QRectF box = QFontMetricsF(font()).boundingRect(room, Qt::TextWordWrap, words.join(u'\n'));
+    QColor ground = colours.mapGround;
+    ground.setAlpha(225);
+    painter.fillRect(QRectF(0, 0, width(), box.height() + 8), ground);
+    painter.setPen(colours.text);
+    painter.drawText(room, Qt::TextWordWrap, words.join(u'\n'));
+}
+
 void MapArea::paintLegend(QPainter &painter) const
 {
-    if (m_topSpeedMps <= 0)
+    const bool isSpeed = m_colouring == MapColouring::Speed;
+    if ((isSpeed ? m_topSpeedMps : m_topDisagreementM) <= 0)
         return;
     constexpr int barWidth = 76, barHeight = 7;
     const double left = 12, middle = height() - footHeight / 2.0 + 1;
@@ -147,9 +202,9 @@ void MapArea::paintLegend(QPainter &painter) const
     painter.setPen(colours.muted);
     const ShownUnit &speed = shownUnits().speed;
     const double top = speed.perSi * m_topSpeedMps;
-    painter.drawText(
-        QPointF(left + barWidth + 7, middle + QFontMetricsF(font()).capHeight() / 2),
-        tr("0 to %1 %2").arg(QLocale().toString(top, 'f', top < 1 ? 2 : 1), speed.name));
+    painter.drawText(QPointF(left + barWidth + 7, middle + QFontMetricsF(font()).capHeight() / 2),
+                     isSpeed ? tr("0 to %1 %2").arg(QLocale().toString(top, 'f', top < 1 ? 2 : 1), speed.name)
+                             : tr("0 to %1 apart").arg(lengthText(m_topDisagreementM)));
 }
 
 void MapArea::paintStill(QPainter &painter) const
@@ -175,9 +230,11 @@ void MapArea::paintStill(QPainter &painter) const
     if (m_scene->task)
         drawReferencePath(painter, m_scene->task->path, toScreen, palette());
     for (const SceneRobot &robot : m_scene->robots) {
-        if (robot.analysis)
+        if (robot.analysis && m_colouring == MapColouring::Speed)
             paintTrail(painter, robot.analysis->profile);
     }
+    if (m_colouring == MapColouring::Disagreement)
+        paintDisagreements(painter);
     if (m_scene->task)
         drawGates(painter, m_scene->task->gates, toScreen, palette());
     for (const SceneRobot &robot : m_scene->robots) {
@@ -198,8 +255,13 @@ void MapArea::paintRobot(QPainter &painter, std::size_t robot) const
         return;
     const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
     const bool alone = m_scene->robots.size() == 1;
-    MapRobot sign{&shown.robot, point.position, point.sigmaXM, point.sigmaYM, drivenHeadingAt(profile, index),
-                  alone ? ThemeColours::of(palette()).spike : seriesColour(int(robot), palette()), {}};
+    MapRobot sign{&shown.robot,
+                  point.position,
+                  point.sigmaXM,
+                  point.sigmaYM,
+                  drivenHeadingAt(profile, index),
+                  alone ? ThemeColours::of(palette()).spike : seriesColour(int(robot), palette()),
+                  {}};
     if (!alone)
         sign.label = QString::fromStdString(shown.robot.name);
     drawMapRobot(painter, plan(), sign, palette());

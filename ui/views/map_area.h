@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/models/scene_disagreement.h"
 #include "ui/models/trial_scene.h"
 #include "ui/views/floor_picture.h"
 #include "ui/views/map_canvas.h"
@@ -10,6 +11,12 @@ namespace odo {
 
 class Timeline;
 
+/// What colours the trails of a map.
+enum class MapColouring {
+    Speed,
+    Disagreement, ///< of the views: a dot a frame
+};
+
 /// The floor from above; inside FloorMap. A click on a trail goes to the time when the robot was there.
 class MapArea : public MapCanvas
 {
@@ -18,6 +25,9 @@ public:
     explicit MapArea(Timeline &timeline, QWidget *parent = nullptr);
 
     void setScene(TrialScenePtr scene);
+    void setColouring(MapColouring colouring);
+    /// Of each robot of the scene; empty: not known yet.
+    void setDisagreements(std::vector<ViewDisagreement> disagreements);
     bool isSettled() const { return !m_maker.isRunning(); }
     QPointF fromWorld(const Eigen::Vector2d &point) const;
 
@@ -36,6 +46,7 @@ private:
     void paintStill(QPainter &painter) const override;
     void paintTrail(QPainter &painter, const Profile &profile) const;
     void paintSpikes(QPainter &painter, const Profile &profile) const;
+    void paintDisagreements(QPainter &painter) const;
     void paintLegend(QPainter &painter) const;
     void paintRobot(QPainter &painter, std::size_t robot) const;
 
@@ -45,6 +56,9 @@ private:
     Eigen::AlignedBox2d m_bounds; ///< of the floor that must be seen
     double m_topSpeedMps = 0;     ///< end of the colour scale
     FloorPicture m_floor;
+    MapColouring m_colouring = MapColouring::Speed;
+    std::vector<ViewDisagreement> m_disagreements;
+    double m_topDisagreementM = 0; ///< end of its colour scale
 };
 
 } // namespace odo
