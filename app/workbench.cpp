@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workbench.h"
 
+#include "core/project/project.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/paint_window.h"
@@ -17,12 +18,14 @@ Result<void> runWorkbench(const std::optional<std::filesystem::path> &project)
 {
     installPluralForms(*qApp);
     applyAppearance(*qApp);
-    MainWindow window;
     if (project) {
-        if (auto opened = window.openProject(*project); !opened)
-            return opened;
+        if (auto sound = Project::checkHeader(*project); !sound)
+            return sound; // on the terminal, without a window
     }
+    MainWindow window;
     window.show();
+    if (project)
+        window.beginOpening(*project);
     QApplication::exec();
     return {};
 }

@@ -170,6 +170,11 @@ Result<std::unique_ptr<Project>> Project::create(const std::filesystem::path &fi
     return open(file, Access::ReadWrite);
 }
 
+Result<void> Project::checkHeader(const std::filesystem::path &file)
+{
+    return checkFileHeader(file, Migrator(projectMigrations()).newestVersion());
+}
+
 Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file, Access access)
 {
     const Migrator migrator(projectMigrations());
@@ -197,12 +202,26 @@ Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file
     return std::unique_ptr<Project>(new Project(std::move(impl)));
 }
 
+Result<std::unique_ptr<Project>> Project::openChecked(const std::filesystem::path &file, Access access)
+{
+    return connectTo(file, access, access == Access::ReadWrite);
+}
+
 Result<std::unique_ptr<Project>> Project::openAgain(const std::filesystem::path &file, Access access)
 {
+    return connectTo(file, access, false); // who keeps it open writes it back
+}
+
+Result<std::unique_ptr<Project>> Project::connectTo(const std::filesystem::path &file, Access access, bool writesBack)
+{
+    if (auto sound = checkHeader(file); !sound) // SQLite would make a file that has gone meanwhile
+        return tl::unexpected(sound.error());
     auto connection = ProjectConnection::open(file, databaseAccess(file, access));
     if (!connection)
         return tl::unexpected(connection.error());
-    return std::unique_ptr<Project>(new Project(std::make_unique<Impl>(std::move(*connection))));
+    auto impl = std::make_unique<Impl>(std::move(*connection));
+    impl->writesBack = writesBack;
+    return std::unique_ptr<Project>(new Project(std::move(impl)));
 }
 
 const std::filesystem::path &Project::file() const

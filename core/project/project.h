@@ -42,9 +42,13 @@ public:
     /// Opens a file; older schemas are migrated after a verified backup ("<name>.odo.bak-<version>"). Errors: missing,
     /// not a project, corrupt, newer (NewerFormat), no write access (ReadOnly).
     static Result<std::unique_ptr<Project>> open(const std::filesystem::path &file, Access access);
+    /// What can be told of a file at once: that it is missing, no project, cut off, or of a newer Odograph.
+    static Result<void> checkHeader(const std::filesystem::path &file);
+    /// A file that open() has looked through and brought up to date just now, on another thread. Quick.
+    static Result<std::unique_ptr<Project>> openChecked(const std::filesystem::path &file, Access access);
     /// Once more a file that this program has open and keeps open meanwhile: for another thread, which must
-    /// open it itself. Quick: what opening looks at and migrates has been done. Of all that a program has open
-    /// of one file, one writes at a time; the others wait.
+    /// open it itself. As quick. Of all that a program has open of one file, one writes at a time; the others
+    /// wait.
     static Result<std::unique_ptr<Project>> openAgain(const std::filesystem::path &file, Access access);
     ~Project();
     Project(const Project &) = delete;
@@ -93,6 +97,8 @@ public:
 private:
     struct Impl;
     explicit Project(std::unique_ptr<Impl> impl);
+    static Result<std::unique_ptr<Project>> connectTo(const std::filesystem::path &file, Access access,
+                                                      bool writesBack);
     std::unique_ptr<Impl> m_impl;
 };
 

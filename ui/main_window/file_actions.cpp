@@ -91,7 +91,7 @@ void FileActions::fillRecent()
         QAction *action = m_recentMenu->addAction(
             QDir::toNativeSeparators(file).replace(QLatin1String("&"), QLatin1String("&&")));
         action->setEnabled(RecentProjects::exists(file));
-        connect(action, &QAction::triggered, this, [this, file] { tellFailure(open(pathOf(file))); });
+        connect(action, &QAction::triggered, this, [this, file] { beginOpening(pathOf(file)); });
     }
     if (!files.isEmpty()) {
         m_recentMenu->addSeparator();
@@ -99,6 +99,11 @@ void FileActions::fillRecent()
                 &RecentProjects::clear);
     }
     m_recentMenu->setEnabled(!files.isEmpty());
+}
+
+void FileActions::beginOpening(const std::filesystem::path &file)
+{
+    tellFailure(m_workspace.beginOpening(file, [this, file] { m_recent.add(file); }));
 }
 
 Result<void> FileActions::open(const std::filesystem::path &file)
@@ -128,7 +133,7 @@ void FileActions::askOpen()
     const QString file = QFileDialog::getOpenFileName(&m_window, tr("Open project"), documentsFolder(),
                                                       tr("Odograph projects (*.odo);;All files (*)"));
     if (!file.isEmpty())
-        tellFailure(open(pathOf(file)));
+        beginOpening(pathOf(file));
 }
 
 void FileActions::askDemo()

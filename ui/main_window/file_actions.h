@@ -30,7 +30,9 @@ public:
     QAction *openProject() const { return m_open; }
     QAction *demo() const { return m_demo; }
     TransferActions &transfer() const { return *m_transfer; }
-    /// Opens, and remembers it among the recent ones.
+    /// Begins to open, and remembers it among the recent ones when it is open.
+    void beginOpening(const std::filesystem::path &file);
+    /// As beginOpening, but waits.
     Result<void> open(const std::filesystem::path &file);
 
 Q_SIGNALS:

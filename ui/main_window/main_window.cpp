@@ -165,10 +165,7 @@ void MainWindow::showUnits()
 void MainWindow::connectActions()
 {
     connect(m_modeBar, &ModeBar::chosen, this, [this](int mode) { showMode(static_cast<Mode>(mode)); });
-    connect(m_welcome, &WelcomePage::recentChosen, this, [this](const QString &file) {
-        if (const Result<void> opened = openProject(pathOf(file)); !opened)
-            tellFailure(opened.error());
-    });
+    connect(m_welcome, &WelcomePage::recentChosen, this, [this](const QString &file) { beginOpening(pathOf(file)); });
     connect(m_files, &FileActions::demoOpened, m_help, &HelpActions::beginLesson);
     connect(m_help, &HelpActions::demoWanted, m_files->demo(), &QAction::trigger);
     connect(m_files, &FileActions::failed, this, &MainWindow::tellFailure);
@@ -317,6 +314,11 @@ void MainWindow::openTrial(const QString &trial)
         tellFailure(shown.error());
 }
 
+void MainWindow::beginOpening(const std::filesystem::path &file)
+{
+    m_files->beginOpening(file);
+}
+
 Result<void> MainWindow::openProject(const std::filesystem::path &file)
 {
     return m_files->open(file);
@@ -427,8 +429,7 @@ void MainWindow::dropEvent(QDropEvent *event)
         files << url.toLocalFile();
     event->acceptProposedAction();
     if (files.front().endsWith(projectSuffix, Qt::CaseInsensitive)) {
-        if (const Result<void> opened = openProject(pathOf(files.front())); !opened)
-            tellFailure(opened.error());
+        beginOpening(pathOf(files.front()));
     } else if (files.front().endsWith(QLatin1String(TransferActions::archiveSuffix), Qt::CaseInsensitive)) {
         m_files->transfer().askUnpack(pathOf(files.front()));
     } else if (m_workspace->project()) {

@@ -40,7 +40,10 @@ public:
     MainWindow();
     ~MainWindow() override;
 
-    /// Opens a project, and shows its newest trial; the one that was open stays when it fails.
+    /// Begins to open a project and to show its newest trial; tells by itself when it fails, and keeps the one
+    /// that was open.
+    void beginOpening(const std::filesystem::path &file);
+    /// As beginOpening, but waits until it is open and leaves a failure to the caller.
     Result<void> openProject(const std::filesystem::path &file);
     /// Without a project the welcome page stays.
     void showMode(Mode mode);

@@ -33,54 +33,91 @@ bool Workspace::isBusy() const
     return (m_runner && m_runner->isRunning()) || (m_making && m_making->isRunning());
 }
 
+struct Workspace::Ready
+{
+    std::filesystem::path file;
+    std::unique_ptr<WindowLock> lock; ///< null: for reading only, or it is the one that is open here
+    bool isOpenHere = false;
+    QString words; ///< why it can only be read, where another window has it
+    bool isCutOff = false, lacksHashes = false;
+};
+
 Result<void> Workspace::open(const std::filesystem::path &file)
 {
     if (isBusy())
         return busy(tr("cannot open another project"));
-    auto opened = openFile(file);
-    if (!opened)
-        return tl::unexpected(opened.error());
-    const QString words = opened->words;
-    adopt(std::move(*opened));
-    if (!words.isEmpty())
-        Q_EMIT told(words);
-    if (!isReadOnly())
-        recoverTrials();
-    return {};
+    auto ready = makeReady(file, openHere());
+    return ready ? show(std::move(*ready)) : tl::unexpected(ready.error());
 }
 
-Result<Workspace::Opened> Workspace::openFile(const std::filesystem::path &file)
+Result<void> Workspace::beginOpening(const std::filesystem::path &file, Done whenOpen)
 {
-    Opened opened;
-    auto project = Project::open(file, Project::Access::ReadWrite);
-    const bool isWritable = project || project.error().code != ErrorCode::ReadOnly;
-    if (isWritable && !project)
-        return tl::unexpected(project.error());
-    if (isWritable) {
-        std::error_code problem;
-        const bool isThisOne = m_lock && std::filesystem::equivalent(file, m_project->file(), problem);
-        auto lock = isThisOne ? std::move(m_lock) : WindowLock::take(file);
+    return makeAndOpen([file](const JobControl &) -> Result<std::filesystem::path> { return file; },
+                       tr("Opening %1").arg(QString::fromStdString(file.filename().string())), std::move(whenOpen));
+}
+
+/// The file that is open for writing; empty: none.
+std::filesystem::path Workspace::openHere() const
+{
+    return m_lock ? m_project->file() : std::filesystem::path();
+}
+
+/// On any thread.
+Result<Workspace::Ready> Workspace::makeReady(const std::filesystem::path &file, const std::filesystem::path &openHere)
+{
+    std::error_code problem;
+    Ready ready{file, nullptr, !openHere.empty() && std::filesystem::equivalent(file, openHere, problem)};
+    if (!ready.isOpenHere) {
+        auto lock = WindowLock::take(file);
         if (lock)
-            opened.lock = std::move(*lock);
-        else
-            opened.words =
+            ready.lock = std::move(*lock);
+        else if (lock.error().code == ErrorCode::AlreadyExists)
+            ready.words =
                 tr("%1: %2. Here it can only be looked at; to change it, close it there and open it here "
                    "again.")
                     .arg(QString::fromStdString(lock.error().what), QString::fromStdString(lock.error().why));
     }
-    if (!opened.lock)
+    const auto access = [&ready] {
+        return ready.lock || ready.isOpenHere ? Project::Access::ReadWrite : Project::Access::ReadOnly;
+    };
+    auto project = Project::open(file, access());
+    if (!project && project.error().code == ErrorCode::ReadOnly && access() == Project::Access::ReadWrite) {
+        ready.lock.reset();
+        ready.isOpenHere = false;
         project = Project::open(file, Project::Access::ReadOnly);
+    }
     if (!project)
         return tl::unexpected(project.error());
-    opened.project = std::move(*project);
-    return opened;
+    if (access() == Project::Access::ReadOnly)
+        return ready;
+    const auto trials = (*project)->trials().names();
+    ready.isCutOff = trials && std::ranges::any_of(*trials, &TrialName::unfinished);
+    HashJob hashes;
+    ready.lacksHashes = hashes.prepare(**project) && hashes.isNeeded();
+    return ready;
+}
+
+Result<void> Workspace::show(Ready ready)
+{
+    auto lock = ready.isOpenHere ? std::move(m_lock) : std::move(ready.lock);
+    auto project = Project::openChecked(ready.file, lock ? Project::Access::ReadWrite : Project::Access::ReadOnly);
+    if (!project) {
+        if (ready.isOpenHere)
+            m_lock = std::move(lock);
+        return tl::unexpected(project.error());
+    }
+    adopt(std::move(*project), std::move(lock));
+    if (!ready.words.isEmpty())
+        Q_EMIT told(ready.words);
+    if (ready.isCutOff)
+        recoverTrials();
+    else if (ready.lacksHashes)
+        makeHashes();
+    return {};
 }
 
 void Workspace::recoverTrials()
 {
-    const auto trials = m_project->trials().names();
-    if (!trials || std::ranges::none_of(*trials, &TrialName::unfinished))
-        return makeHashes();
     const auto job = std::make_shared<RecoverJob>();
     const Result<void> started = start(job, tr("Completing a recording that was cut off"), [this, job] {
         QStringList words;
@@ -116,16 +153,16 @@ Result<void> Workspace::create(const std::filesystem::path &file, const QString 
     auto lock = WindowLock::take(file);
     if (!lock)
         return tl::unexpected(lock.error());
-    adopt({std::move(*lock), std::move(*project), {}});
+    adopt(std::move(*project), std::move(*lock));
     return {};
 }
 
-void Workspace::adopt(Opened next)
+void Workspace::adopt(std::unique_ptr<Project> project, std::unique_ptr<WindowLock> lock)
 {
     Q_EMIT aboutToClose();
     m_runner.reset();
-    m_project = std::move(next.project);
-    m_lock = std::move(next.lock);
+    m_project = std::move(project);
+    m_lock = std::move(lock);
     m_runner = std::make_unique<JobRunner>(*m_project);
     connect(m_runner.get(), &JobRunner::progressed, this, &Workspace::jobProgressed);
     connect(m_runner.get(), &JobRunner::finished, this,
@@ -165,22 +202,27 @@ Result<void> Workspace::makeAndOpen(std::function<Result<std::filesystem::path>(
         return busy(words);
     m_making = std::make_unique<BackgroundTask>();
     connect(m_making.get(), &BackgroundTask::progressed, this, &Workspace::jobProgressed);
-    const auto file = std::make_shared<std::filesystem::path>();
+    const auto ready = std::make_shared<Ready>();
     connect(m_making.get(), &BackgroundTask::finished, this,
-            [this, file, whenOpen = std::move(whenOpen)](const std::optional<Error> &error) {
+            [this, ready, whenOpen = std::move(whenOpen)](const std::optional<Error> &error) {
                 finishJob(error);
                 if (error)
                     return;
-                if (const Result<void> isOpen = open(*file); !isOpen)
-                    Q_EMIT jobFailed(isOpen.error());
+                if (const Result<void> shown = show(std::move(*ready)); !shown)
+                    Q_EMIT jobFailed(shown.error());
                 else if (whenOpen)
                     whenOpen();
             });
-    m_making->start([file, make = std::move(make)](const JobControl &control) -> Result<void> {
+    m_making->start([ready, words, openHere = openHere(), make = std::move(make)](const JobControl &control) -> Result<void> {
         const Result<std::filesystem::path> made = make(control);
         if (!made)
             return tl::unexpected(made.error());
-        *file = *made;
+        auto looked = makeReady(*made, openHere);
+        if (!looked)
+            return tl::unexpected(looked.error());
+        if (control.isCancelled())
+            return cancelled(words.toStdString());
+        *ready = std::move(*looked);
         return {};
     });
     Q_EMIT jobStarted(words);

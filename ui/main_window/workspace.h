@@ -34,9 +34,10 @@ public:
     bool isReadOnly() const { return !m_lock; }
     bool isBusy() const;
 
-    /// Opens for writing or, where the place cannot be written to or another window has the project, for reading. The project that was open
-    /// stays when it fails. Refused while a job runs. Trials whose recording was cut off are then
-    /// completed, by a job.
+    /// Begins to open for writing or, where the place cannot be written to or another window has the project, for
+    /// reading: the file is looked through and brought up to date on a thread of its own. As makeAndOpen.
+    Result<void> beginOpening(const std::filesystem::path &file, Done whenOpen = {});
+    /// As beginOpening, but waits: where no window is on screen. The project that was open stays when it fails.
     Result<void> open(const std::filesystem::path &file);
     /// Makes a project and opens it.
     Result<void> create(const std::filesystem::path &file, const QString &title);
@@ -44,7 +45,8 @@ public:
     /// Starts a job on the open project. Refused while another one runs.
     Result<void> start(std::shared_ptr<Job> job, const QString &words, Done done);
     /// Makes a project, on a thread of its own, and opens it when it is done; then whenOpen is called. The project that is open
-    /// stays until then. Refused while a job runs.
+    /// stays until then, or when it fails. Refused while a job runs. Trials of the opened project whose recording
+    /// was cut off are completed by a job, and hashes that are missing are made.
     Result<void> makeAndOpen(std::function<Result<std::filesystem::path>(const JobControl &)> make, const QString &words,
                              Done whenOpen = {});
     void cancel();
@@ -61,17 +63,15 @@ Q_SIGNALS:
     void jobFailed(const odo::Error &error);
 
 private:
+    /// A project that was looked through, to be opened again by the thread that shows it.
+    struct Ready;
+    static Result<Ready> makeReady(const std::filesystem::path &file, const std::filesystem::path &openHere);
+    std::filesystem::path openHere() const;
+    Result<void> show(Ready ready);
     void recoverTrials();
     void makeHashes();
     void finishJob(const std::optional<Error> &error);
-    struct Opened
-    {
-        std::unique_ptr<WindowLock> lock; ///< null: for reading only
-        std::unique_ptr<Project> project;
-        QString words; ///< why it can only be read, where another window has it
-    };
-    Result<Opened> openFile(const std::filesystem::path &file);
-    void adopt(Opened next);
+    void adopt(std::unique_ptr<Project> project, std::unique_ptr<WindowLock> lock);
 
     std::unique_ptr<WindowLock> m_lock; ///< null: the project can only be read
     std::unique_ptr<Project> m_project;

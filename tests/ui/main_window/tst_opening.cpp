@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A project is opened in the background, and the window tells that it opens, or why it does not.
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "tests/ui/support/stored_example.h"
+#include "ui/main_window/job_indicator.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/message_bar.h"
+#include "ui/main_window/workspace.h"
+
+#include <QFile>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+class TestOpening : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QCoreApplication::setOrganizationName(QStringLiteral("odograph-test"));
+        QCoreApplication::setApplicationName(QStringLiteral("tst_opening"));
+        QSettings().clear();
+        m_project = storeExample(m_folder.path().toStdString()).value();
+    }
+
+    void theWindowTellsThatItOpens()
+    {
+        MainWindow window;
+        window.show();
+        QSignalSpy opened(&window.workspace(), &Workspace::opened);
+        window.beginOpening(m_project);
+        auto *indicator = window.findChild<JobIndicator *>();
+        QVERIFY(indicator->isVisible());
+        QCOMPARE(indicator->text(), QStringLiteral("Opening example.odo"));
+        QVERIFY(!window.workspace().project());
+        QTRY_COMPARE(opened.count(), 1);
+        QVERIFY(!window.workspace().isReadOnly());
+        QVERIFY(!indicator->isVisible());
+        QTRY_VERIFY(window.windowTitle().startsWith(QStringLiteral("Year 9 robotics — Trial 1")));
+        QVERIFY(window.workspace().project()->setTitle("Year 9 robotics"));
+    }
+
+    void theOneBeforeStaysUntilThen()
+    {
+        MainWindow window;
+        QVERIFY(window.openProject(m_project));
+        const std::filesystem::path other = path("other.odo");
+        QVERIFY(Project::create(other, "Another class"));
+        QSignalSpy opened(&window.workspace(), &Workspace::opened);
+        window.beginOpening(other);
+        QCOMPARE(window.workspace().project()->title(), std::string("Year 9 robotics"));
+        QVERIFY(!window.workspace().open(other)); // one at a time
+        QTRY_COMPARE(opened.count(), 1);
+        QCOMPARE(window.workspace().project()->title(), std::string("Another class"));
+        QVERIFY(!QFile::exists(QString::fromStdString(m_project.string() + ".lock"))); // it was given up
+    }
+
+    void tellsWhyItDoesNotOpen_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("missing") << QByteArray() << "there is no such file";
+        QTest::newRow("no project") << QByteArray(4096, 'x') << "it is not a project file";
+    }
+
+    void tellsWhyItDoesNotOpen()
+    {
+        QFETCH(QByteArray, content);
+        QFETCH(QString, words);
+        const QString bad = QString::fromStdString(path("bad.odo"));
+        QFile::remove(bad);
+        if (QFile file(bad); !content.isEmpty() && file.open(QIODevice::WriteOnly))
+            file.write(content);
+        MainWindow window;
+        QVERIFY(window.openProject(m_project));
+        window.show();
+        QSignalSpy failed(&window.workspace(), &Workspace::jobFailed);
+        window.beginOpening(bad.toStdString());
+        QTRY_COMPARE(failed.count(), 1);
+        const QString told = window.findChild<MessageBar *>()->text();
+        QVERIFY2(told.contains(words), qPrintable(told));
+        QVERIFY(!QFile::exists(bad + QStringLiteral(".lock")));
+        QVERIFY(!window.findChild<JobIndicator *>()->isVisible());
+        QCOMPARE(window.workspace().project()->title(), std::string("Year 9 robotics"));
+        QVERIFY(!window.workspace().isReadOnly()); // it still has the lock
+        QVERIFY(window.workspace().project()->setTitle("Year 9 robotics"));
+    }
+
+    void canBeCancelled()
+    {
+        MainWindow window;
+        QSignalSpy failed(&window.workspace(), &Workspace::jobFailed);
+        window.beginOpening(m_project);
+        window.workspace().cancel();
+        QTRY_COMPARE(failed.count(), 1);
+        QCOMPARE(window.findChild<MessageBar *>()->text(), QStringLiteral("Cancelled. Nothing was changed."));
+        QVERIFY(!window.workspace().project());
+    }
+
+    void opensTheSameOneAgain()
+    {
+        MainWindow window;
+        QVERIFY(window.openProject(m_project));
+        QSignalSpy opened(&window.workspace(), &Workspace::opened);
+        window.beginOpening(m_project);
+        QTRY_COMPARE(opened.count(), 1);
+        QVERIFY(!window.workspace().isReadOnly());
+    }
+
+    void opensForReadingWhatAnotherWindowHas()
+    {
+        MainWindow first, second;
+        QVERIFY(first.openProject(m_project));
+        QSignalSpy opened(&second.workspace(), &Workspace::opened);
+        second.beginOpening(m_project);
+        QTRY_COMPARE(opened.count(), 1);
+        QVERIFY(second.workspace().isReadOnly());
+        QVERIFY2(
+            second.findChild<MessageBar *>()->text().contains(QLatin1String("it is open in another window")),
+            qPrintable(second.findChild<MessageBar *>()->text()));
+    }
+
+private:
+    std::filesystem::path path(const char *name) const
+    {
+        return m_folder.filePath(QString::fromLatin1(name)).toStdString();
+    }
+
+    QTemporaryDir m_folder;
+    std::filesystem::path m_project;
+};
+
+QTEST_MAIN(TestOpening)
+#include "tst_opening.moc"
