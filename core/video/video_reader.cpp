@@ -357,6 +357,15 @@ Result<void> VideoReader::seek(std::int64_t frameIndex)
     return {};
 }
 
+std::int64_t VideoReader::keyFrameBefore(std::int64_t frameIndex) const
+{
+    const PacketIndex &index = m_impl->index;
+    if (index.counted || frameIndex < 0 || frameIndex >= static_cast<std::int64_t>(index.frames.size()))
+        return 0;
+    const PacketIndex::Packet &packet = index.packets[index.keyPacketFor(static_cast<std::size_t>(frameIndex))];
+    return std::clamp<std::int64_t>(index.frameOf(packet.pts), 0, frameIndex);
+}
+
 Result<Frame> VideoReader::frameAt(std::int64_t frameIndex)
 {
     if (auto found = seek(frameIndex); !found)

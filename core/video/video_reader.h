@@ -48,6 +48,8 @@ public:
     /// Makes next() give the frame of this index. Exact for every codec: seeks to a key frame before it and
     /// decodes on.
     Result<void> seek(std::int64_t frameIndex);
+    /// The key frame from which a frame is decoded: itself, or one before it. Reads nothing.
+    std::int64_t keyFrameBefore(std::int64_t frameIndex) const;
     /// seek and next; reading in order costs no seek.
     Result<Frame> frameAt(std::int64_t frameIndex);
 

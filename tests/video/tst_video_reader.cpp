@@ -92,6 +92,10 @@ void TestVideoReader::seekingEqualsReading()
         QCOMPARE(numberIn(*frame), int(index));
         QCOMPARE(fingerprint(*frame), sequential[static_cast<std::size_t>(index)]);
     }
+    const bool allKeys = options.codec != VideoCodec::H264;
+    QCOMPARE((*reader)->keyFrameBefore(0), 0);
+    QCOMPARE((*reader)->keyFrameBefore(499), allKeys ? 499 : 250);
+    QCOMPARE((*reader)->keyFrameBefore(count), 0); // there is no such frame
     QVERIFY((*reader)->seek(300).has_value()); // reading goes on after a seek
     for (int i = 300; i < 310; ++i)
         QCOMPARE(numberIn((*reader)->next().value().value()), i);

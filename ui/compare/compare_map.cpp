@@ -48,12 +48,13 @@ void CompareMap::setScene(ComparisonScenePtr scene)
     if (sameFloor)
         return;
     m_floor = {};
-    Eigen::AlignedBox2d seen = m_bounds;
-    if (m_scene) { // a little more than what must be seen, so that the picture does not end at the markers
-        const Eigen::Vector2d beyond = Eigen::Vector2d::Constant(0.2 * m_bounds.sizes().maxCoeff());
-        seen = {m_bounds.min() - beyond, m_bounds.max() + beyond};
-    }
-    m_maker.make(m_scene ? m_scene->scenes.front() : nullptr, seen);
+    m_maker.make(m_scene ? m_scene->scenes.front() : nullptr, m_bounds, plan().scalePx() * devicePixelRatioF());
+}
+
+void CompareMap::resizeEvent(QResizeEvent *event)
+{
+    MapCanvas::resizeEvent(event);
+    m_maker.setScale(plan().scalePx() * devicePixelRatioF());
 }
 
 void CompareMap::setGates(std::vector<PathGate> gates)

@@ -13,7 +13,7 @@ namespace odo {
 
 namespace {
 
-constexpr int longestSide = 900;
+constexpr int leastSide = 120, longestSide = 900;
 /// Pixels of the plan from one computed node to the next; between them pixel positions are linear enough.
 constexpr int nodeStep = 6;
 constexpr std::size_t framesForMedian = 5;
@@ -82,8 +82,12 @@ std::vector<ScreenPicture> spreadPictures(const SceneView &view, const CancelTok
         return pictures;
     const auto count = static_cast<std::int64_t>((*reader)->info().frameTimes.size());
     const std::int64_t wanted = std::min<std::int64_t>(framesForMedian, count);
+    const std::int64_t apart = wanted < 2 ? 0 : (count - 1) / (wanted - 1);
     for (std::int64_t i = 0; i < wanted && !cancel.isCancelled(); ++i) {
-        const auto frame = (*reader)->frameAt(wanted == 1 ? 0 : i * (count - 1) / (wanted - 1));
+        // A key frame near by serves as well, and the frames before it need not be decoded.
+        const std::int64_t place = wanted == 1 ? 0 : i * (count - 1) / (wanted - 1);
+        const std::int64_t key = (*reader)->keyFrameBefore(place);
+        const auto frame = (*reader)->frameAt(place - key < (apart + 1) / 2 ? key : place);
         if (frame)
             pictures.push_back(toScreen(*frame, frame->format.width, frame->format.height));
     }
@@ -197,25 +201,46 @@ FloorPictureMaker::~FloorPictureMaker()
         m_thread.join();
 }
 
-void FloorPictureMaker::make(TrialScenePtr scene, const Eigen::AlignedBox2d &extent)
+void FloorPictureMaker::make(TrialScenePtr scene, const Eigen::AlignedBox2d &bounds, double pixelsPerMetre)
+{
+    m_scene = std::move(scene);
+    const Eigen::Vector2d beyond = Eigen::Vector2d::Constant(0.2 * bounds.sizes().maxCoeff());
+    m_extent = {bounds.min() - beyond, bounds.max() + beyond};
+    m_sidePx = sideFor(pixelsPerMetre);
+    restart();
+}
+
+void FloorPictureMaker::setScale(double pixelsPerMetre)
+{
+    constexpr double coarserAllowed = 1.4;
+    const int side = sideFor(pixelsPerMetre);
+    if (!m_scene || side <= coarserAllowed * m_sidePx)
+        return;
+    m_sidePx = side;
+    restart();
+}
+
+int FloorPictureMaker::sideFor(double pixelsPerMetre) const
+{
+    return static_cast<int>(
+        std::clamp(std::ceil(m_extent.sizes().maxCoeff() * pixelsPerMetre), double(leastSide), double(longestSide)));
+}
+
+void FloorPictureMaker::restart()
 {
     m_cancel.cancel();
-    m_wanted = std::move(scene);
-    m_wantedExtent = extent;
-    m_running = m_wanted != nullptr;
-    if (!m_thread
-             .joinable()) // else when it has ended: a decoder takes a while to, and the window must not wait
+    m_running = m_isWanted = m_scene != nullptr;
+    if (!m_thread.joinable()) // else when it has ended: a decoder takes a while to, and the window must not wait
         begin();
 }
 
 void FloorPictureMaker::begin()
 {
-    if (!m_wanted)
+    if (!std::exchange(m_isWanted, false))
         return;
     m_cancel = CancelToken();
-    m_thread = std::thread([this, scene = std::exchange(m_wanted, nullptr), extent = m_wantedExtent,
-                            cancel = m_cancel] {
-        const FloorPicture picture = makeFloorPicture(*scene, extent, longestSide, cancel);
+    m_thread = std::thread([this, scene = m_scene, extent = m_extent, side = m_sidePx, cancel = m_cancel] {
+        const FloorPicture picture = makeFloorPicture(*scene, extent, side, cancel);
         QMetaObject::invokeMethod(
             this, [this, picture, cancel] { finish(picture, cancel.isCancelled()); }, Qt::QueuedConnection);
     });

@@ -24,7 +24,7 @@ struct FloorPicture
 FloorPicture makeFloorPicture(const TrialScene &scene, const Eigen::AlignedBox2d &extent, int longestSidePx,
                               const CancelToken &cancel);
 
-/// Makes the floor picture of a scene on a thread of its own. GUI thread.
+/// Makes the floor picture of a scene on a thread of its own, as fine as it is shown. GUI thread.
 class FloorPictureMaker : public QObject
 {
     Q_OBJECT
@@ -33,21 +33,28 @@ public:
     ~FloorPictureMaker() override;
 
     /// Begins without waiting; a picture in work is given up, and the new one begins as soon as that has
-    /// ended. A null scene only stops.
-    void make(TrialScenePtr scene, const Eigen::AlignedBox2d &extent);
+    /// ended. bounds: what must be seen; a little more is made, so that the picture does not end at the markers.
+    /// A null scene only stops.
+    void make(TrialScenePtr scene, const Eigen::AlignedBox2d &bounds, double pixelsPerMetre);
+    /// Makes it again where it is shown much larger than it was made for.
+    void setScale(double pixelsPerMetre);
     bool isRunning() const { return m_running; }
 
 Q_SIGNALS:
     void ready(const odo::FloorPicture &picture);
 
 private:
+    int sideFor(double pixelsPerMetre) const;
+    void restart();
     void begin();
     void finish(const FloorPicture &picture, bool givenUp);
 
     CancelToken m_cancel;
     std::thread m_thread;
-    TrialScenePtr m_wanted; ///< not begun yet
-    Eigen::AlignedBox2d m_wantedExtent;
+    TrialScenePtr m_scene; ///< whose floor is shown
+    Eigen::AlignedBox2d m_extent;
+    int m_sidePx = 0;      ///< how fine it is, or is to be
+    bool m_isWanted = false; ///< not begun yet
     bool m_running = false;
 };
 

@@ -5,6 +5,7 @@
 #include "ui/models/profile_place.h"
 #include "ui/models/shown_units.h"
 #include "ui/models/timeline.h"
+#include "ui/views/simplified_line.h"
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
 
@@ -58,13 +59,15 @@ void MapArea::setScene(TrialScenePtr scene)
     if (m_scene) {
         m_bounds = m_scene->floorBounds();
         m_topSpeedMps = topSpeed(*m_scene);
-        // A little more than what must be seen, so that the picture does not end at the markers.
-        const Eigen::Vector2d beyond = Eigen::Vector2d::Constant(0.2 * m_bounds.sizes().maxCoeff());
-        m_maker.make(m_scene, {m_bounds.min() - beyond, m_bounds.max() + beyond});
-    } else {
-        m_maker.make(nullptr, m_bounds);
     }
+    m_maker.make(m_scene, m_bounds, plan().scalePx() * devicePixelRatioF());
     update();
+}
+
+void MapArea::resizeEvent(QResizeEvent *event)
+{
+    MapCanvas::resizeEvent(event);
+    m_maker.setScale(plan().scalePx() * devicePixelRatioF());
 }
 
 MapPlan MapArea::plan() const
@@ -79,39 +82,41 @@ QPointF MapArea::fromWorld(const Eigen::Vector2d &point) const
 
 void MapArea::paintTrail(QPainter &painter, const Profile &profile) const
 {
-    constexpr double closestPx = 0.8;
+    constexpr double tolerancePx = 0.2; // less cannot be seen, and strokes cost by the point
+    constexpr int colourSteps = 48;     // nor can more of them be told apart
     struct Piece
     {
-        QLineF line;
-        double speedMps;
+        QPolygonF line;
+        int colour;
     };
     std::vector<Piece> pieces;
     QPainterPath whole;
-    std::optional<QPointF> last;
+    QPolygonF run;
+    const auto endRun = [&] {
+        whole.addPolygon(simplified(run, tolerancePx));
+        run.clear();
+    };
     for (const ProfilePoint &point : profile.points) {
         if (!point.valid) {
-            last.reset();
+            endRun();
             continue;
         }
+        const double part = m_topSpeedMps > 0 ? point.speedMps / m_topSpeedMps : 0;
+        const int colour = static_cast<int>(std::lround(colourSteps * part));
         const QPointF at = fromWorld(point.position);
-        if (!last) {
-            whole.moveTo(at);
-        } else {
-            const QLineF line(*last, at);
-            if (line.length() < closestPx)
-                continue;
-            pieces.push_back({line, point.speedMps});
-            whole.lineTo(at);
-        }
-        last = at;
+        if (!run.isEmpty() && pieces.back().colour == colour)
+            pieces.back().line << at;
+        else
+            pieces.push_back({run.isEmpty() ? QPolygonF({at}) : QPolygonF({run.back(), at}), colour});
+        run << at;
     }
+    endRun();
     // A rim, so that both ends of the colour scale stand out from any floor.
     const QColor rim = isDark(palette()) ? QColor(235, 238, 240, 150) : QColor(25, 30, 35, 110);
     painter.strokePath(whole, QPen(rim, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     for (const Piece &piece : pieces) {
-        painter.setPen(QPen(scaleColour(m_topSpeedMps > 0 ? piece.speedMps / m_topSpeedMps : 0), 3,
-                            Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(piece.line);
+        painter.setPen(QPen(scaleColour(double(piece.colour) / colourSteps), 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPolyline(simplified(piece.line, tolerancePx));
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "ui/views/axis_ticks.h"
 #include "ui/views/halo_text.h"
+#include "ui/views/simplified_line.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -131,25 +132,21 @@ void paintAxes(QPainter &painter, const TrialScene &scene, const FloorView &view
 void paintWay(QPainter &painter, const std::vector<std::optional<Eigen::Vector2d>> &places, double heightM,
               const FloorView &view, const PictureMap &map, const QColor &colour)
 {
-    constexpr double closestPx = 0.7; // nearer points change nothing that can be seen
+    constexpr double tolerancePx = 0.2; // less cannot be seen, and strokes cost by the point
     QPainterPath path;
-    bool penDown = false;
-    QPointF last;
+    QPolygonF run;
+    const auto endRun = [&] {
+        path.addPolygon(simplified(run, tolerancePx));
+        run.clear();
+    };
     for (const auto &place : places) {
         const auto at = place ? seen(view, *place, heightM, map) : std::nullopt;
-        if (!at) {
-            penDown = false;
-            continue;
-        }
-        if (!penDown)
-            path.moveTo(*at);
-        else if (QPointF apart = *at - last; std::hypot(apart.x(), apart.y()) < closestPx)
-            continue;
+        if (at)
+            run << *at;
         else
-            path.lineTo(*at);
-        penDown = true;
-        last = *at;
+            endRun();
     }
+    endRun();
     strokeWithRim(painter, path, colour, 1.8);
 }
 
