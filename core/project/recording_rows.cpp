@@ -12,6 +12,10 @@ namespace odo {
 
 namespace {
 
+const QString recordingColumns =
+    QStringLiteral("SELECT recording.id, trial_id, camera_id, camera.name, position, path, sha256, bytes, width_px, "
+                   "height_px, frames_per_second, start_offset_s, clock_rate, recording.sync_method, start_offset_sigma_s ");
+
 /// The folder of the project, absolute and without "." and "..".
 std::filesystem::path folderOf(const std::filesystem::path &projectFile)
 {
@@ -46,6 +50,52 @@ Result<void> readFrameTimes(const ProjectConnection &connection, RecordingRecord
     return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
         return unpackTimes(row.blob(0), "frame times of '" + into.path + "'", into.frameTimes);
     });
+}
+
+RecordingRecord recordingOf(const Statement &row)
+{
+    RecordingRecord recording;
+    recording.id = row.integer(0);
+    recording.trial = row.integer(1);
+    recording.camera = row.integer(2);
+    recording.cameraName = row.text(3);
+    recording.position = row.smallInteger(4);
+    recording.path = row.text(5);
+    recording.sha256 = row.text(6);
+    recording.bytes = row.integer(7);
+    recording.widthPx = row.smallInteger(8);
+    recording.heightPx = row.smallInteger(9);
+    recording.framesPerSecond = row.real(10);
+    recording.startOffsetS = row.real(11);
+    recording.clockRate = row.real(12);
+    recording.syncMethod = row.text(13);
+    recording.startOffsetSigmaS = row.real(14);
+    return recording;
+}
+
+/// Without their frame times.
+Result<std::vector<RecordingRecord>> readRecordings(Statement &select)
+{
+    std::vector<RecordingRecord> recordings;
+    auto read = select.eachRow([&recordings](const Statement &row) -> Result<void> {
+        recordings.push_back(recordingOf(row));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return recordings;
+}
+
+/// With their frame times.
+Result<std::vector<RecordingRecord>> readWhole(const ProjectConnection &connection, Statement &select)
+{
+    auto recordings = readRecordings(select);
+    if (!recordings)
+        return recordings;
+    for (RecordingRecord &recording : *recordings)
+        if (auto times = readFrameTimes(connection, recording); !times)
+            return tl::unexpected(times.error());
+    return recordings;
 }
 
 } // namespace
@@ -94,38 +144,28 @@ Result<void> updateRecording(ProjectConnection &connection, const RecordingRecor
 
 Result<std::vector<RecordingRecord>> recordingsOf(const ProjectConnection &connection, RecordId trial)
 {
-    std::vector<RecordingRecord> recordings;
-    Statement select(
-        connection,
-        QStringLiteral("SELECT recording.id, trial_id, camera_id, camera.name, position, path, sha256, "
-                       "bytes, width_px, height_px, frames_per_second, start_offset_s, clock_rate, sync_method, "
-                       "start_offset_sigma_s FROM recording "
-                       "JOIN camera ON camera.id=camera_id WHERE trial_id=? ORDER BY position"));
-    auto read = select.bind(trial).eachRow([&](const Statement &row) -> Result<void> {
-        RecordingRecord recording;
-        recording.id = row.integer(0);
-        recording.trial = row.integer(1);
-        recording.camera = row.integer(2);
-        recording.cameraName = row.text(3);
-        recording.position = row.smallInteger(4);
-        recording.path = row.text(5);
-        recording.sha256 = row.text(6);
-        recording.bytes = row.integer(7);
-        recording.widthPx = row.smallInteger(8);
-        recording.heightPx = row.smallInteger(9);
-        recording.framesPerSecond = row.real(10);
-        recording.startOffsetS = row.real(11);
-        recording.clockRate = row.real(12);
-        recording.syncMethod = row.text(13);
-        recording.startOffsetSigmaS = row.real(14);
-        if (auto times = readFrameTimes(connection, recording); !times)
-            return times;
-        recordings.push_back(std::move(recording));
-        return {};
-    });
-    if (!read)
-        return tl::unexpected(read.error());
-    return recordings;
+    Statement select(connection, recordingColumns + QStringLiteral("FROM recording JOIN camera ON camera.id=camera_id "
+                                                                   "WHERE trial_id=? ORDER BY position"));
+    return readWhole(connection, select.bind(trial));
+}
+
+Result<std::vector<RecordingRecord>> recordingsWithoutTimes(const ProjectConnection &connection)
+{
+    Statement select(connection, recordingColumns + QStringLiteral("FROM recording JOIN camera ON camera.id=camera_id "
+                                                                   "ORDER BY trial_id, position"));
+    return readRecordings(select);
+}
+
+Result<std::optional<RecordingRecord>> newestRecordingOf(const ProjectConnection &connection, RecordId camera)
+{
+    // Trials come first, by their date: the newest one that has such a recording ends the search.
+    Statement select(connection, recordingColumns + QStringLiteral("FROM trial CROSS JOIN recording JOIN camera ON camera.id=camera_id "
+                                                                   "WHERE trial_id=trial.id AND camera_id=? "
+                                                                   "ORDER BY date_ms DESC, trial.id DESC, position LIMIT 1"));
+    auto newest = readWhole(connection, select.bind(camera));
+    if (!newest)
+        return tl::unexpected(newest.error());
+    return newest->empty() ? std::nullopt : std::optional(std::move(newest->front()));
 }
 
 std::string storedPath(const std::filesystem::path &projectFile, const std::filesystem::path &file)

@@ -17,6 +17,8 @@ Result<RecordId> addRecording(ProjectConnection &connection, const RecordingReco
 /// Position, file size and hash, picture size, rate, sync and frame times of a recording that is there, by its id.
 Result<void> updateRecording(ProjectConnection &connection, const RecordingRecord &recording);
 Result<std::vector<RecordingRecord>> recordingsOf(const ProjectConnection &connection, RecordId trial);
+Result<std::vector<RecordingRecord>> recordingsWithoutTimes(const ProjectConnection &connection);
+Result<std::optional<RecordingRecord>> newestRecordingOf(const ProjectConnection &connection, RecordId camera);
 
 /// How a path is stored: relative to the project's folder, with '/', when the file lies in it or below, so
 /// that folder and project can move together; absolute otherwise.

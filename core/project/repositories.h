@@ -194,6 +194,10 @@ public:
     /// Whether any trial has a recording in a file, by its path as recordings have it.
     Result<bool> isFileUsed(const std::string &path) const;
     Result<std::vector<RecordingRecord>> recordings(RecordId trial) const; ///< in the order of the views
+    /// Those of all trials, without their frame times. Thousands take their time.
+    Result<std::vector<RecordingRecord>> allRecordings() const;
+    /// The newest one of a camera; nullopt where it has none.
+    Result<std::optional<RecordingRecord>> newestRecording(RecordId camera) const;
     /// Where a recording's file lies now; what it is stays as it was stored.
     Result<void> setFile(RecordId recording, const std::filesystem::path &file);
     /// Replaces the offset of a view against the first one.

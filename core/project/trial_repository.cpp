@@ -275,6 +275,16 @@ Result<std::vector<RecordingRecord>> TrialRepository::recordings(RecordId trial)
     return recordingsOf(m_connection, trial);
 }
 
+Result<std::vector<RecordingRecord>> TrialRepository::allRecordings() const
+{
+    return recordingsWithoutTimes(m_connection);
+}
+
+Result<std::optional<RecordingRecord>> TrialRepository::newestRecording(RecordId camera) const
+{
+    return newestRecordingOf(m_connection, camera);
+}
+
 Result<void> TrialRepository::setFile(RecordId recording, const std::filesystem::path &file)
 {
     Statement update(m_connection, QStringLiteral("UPDATE recording SET path=? WHERE id=?"));

@@ -3,7 +3,6 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/cameras.h"
 
 namespace odo {
 
@@ -33,7 +32,7 @@ Result<std::vector<std::string>> calibrationWarnings(Project &project, const Cam
     const auto registration = project.cameras().currentRegistration(camera.id);
     if (!registration)
         return tl::unexpected(registration.error());
-    const auto recording = newestRecording(project, camera.id);
+    const auto recording = project.trials().newestRecording(camera.id);
     if (!recording)
         return tl::unexpected(recording.error());
     std::vector<std::string> warnings;

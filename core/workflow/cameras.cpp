@@ -56,21 +56,4 @@ Result<void> exportIntrinsics(Project &project, const std::string &camera, const
     return writeIntrinsics(file, camera, (*intrinsics)->calibration.intrinsics);
 }
 
-Result<std::optional<RecordingRecord>> newestRecording(Project &project, RecordId camera)
-{
-    const auto trials = project.trials().names();
-    if (!trials)
-        return tl::unexpected(trials.error());
-    for (const TrialName &trial : *trials) {
-        const auto recordings = project.trials().recordings(trial.id);
-        if (!recordings)
-            return tl::unexpected(recordings.error());
-        for (const RecordingRecord &recording : *recordings) {
-            if (recording.camera == camera)
-                return recording;
-        }
-    }
-    return std::nullopt;
-}
-
 } // namespace odo

@@ -22,7 +22,4 @@ Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &c
 /// Writes the camera's intrinsics in force; the format follows the file's name (.yml OpenCV, otherwise ROS).
 Result<void> exportIntrinsics(Project &project, const std::string &camera, const std::filesystem::path &file);
 
-/// The newest recording of a camera: its file and the size of its pictures.
-Result<std::optional<RecordingRecord>> newestRecording(Project &project, RecordId camera);
-
 } // namespace odo

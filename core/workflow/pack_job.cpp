@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 
 #include <QTemporaryDir>
+#include <map>
 #include <set>
 
 namespace odo {
@@ -37,24 +38,32 @@ Result<void> PackJob::prepare(Project &project)
 {
     m_project = project.file();
     m_mediaFolder = project.mediaFolder();
-    const auto trials = project.trials().all();
+    return {};
+}
+
+/// Which videos come from elsewhere, and which are lost.
+Result<void> PackJob::look(Project &project)
+{
+    const auto trials = project.trials().names();
     if (!trials)
         return tl::unexpected(trials.error());
-    for (const TrialRecord &trial : *trials) {
+    std::map<RecordId, std::string> names;
+    for (const TrialName &trial : *trials) {
         if (trial.unfinished)
             return fail(ErrorCode::InvalidInput, "pack '" + m_project.filename().string() + "'",
                         "trial '" + trial.name + "' is being recorded", "end its recording first");
-        const auto recordings = project.trials().recordings(trial.id);
-        if (!recordings)
-            return tl::unexpected(recordings.error());
-        for (const RecordingRecord &recording : *recordings) {
-            const std::filesystem::path file = project.resolve(recording);
-            if (!std::filesystem::exists(file))
-                m_warnings.push_back("the video of camera " + recording.cameraName + " in trial '" +
-                                     trial.name + "' is lost, and not in the packed project");
-            else if (!liesIn(file, m_mediaFolder))
-                m_elsewhere.push_back({recording.id, file});
-        }
+        names.emplace(trial.id, trial.name);
+    }
+    const auto recordings = project.trials().allRecordings();
+    if (!recordings)
+        return tl::unexpected(recordings.error());
+    for (const RecordingRecord &recording : *recordings) {
+        const std::filesystem::path file = project.resolve(recording);
+        if (!std::filesystem::exists(file))
+            m_warnings.push_back("the video of camera " + recording.cameraName + " in trial '" +
+                                 names[recording.trial] + "' is lost, and not in the packed project");
+        else if (!liesIn(file, m_mediaFolder))
+            m_elsewhere.push_back({recording.id, file});
     }
     return {};
 }
@@ -63,9 +72,11 @@ Result<void> PackJob::prepare(Project &project)
 Result<void> PackJob::copyProject(const std::filesystem::path &copy, std::vector<ArchiveEntry> &entries)
 {
     {
-        const auto original = Project::open(m_project, Project::Access::ReadOnly);
+        const auto original = Project::openAgain(m_project, Project::Access::ReadOnly);
         if (!original)
             return tl::unexpected(original.error());
+        if (auto looked = look(**original); !looked)
+            return looked;
         if (auto saved = (*original)->saveCopy(copy); !saved)
             return saved;
     }

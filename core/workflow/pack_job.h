@@ -19,8 +19,8 @@ class PackJob : public Job
 {
 public:
     explicit PackJob(std::filesystem::path archive) : m_archive(std::move(archive)) {}
-    /// InvalidInput while a trial is being recorded.
     Result<void> prepare(Project &project) override;
+    /// InvalidInput while a trial is being recorded.
     Result<void> run(const JobControl &control) override;
     Result<void> commit(Project &) override { return {}; }
 
@@ -32,6 +32,7 @@ private:
         RecordId recording = 0;
         std::filesystem::path file;
     };
+    Result<void> look(Project &project);
     Result<void> copyProject(const std::filesystem::path &copy, std::vector<ArchiveEntry> &entries);
 
     const std::filesystem::path m_archive;

@@ -5,7 +5,6 @@
 #include "core/exchange/pixels_csv.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/cameras.h"
 #include "core/workflow/picture_source.h"
 #include "core/workflow/register_through_job.h"
 #include "core/workflow/stored_registration.h"
@@ -48,7 +47,7 @@ Result<void> RegisterJob::prepare(Project &project)
             m_intrinsics = (*intrinsics)->calibration.intrinsics;
             m_record.intrinsics = (*intrinsics)->id;
         }
-        const auto recording = newestRecording(project, camera.id);
+        const auto recording = project.trials().newestRecording(camera.id);
         if (!recording)
             return tl::unexpected(recording.error());
         if (*recording && m_settings.pictureFile.empty() && m_settings.pixelsFile.empty() && m_settings.pixels.empty())

@@ -3,7 +3,6 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/cameras.h"
 #include "core/workflow/registered_view.h"
 #include "core/workflow/stored_registration.h"
 
@@ -75,7 +74,7 @@ Result<void> RegisterThroughJob::findCamera(Project &project)
         m_record.intrinsics = (*intrinsics)->id;
         return {};
     }
-    const auto recording = newestRecording(project, camera->id);
+    const auto recording = project.trials().newestRecording(camera->id);
     if (!recording)
         return tl::unexpected(recording.error());
     if (!*recording)

@@ -6,6 +6,7 @@
 #include "core/project/repositories.h"
 
 #include <algorithm>
+#include <set>
 
 namespace odo {
 
@@ -40,18 +41,28 @@ Result<std::vector<std::filesystem::path>> filesOfSizes(const std::filesystem::p
 
 Result<void> RelinkJob::prepare(Project &project)
 {
-    const auto trials = project.trials().all();
+    m_project = project.file();
+    return {};
+}
+
+Result<void> RelinkJob::findLost()
+{
+    const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto trials = (*project)->trials().names();
     if (!trials)
         return tl::unexpected(trials.error());
-    for (const TrialRecord &trial : *trials) {
-        auto recordings = project.trials().recordings(trial.id);
-        if (!recordings)
-            return tl::unexpected(recordings.error());
-        for (RecordingRecord &recording : *recordings) {
-            if (!trial.unfinished && !std::filesystem::exists(project.resolve(recording)))
-                m_lost.push_back(std::move(recording));
-        }
-    }
+    std::set<RecordId> unfinished;
+    for (const TrialName &trial : *trials)
+        if (trial.unfinished)
+            unfinished.insert(trial.id);
+    auto recordings = (*project)->trials().allRecordings();
+    if (!recordings)
+        return tl::unexpected(recordings.error());
+    for (RecordingRecord &recording : *recordings)
+        if (!unfinished.contains(recording.trial) && !std::filesystem::exists((*project)->resolve(recording)))
+            m_lost.push_back(std::move(recording));
     if (m_lost.empty())
         return fail(ErrorCode::NotFound, "lost videos", "no video of this project is lost",
                     "there is nothing to do");
@@ -60,6 +71,8 @@ Result<void> RelinkJob::prepare(Project &project)
 
 Result<void> RelinkJob::run(const JobControl &control)
 {
+    if (auto found = findLost(); !found)
+        return found;
     control.report(0, "looking for files");
     const auto files = filesOfSizes(m_folder, m_lost, control);
     if (!files)

@@ -17,13 +17,12 @@ class RelinkJob : public Job
 {
 public:
     explicit RelinkJob(std::filesystem::path folder) : m_folder(std::move(folder)) {}
-    /// NotFound where no video is lost.
     Result<void> prepare(Project &project) override;
-    /// NotFound where none of them lies there.
+    /// NotFound where no video is lost, or none of them lies there.
     Result<void> run(const JobControl &control) override;
     Result<void> commit(Project &project) override;
 
-    std::size_t lostCount() const { return m_lost.size(); }   ///< after prepare
+    std::size_t lostCount() const { return m_lost.size(); }   ///< after run
     std::size_t foundCount() const { return m_found.size(); } ///< after run
 
 private:
@@ -32,9 +31,11 @@ private:
         RecordId recording = 0;
         std::filesystem::path file;
     };
+    Result<void> findLost();
     Result<void> look(const std::vector<std::filesystem::path> &files, const JobControl &control);
 
     const std::filesystem::path m_folder;
+    std::filesystem::path m_project;
     std::vector<RecordingRecord> m_lost;
     std::vector<Found> m_found;
 };

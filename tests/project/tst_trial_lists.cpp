@@ -58,6 +58,33 @@ private Q_SLOTS:
         QCOMPARE(m_project->trials().get(m_trials.at("third"))->tags, all[0].tags);
     }
 
+    void recordingsOfAllTrialsComeWithoutTimes()
+    {
+        addRecordings();
+        const auto all = m_project->trials().allRecordings().value();
+        QCOMPARE(all.size(), std::size_t(3));
+        QCOMPARE(all[0].trial, m_trials.at("new"));
+        QCOMPARE(all[1].cameraName, std::string("A"));
+        QCOMPARE(all[2].cameraName, std::string("B"));
+        QVERIFY(all[0].frameTimes.empty());
+        QVERIFY(Project::create(m_folder->filePath(QStringLiteral("none.odo")).toStdString(), "None")
+                    .value()
+                    ->trials()
+                    .allRecordings()
+                    ->empty());
+    }
+
+    void theNewestRecordingOfACameraIsFoundByDate()
+    {
+        addRecordings();
+        const auto ofA = m_project->trials().newestRecording(m_cameraA).value();
+        QVERIFY(ofA);
+        QCOMPARE(ofA->trial, m_trials.at("new"));
+        QCOMPARE(ofA->frameTimes.size(), std::size_t(2));
+        QCOMPARE(m_project->trials().newestRecording(m_cameraB).value()->trial, m_trials.at("old"));
+        QVERIFY(!m_project->trials().newestRecording(m_project->cameras().add({0, "C", ""})->id).value());
+    }
+
     /// Pages put together are the whole list, whatever shares a moment.
     void pagesAreTheWhole_data()
     {
@@ -135,6 +162,30 @@ private Q_SLOTS:
     }
 
 private:
+    /// Two trials, stored the other way round than they were driven.
+    void addRecordings()
+    {
+        m_cameraA = m_project->cameras().add({0, "A", ""}).value().id;
+        m_cameraB = m_project->cameras().add({0, "B", ""}).value().id;
+        const auto add = [this](const char *name, int hour, const std::vector<RecordId> &cameras) {
+            TrialRecord trial;
+            trial.name = name;
+            trial.date = newYear + std::chrono::hours(hour);
+            std::vector<RecordingRecord> recordings;
+            for (const RecordId camera : cameras) {
+                RecordingRecord recording;
+                recording.camera = camera;
+                recording.path = "year.media/" + std::string(name) + std::to_string(camera) + ".mkv";
+                recording.frameTimes = {Nanoseconds(0), Nanoseconds(33'000'000)};
+                recordings.push_back(std::move(recording));
+            }
+            const auto added = m_project->trials().add(trial, recordings);
+            QVERIFY2(added, added ? "" : added.error().message().c_str());
+            m_trials[name] = added->id;
+        };
+        add("new", 5, {m_cameraA});
+        add("old", 1, {m_cameraA, m_cameraB});
+    }
     void addTrial(const std::string &name, int hour, const std::vector<RecordId> &robots)
     {
         TrialRecord trial;
@@ -155,7 +206,7 @@ private:
 
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<Project> m_project;
-    RecordId m_red = 0, m_blue = 0, m_team = 0;
+    RecordId m_red = 0, m_blue = 0, m_team = 0, m_cameraA = 0, m_cameraB = 0;
     std::map<std::string, RecordId> m_trials;
 };
 

@@ -3,7 +3,6 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/cameras.h"
 #include "core/workflow/registered_view.h"
 #include "ui/models/camera_list_model.h"
 
@@ -12,7 +11,7 @@ namespace {
 
 Result<std::optional<std::filesystem::path>> newestFile(Project &project, RecordId camera)
 {
-    const auto recording = newestRecording(project, camera);
+    const auto recording = project.trials().newestRecording(camera);
     if (!recording)
         return tl::unexpected(recording.error());
     return *recording ? std::optional(project.resolve(**recording)) : std::nullopt;

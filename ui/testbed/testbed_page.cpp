@@ -206,8 +206,9 @@ void TestbedPage::refresh()
     m_stack->setCurrentIndex(m_cameras->rowCount() == 0 && m_layouts.empty() ? 1 : 0);
     const int row = std::max(0, static_cast<int>(cameraNames().indexOf(camera)));
     if (m_cameras->rowCount() > 0)
-        m_table->setCurrentIndex(m_cameras->index(row, 0));
-    showCamera();
+        m_table->setCurrentIndex(m_cameras->index(row, 0)); // shows it
+    else
+        showCamera();
     showLayout();
 }
 

@@ -91,36 +91,28 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
 
 Result<TrialScenePtr> newestPicture(Project &project, const CameraRow &camera)
 {
-    const Result<std::vector<TrialName>> trials = project.trials().names();
-    if (!trials)
-        return tl::unexpected(trials.error());
-    for (const TrialName &trial : *trials) {
-        const Result<std::vector<RecordingRecord>> recordings = project.trials().recordings(trial.id);
-        if (!recordings)
-            return tl::unexpected(recordings.error());
-        for (const RecordingRecord &recording : *recordings) {
-            if (recording.camera != camera.camera.id)
-                continue;
-            auto scene = std::make_shared<TrialScene>();
-            SceneView view{camera.camera.name, recording, project.resolve(recording), {}, {}, Nanoseconds{0}};
-            if (camera.registration) {
-                const Result<FloorView> floorView = floorViewOf(project, *camera.registration);
-                const Result<LayoutRecord> layout = project.layouts().get(camera.registration->layout);
-                if (!floorView || !layout)
-                    return tl::unexpected(floorView ? layout.error() : floorView.error());
-                view.floorView = *floorView;
-                view.registration = camera.registration->registration;
-                scene->layout = layout->layout;
-            }
-            const Result<TrialRecord> record = project.trials().get(trial.id);
-            if (!record)
-                return tl::unexpected(record.error());
-            scene->trial = *record;
-            scene->views.push_back(std::move(view));
-            return scene;
-        }
+    const auto recording = project.trials().newestRecording(camera.camera.id);
+    if (!recording)
+        return tl::unexpected(recording.error());
+    if (!*recording)
+        return TrialScenePtr();
+    auto scene = std::make_shared<TrialScene>();
+    SceneView view{camera.camera.name, **recording, project.resolve(**recording), {}, {}, Nanoseconds{0}};
+    if (camera.registration) {
+        const Result<FloorView> floorView = floorViewOf(project, *camera.registration);
+        const Result<LayoutRecord> layout = project.layouts().get(camera.registration->layout);
+        if (!floorView || !layout)
+            return tl::unexpected(floorView ? layout.error() : floorView.error());
+        view.floorView = *floorView;
+        view.registration = camera.registration->registration;
+        scene->layout = layout->layout;
     }
-    return TrialScenePtr();
+    const Result<TrialRecord> trial = project.trials().get((*recording)->trial);
+    if (!trial)
+        return tl::unexpected(trial.error());
+    scene->trial = *trial;
+    scene->views.push_back(std::move(view));
+    return scene;
 }
 
 QList<Fact> cameraFacts(const CameraRow &camera)
