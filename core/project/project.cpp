@@ -175,6 +175,24 @@ Result<void> Project::checkHeader(const std::filesystem::path &file)
     return checkFileHeader(file, Migrator(projectMigrations()).newestVersion());
 }
 
+namespace {
+
+/// For one that is only to be read.
+Result<void> bringUpToDate(const std::filesystem::path &file, int version)
+{
+    const auto writing = Project::open(file, Project::Access::ReadWrite);
+    if (writing)
+        return {};
+    if (writing.error().code != ErrorCode::ReadOnly)
+        return tl::unexpected(writing.error());
+    return fail(ErrorCode::ReadOnly, writing.error().what,
+                "it has the older format " + std::to_string(version) +
+                    " and must be brought up to date before it can be read, but " + writing.error().why,
+                "copy it with its videos to a folder that you may write to, and open the copy");
+}
+
+} // namespace
+
 Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file, Access access)
 {
     const Migrator migrator(projectMigrations());
@@ -193,9 +211,10 @@ Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file
         if (auto migrated = migrator.migrate(**connection); !migrated)
             return tl::unexpected(migrated.error());
     } else if (*version != migrator.newestVersion()) {
-        return fail(ErrorCode::ReadOnly, (*connection)->displayName(),
-                    "it has the older format " + std::to_string(*version) + " and may not be written to",
-                    "copy it to a folder that you may write to, and open the copy");
+        connection->reset();
+        if (auto migrated = bringUpToDate(file, *version); !migrated)
+            return tl::unexpected(migrated.error());
+        return connectTo(file, access, false);
     }
     auto impl = std::make_unique<Impl>(std::move(*connection));
     impl->writesBack = access == Access::ReadWrite;

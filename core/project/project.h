@@ -39,8 +39,9 @@ public:
     /// Makes a new file with the current schema. AlreadyExists where a file of that name is; nothing is left behind on
     /// failure.
     static Result<std::unique_ptr<Project>> create(const std::filesystem::path &file, const std::string &title);
-    /// Opens a file; older schemas are migrated after a verified backup ("<name>.odo.bak-<version>"). Errors: missing,
-    /// not a project, corrupt, newer (NewerFormat), no write access (ReadOnly).
+    /// Opens a file; older schemas are migrated after a verified backup ("<name>.odo.bak-<version>"), before it is
+    /// opened for reading as well. Errors: missing, not a project, corrupt, newer (NewerFormat), no write access, or of
+    /// an older format without it (ReadOnly).
     static Result<std::unique_ptr<Project>> open(const std::filesystem::path &file, Access access);
     /// What can be told of a file at once: that it is missing, no project, cut off, or of a newer Odograph.
     static Result<void> checkHeader(const std::filesystem::path &file);

@@ -8,6 +8,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 #include <sqlite3.h>
@@ -87,16 +88,36 @@ private Q_SLOTS:
         QCOMPARE(QDir(m_folder.path()).entryList({QStringLiteral("beside %1*").arg(format)}, QDir::Files).size(), 2);
     }
 
-    void readingAloneIsRefusedAndChangesNothing_data() { formats(); }
-    void readingAloneIsRefusedAndChangesNothing()
+    void readingBringsItUpToDate_data() { formats(); }
+    void readingBringsItUpToDate()
     {
         QFETCH(int, format);
         const auto old = stored(format, QStringLiteral("reads %1.odo").arg(format));
         const auto opened = Project::open(old, Access::ReadOnly);
+        QVERIFY2(opened.has_value(), opened ? "" : opened.error().message().c_str());
+        QCOMPARE((*opened)->title(), std::string("Year 9, autumn – Übung"));
+        QCOMPARE((*opened)->setTitle("x").error().code, ErrorCode::ReadOnly);
+        QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(Migrator(projectMigrations()).newestVersion()));
+        QCOMPARE(number(old.string() + ".bak-" + std::to_string(format), "PRAGMA user_version"), std::int64_t(format));
+    }
+
+    void whereItCannotBeWrittenReadingSaysWhy()
+    {
+        const auto old = stored(8, QStringLiteral("locked.odo"));
+        // Permissions do not bind root; the immutable attribute does, where the file system knows it.
+        const QString file = QString::fromStdString(old.string());
+        if (QProcess::execute(QStringLiteral("chattr"), {QStringLiteral("+i"), file}) != 0)
+            QSKIP("the file system knows no immutable files");
+        const auto opened = Project::open(old, Access::ReadOnly);
+        QProcess::execute(QStringLiteral("chattr"), {QStringLiteral("-i"), file});
+        QVERIFY(!opened.has_value());
         QCOMPARE(opened.error().code, ErrorCode::ReadOnly);
-        QVERIFY(opened.error().message().find("it has the older format " + std::to_string(format)) !=
-                std::string::npos);
-        QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(format));
+        QCOMPARE(opened.error().message(),
+                 std::string("project 'locked.odo': it has the older format 8 and must be brought up to date before it "
+                             "can be read, but it cannot be written to; copy it with its videos to a folder that you "
+                             "may write to, and open the copy"));
+        QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(8));
+        QVERIFY(!std::filesystem::exists(old.string() + ".bak-8"));
     }
 
     /// Each published step, stopped after its last statement: the file keeps the format and the rows it had.
