@@ -2,6 +2,7 @@
 #include "ui/main_window/file_actions.h"
 
 #include "core/project/project.h"
+#include "core/workflow/copy_job.h"
 #include "core/workflow/demo.h"
 #include "ui/main_window/recent_projects.h"
 #include "ui/main_window/transfer_actions.h"
@@ -156,11 +157,9 @@ void FileActions::askCopy()
     if (file.isEmpty())
         return;
     file = withSuffix(file);
-    const Result<void> copied = m_workspace.project()->saveCopy(pathOf(file));
-    if (copied)
-        Q_EMIT done(tr("A copy was saved as %1. Its videos stay where they are.")
-                        .arg(QDir::toNativeSeparators(file)));
-    tellFailure(copied);
+    tellFailure(m_workspace.start(std::make_shared<CopyJob>(pathOf(file)), tr("Saving a copy"), [this, file] {
+        Q_EMIT done(tr("A copy was saved as %1. Its videos stay where they are.").arg(QDir::toNativeSeparators(file)));
+    }));
 }
 
 void FileActions::tellFailure(const Result<void> &result)
