@@ -6,7 +6,7 @@
 #include "core/project/repositories.h"
 #include "ui/models/shown_team.h"
 #include "ui/record/doctor_dialog.h"
-#include "ui/record/health_words.h"
+#include "ui/record/health_watch.h"
 #include "ui/record/live_board.h"
 #include "ui/record/live_scene.h"
 #include "ui/record/run_card.h"
@@ -44,7 +44,7 @@ QString sentence(QString words)
 } // namespace
 
 RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWidget *parent)
-    : QWidget(parent), m_project(project), m_readOnly(readOnly), m_cameras(project, std::move(access)),
+    : QWidget(parent), m_project(project), m_cameras(project, std::move(access)),
       m_control(steadyNow), m_recorder(new RunRecorder(project.file(), this)),
       m_measuring(new RunMeasuring(project, this)), m_troubleBar(new TroubleBar), m_start(new StartCard),
       m_run(new RunCard), m_result(new RunResultCard),
@@ -57,6 +57,7 @@ RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWi
     setFocusProxy(m_start->button());
     makeActions();
     m_board = new LiveBoard(m_actions.mid(1));
+    m_health = std::make_unique<HealthWatch>(project, readOnly, m_cameras, *m_board, *m_troubleBar);
     auto *content = new QWidget;
     auto *row = new QHBoxLayout;
     row->setContentsMargins(8, 8, 8, 8);
@@ -132,7 +133,7 @@ void RecordPage::connectCameras()
     connect(&m_cameras, &ChosenCameras::noneConnected, this, [this] { m_stack->setCurrentIndex(1); });
     connect(&m_cameras, &ChosenCameras::starting, this, [this] {
         m_stack->setCurrentIndex(0);
-        m_before = {};
+        m_health->countFromOpening();
         showCameras();
     });
     connect(running, &RunningCameras::started, this, &RecordPage::showCameras);
@@ -206,7 +207,7 @@ void RecordPage::showEvent(QShowEvent *)
 {
     m_timer.start();
     m_cameras.want();
-    showTrouble({});
+    m_health->lookAtNone();
 }
 
 /// Others may need the cameras now, unless a run goes on.
@@ -224,7 +225,7 @@ void RecordPage::showCameras()
     m_board->setCameras(m_cameras.running());
     followRobots();
     showFloor();
-    showHealth();
+    lookAtHealth();
 }
 
 void RecordPage::showFloor()
@@ -286,7 +287,7 @@ void RecordPage::begin(Nanoseconds from)
     for (const WantedCamera &camera : m_cameras.cameras())
         names.push_back(camera.name);
     m_recorder->begin(m_run->run(), names, m_cameras.session(), from);
-    m_before = m_cameras.session()->health();
+    m_health->countFromNow();
     m_cameras.tracker()->beginRun(from);
     m_board->forgetWays();
 }
@@ -341,40 +342,17 @@ void RecordPage::tick()
     if (m_control.phase() != RunPhase::Ready)
         showStart();
     if (++m_ticks % healthEachTicks == 0)
-        showHealth();
+        lookAtHealth();
 }
 
-void RecordPage::showHealth()
+void RecordPage::lookAtHealth()
 {
     if (!m_cameras.session())
         return;
-    CaptureHealth health = m_cameras.session()->health();
-    if (!health.disk.recording)
-        health.disk.secondsLeft = m_cameras.session()->secondsOfRoom(m_project.file().parent_path());
-    const LiveFigures live = m_cameras.tracker() ? m_cameras.tracker()->figures() : LiveFigures{};
-    m_board->setHealth(health, m_cameras.cameras(), live, m_before);
-    m_room = QString::fromStdString(roomWords(health.disk));
-    m_anyDelivers = std::ranges::any_of(
-        health.views, [](const ViewHealth &view) { return view.state == ViewHealth::State::Delivering; });
-    showTrouble(health);
-    const bool allEnded = std::ranges::all_of(
-        health.views, [](const ViewHealth &view) { return view.state == ViewHealth::State::Ended; });
-    if (m_recorder->isRecording() && (health.disk.ended || allEnded))
-        obey(m_control.press()); // nothing more can be recorded
+    m_health->look();
+    if (m_recorder->isRecording() && m_health->hasEnded())
+        obey(m_control.press());
     showStart();
-}
-
-void RecordPage::showTrouble(const CaptureHealth &health)
-{
-    const auto &cameras = m_cameras.cameras();
-    QString words = troubleWords(health, cameras);
-    if (m_readOnly)
-        words = tr("This project can only be read: nothing can be recorded into it.");
-    const QString unregistered = m_cameras.session() ? unregisteredWords(cameras) : QString();
-    if (words.isEmpty() && !unregistered.isEmpty())
-        m_troubleBar->setWords(unregistered, tr("&Register it in Testbed"));
-    else
-        m_troubleBar->setWords(words);
 }
 
 void RecordPage::showStart()
@@ -384,14 +362,9 @@ void RecordPage::showStart()
     state.ending = m_recorder->isEnding();
     state.countdownLeft = m_control.countdownLeft();
     state.elapsed = m_control.elapsed();
-    state.room = m_room;
-    if (m_readOnly)
-        state.blocked = tr("The project can only be read");
-    else if (!m_cameras.session())
-        state.blocked = m_cameras.isPreparing() ? tr("Opening the cameras…") : tr("No camera runs");
-    else if (!m_anyDelivers)
-        state.blocked = tr("No camera sends pictures");
-    else if (m_run->run().trial.empty())
+    state.room = m_health->room();
+    state.blocked = m_health->blocked();
+    if (state.blocked.isEmpty() && m_run->run().trial.empty())
         state.blocked = tr("Give the trial a name");
     state.gate = QString::fromStdString(m_control.startGate());
     m_start->setState(state);

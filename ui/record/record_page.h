@@ -6,6 +6,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <memory>
 #include <optional>
 
 class QAction;
@@ -14,6 +15,7 @@ class QStackedWidget;
 namespace odo {
 
 class EmptyState;
+class HealthWatch;
 class LiveBoard;
 class Project;
 class RunCard;
@@ -68,25 +70,22 @@ private:
     void takeRecorded(const QString &trial, const QStringList &warnings);
     void takeGivenUp(const QString &trial, const Error &error);
     void tick();
-    void showHealth();
+    void lookAtHealth();
     void showStart();
-    void showTrouble(const CaptureHealth &health);
 
     Project &m_project;
-    const bool m_readOnly;
     ChosenCameras m_cameras;
     RunControl m_control;
     RunRecorder *m_recorder;
     RunMeasuring *m_measuring;
-    QString m_room;
-    CaptureHealth m_before;          ///< losses are counted since then: of the run, or of the cameras
-    bool m_isLineUpRead = false, m_isByPseudonym = false, m_anyDelivers = false;
+    bool m_isLineUpRead = false, m_isByPseudonym = false;
     int m_ticks = 0;
     QTimer m_timer;
 
     QList<QAction *> m_actions;
     TroubleBar *m_troubleBar;
     LiveBoard *m_board;
+    std::unique_ptr<HealthWatch> m_health;
     StartCard *m_start;
     RunCard *m_run;
     RunResultCard *m_result;
