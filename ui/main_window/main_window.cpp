@@ -183,7 +183,7 @@ void MainWindow::connectActions()
     connect(m_class, &ClassActions::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
     connect(m_undo, &UndoActions::aboutToLook, this, [this] {
         if (m_pages)
-            m_pages->history().saveNotes();
+            m_pages->saveNotes();
     });
     connect(m_undo, &UndoActions::failed, this, &MainWindow::tellFailure);
     connect(m_undo, &UndoActions::changed, this, [this](const QString &words) {
@@ -229,49 +229,67 @@ void MainWindow::makePages()
 {
     m_pages = std::make_unique<ProjectPages>(*m_workspace, *m_stack);
     connectPages();
-    fillMenus();
     m_modeBar->setModesEnabled(true);
     m_messages->hide();
-    showMode(Mode::Review);
+    m_pages->review();
+    m_pages->makeSoon();
     showTitle();
 }
 
 void MainWindow::connectPages()
 {
-    connect(m_pages.get(), &ProjectPages::shown, this, [this](Mode mode) { m_modeBar->setCurrent(static_cast<int>(mode)); });
+    connect(m_pages.get(), &ProjectPages::made, this, &MainWindow::addPage);
+    connect(m_pages.get(), &ProjectPages::shown, this,
+            [this](Mode mode) { m_modeBar->setCurrent(static_cast<int>(mode)); });
     connect(m_pages.get(), &ProjectPages::changed, this, &MainWindow::showState);
     connect(m_pages.get(), &ProjectPages::told, m_messages, &MessageBar::showDone);
     connect(m_pages.get(), &ProjectPages::failed, this, &MainWindow::tellFailure);
     connect(m_pages.get(), &ProjectPages::settled, this, &MainWindow::settled);
-    ReviewPage *review = &m_pages->review();
-    connect(review, &ReviewPage::trialShown, this, &MainWindow::showTitle);
-    connect(review, &ReviewPage::importRequested, m_trials, [this] { m_trials->askImport(); });
-    connect(review, &ReviewPage::trackRequested, m_trials, &TrialActions::askTrack);
-    connect(&review->spikes(), &SpikeActions::said, m_trials, &TrialActions::overrule);
-    connect(&m_pages->testbed(), &TestbedPage::tasksRequested, m_class, &ClassActions::showTasks);
-    connect(&m_pages->compare(), &ComparePage::importRequested, m_trials, [this] { m_trials->askImport(); });
-    connect(&m_pages->history(), &HistoryPage::teamNamesChanged, this, &MainWindow::showTitle);
-    connect(&m_pages->history(), &HistoryPage::emptyBinRequested, m_many, &HistoryActions::emptyBin);
-    connect(&m_pages->history(), &HistoryPage::exportRequested, m_many, &HistoryActions::exportTrials);
-    connect(&m_pages->history(), &HistoryPage::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
 }
 
-void MainWindow::fillMenus()
+/// Its actions come into the menus, and go with the page.
+void MainWindow::addPage(Mode mode)
 {
-    const ReviewPage &review = m_pages->review();
-    m_trialMenu->insertActions(m_playMenu->menuAction(),
-                               {review.chooser().previousAction(), review.chooser().nextAction()});
-    m_spikeMenu->addActions(review.spikes().actions());
-    m_spikeMenu->setEnabled(true);
-    m_recordMenu->addActions(m_pages->record().actions());
-    m_recordMenu->setEnabled(true);
-    m_toolsMenu->addActions(m_pages->testbed().toolActions());
-    m_toolsMenu->setEnabled(true);
-    m_playMenu->addActions(review.timeline().actions());
-    m_playMenu->setEnabled(true);
-    m_viewMenu->addAction(m_pages->history().pseudonyms()); // goes with the page
-    m_views->setDesk(&review.desk());
-    m_help->setPages(m_pages.get());
+    const auto askImport = [this] { m_trials->askImport(); };
+    switch (mode) {
+    case Mode::Testbed:
+        connect(&m_pages->testbed(), &TestbedPage::tasksRequested, m_class, &ClassActions::showTasks);
+        m_toolsMenu->addActions(m_pages->testbed().toolActions());
+        m_toolsMenu->setEnabled(true);
+        break;
+    case Mode::Record:
+        m_recordMenu->addActions(m_pages->record().actions());
+        m_recordMenu->setEnabled(true);
+        break;
+    case Mode::Review: {
+        ReviewPage *review = &m_pages->review();
+        connect(review, &ReviewPage::trialShown, this, &MainWindow::showTitle);
+        connect(review, &ReviewPage::importRequested, m_trials, askImport);
+        connect(review, &ReviewPage::trackRequested, m_trials, &TrialActions::askTrack);
+        connect(&review->spikes(), &SpikeActions::said, m_trials, &TrialActions::overrule);
+        m_trialMenu->insertActions(m_playMenu->menuAction(),
+                                   {review->chooser().previousAction(), review->chooser().nextAction()});
+        m_spikeMenu->addActions(review->spikes().actions());
+        m_spikeMenu->setEnabled(true);
+        m_playMenu->addActions(review->timeline().actions());
+        m_playMenu->setEnabled(true);
+        m_views->setDesk(&review->desk());
+        m_help->setPages(m_pages.get());
+        break;
+    }
+    case Mode::Compare:
+        connect(&m_pages->compare(), &ComparePage::importRequested, m_trials, askImport);
+        break;
+    case Mode::History: {
+        HistoryPage *history = &m_pages->history();
+        connect(history, &HistoryPage::teamNamesChanged, this, &MainWindow::showTitle);
+        connect(history, &HistoryPage::emptyBinRequested, m_many, &HistoryActions::emptyBin);
+        connect(history, &HistoryPage::exportRequested, m_many, &HistoryActions::exportTrials);
+        connect(history, &HistoryPage::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
+        m_viewMenu->addAction(history->pseudonyms());
+        break;
+    }
+    }
     m_keys->adopt(*menuBar());
 }
 
@@ -321,7 +339,10 @@ void MainWindow::beginOpening(const std::filesystem::path &file)
 
 Result<void> MainWindow::openProject(const std::filesystem::path &file)
 {
-    return m_files->open(file);
+    const Result<void> opened = m_files->open(file);
+    if (opened)
+        m_pages->makeAll();
+    return opened;
 }
 
 void MainWindow::showMode(Mode mode)
@@ -357,7 +378,7 @@ void MainWindow::showTitle()
     QString trial;
     if (const Project *project = m_workspace->project())
         parts << QString::fromStdString(project->title());
-    if (const TrialScenePtr scene = m_pages ? m_pages->review().scene() : nullptr) {
+    if (const TrialScenePtr scene = m_pages ? m_pages->scene() : nullptr) {
         const TrialRecord &record = scene->trial;
         trial = QString::fromStdString(record.name);
         QStringList words{trial};
@@ -382,7 +403,7 @@ void MainWindow::showState()
     m_saved->setText(m_workspace->isReadOnly() ? tr("Read only: nothing can be changed")
                                                : tr("All changes saved"));
     QString analysis = tr("No trial");
-    if (const TrialScenePtr scene = m_pages ? m_pages->review().scene() : nullptr) {
+    if (const TrialScenePtr scene = m_pages ? m_pages->scene() : nullptr) {
         analysis = tr("Not tracked yet");
         for (const SceneRobot &robot : scene->robots)
             if (robot.analysis)

@@ -75,7 +75,7 @@ private:
     void closePages();
     void makePages();
     void connectPages();
-    void fillMenus();
+    void addPage(Mode mode);
     void refreshPages();
     void showPreferences();
     void remakePages();

@@ -13,26 +13,15 @@
 #include "ui/testbed/testbed_page.h"
 
 #include <QStackedWidget>
+#include <algorithm>
 
 namespace odo {
 
 ProjectPages::ProjectPages(Workspace &workspace, QStackedWidget &stack, QObject *parent)
-    : QObject(parent), m_workspace(workspace), m_stack(stack),
-      m_testbed(new TestbedPage(*workspace.project())),
-      m_record(new RecordPage(*workspace.project(), workspace.isReadOnly())),
-      m_review(new ReviewPage(*workspace.project())), m_compare(new ComparePage(*workspace.project())),
-      m_history(new HistoryPage(*workspace.project(), workspace.isReadOnly())), m_pages{m_testbed, m_record,
-                                                                                        m_review, m_compare,
-                                                                                        m_history},
-      m_stale(m_pages.begin(), m_pages.end())
+    : QObject(parent), m_workspace(workspace), m_stack(stack)
 {
-    for (QWidget *page : m_pages)
-        m_stack.addWidget(page);
-    connectTestbed();
-    connectRecord();
-    connectReview();
-    connectCompare();
-    connectHistory();
+    m_maker.setInterval(0);
+    connect(&m_maker, &QTimer::timeout, this, &ProjectPages::makeNext);
 }
 
 ProjectPages::~ProjectPages()
@@ -43,18 +32,100 @@ ProjectPages::~ProjectPages()
             delete page;
 }
 
-void ProjectPages::connectTestbed()
+void ProjectPages::makeNext()
 {
+    const auto missing = std::ranges::find(m_pages, nullptr);
+    if (!m_review)
+        page(Mode::Review);
+    else if (!m_isOneShown)
+        show(Mode::Review);
+    else if (missing != m_pages.end())
+        page(static_cast<Mode>(missing - m_pages.begin()));
+    else
+        m_maker.stop();
+}
+
+void ProjectPages::makeAll()
+{
+    m_maker.start();
+    while (m_maker.isActive())
+        makeNext();
+}
+
+QWidget *ProjectPages::page(Mode mode)
+{
+    QWidget *&page = m_pages.at(static_cast<std::size_t>(mode));
+    if (page)
+        return page;
+    page = make(mode);
+    m_stack.addWidget(page);
+    m_stale.insert(page);
+    Q_EMIT made(mode);
+    return page;
+}
+
+QWidget *ProjectPages::make(Mode mode)
+{
+    switch (mode) {
+    case Mode::Testbed:
+        return makeTestbed();
+    case Mode::Record:
+        return makeRecord();
+    case Mode::Review:
+        return makeReview();
+    case Mode::Compare:
+        return makeCompare();
+    case Mode::History:
+        break;
+    }
+    return makeHistory();
+}
+
+TestbedPage &ProjectPages::testbed()
+{
+    page(Mode::Testbed);
+    return *m_testbed;
+}
+
+RecordPage &ProjectPages::record()
+{
+    page(Mode::Record);
+    return *m_record;
+}
+
+ReviewPage &ProjectPages::review()
+{
+    page(Mode::Review);
+    return *m_review;
+}
+
+ComparePage &ProjectPages::compare()
+{
+    page(Mode::Compare);
+    return *m_compare;
+}
+
+HistoryPage &ProjectPages::history()
+{
+    page(Mode::History);
+    return *m_history;
+}
+
+QWidget *ProjectPages::makeTestbed()
+{
+    m_testbed = new TestbedPage(*m_workspace.project());
     connect(m_testbed, &TestbedPage::changed, this, [this](const QString &words) {
         tell(words);
         refreshAllBut(m_testbed);
     });
     connect(m_testbed, &TestbedPage::failed, this, &ProjectPages::failed);
     connect(m_testbed, &TestbedPage::settled, this, &ProjectPages::passOnSettled);
+    return m_testbed;
 }
 
-void ProjectPages::connectRecord()
+QWidget *ProjectPages::makeRecord()
 {
+    m_record = new RecordPage(*m_workspace.project(), m_workspace.isReadOnly());
     connect(m_record, &RecordPage::changed, this, [this](const QString &words) {
         tell(words);
         refreshAllBut(m_record);
@@ -62,22 +133,28 @@ void ProjectPages::connectRecord()
     connect(m_record, &RecordPage::failed, this, &ProjectPages::failed);
     connect(m_record, &RecordPage::testbedRequested, this, [this] { show(Mode::Testbed); });
     connect(m_record, &RecordPage::trialChosen, this, &ProjectPages::openTrial);
+    return m_record;
 }
 
-void ProjectPages::connectReview()
+QWidget *ProjectPages::makeReview()
 {
+    m_review = new ReviewPage(*m_workspace.project());
     connect(m_review, &ReviewPage::failed, this, &ProjectPages::failed);
     connect(m_review, &ReviewPage::settled, this, &ProjectPages::passOnSettled);
+    return m_review;
 }
 
-void ProjectPages::connectCompare()
+QWidget *ProjectPages::makeCompare()
 {
+    m_compare = new ComparePage(*m_workspace.project());
     connect(m_compare, &ComparePage::failed, this, &ProjectPages::failed);
     connect(m_compare, &ComparePage::settled, this, &ProjectPages::passOnSettled);
+    return m_compare;
 }
 
-void ProjectPages::connectHistory()
+QWidget *ProjectPages::makeHistory()
 {
+    m_history = new HistoryPage(*m_workspace.project(), m_workspace.isReadOnly());
     connect(m_history, &HistoryPage::compareRequested, this, [this](const QStringList &trials) {
         if (const Result<void> compared = compareTrials(trials); !compared)
             Q_EMIT failed(compared.error());
@@ -91,6 +168,7 @@ void ProjectPages::connectHistory()
     });
     connect(m_history, &HistoryPage::failed, this, &ProjectPages::failed);
     connect(m_history, &HistoryPage::settled, this, &ProjectPages::passOnSettled);
+    return m_history;
 }
 
 void ProjectPages::tell(const QString &words)
@@ -108,7 +186,7 @@ void ProjectPages::openTrial(const QString &trial)
 void ProjectPages::refreshAllBut(const QWidget *page)
 {
     for (QWidget *each : m_pages)
-        if (each != page)
+        if (each && each != page)
             m_stale.insert(each);
     read(m_stack.currentWidget());
     Q_EMIT changed();
@@ -133,22 +211,23 @@ void ProjectPages::read(QWidget *page)
 
 void ProjectPages::show(Mode mode)
 {
-    const QString trial = m_review->trial();
-    QWidget *page = m_pages.at(static_cast<std::size_t>(mode));
+    m_isOneShown = true;
     m_mode = mode;
-    read(page);
+    const QString trial = m_review ? m_review->trial() : QString();
+    QWidget *shownPage = page(mode);
+    read(shownPage);
     if (mode == Mode::Compare)
         m_compare->suggestTrial(trial);
     if (mode == Mode::History && !trial.isEmpty())
         m_history->selectTrial(trial);
     Q_EMIT shown(mode);
-    m_stack.setCurrentWidget(page);
-    page->setFocus(Qt::OtherFocusReason); // so that the page's keys work at once
+    m_stack.setCurrentWidget(shownPage);
+    shownPage->setFocus(Qt::OtherFocusReason); // so that the page's keys work at once
 }
 
 Result<void> ProjectPages::showTrial(const std::string &name)
 {
-    const Result<void> done = m_review->showTrial(QString::fromStdString(name));
+    const Result<void> done = review().showTrial(QString::fromStdString(name));
     if (done)
         show(Mode::Review);
     return done;
@@ -159,13 +238,15 @@ Result<void> ProjectPages::compareTrials(const QStringList &names)
     for (const QString &name : names)
         if (const auto trial = m_workspace.project()->trials().find(name.toStdString()); !trial)
             return tl::unexpected(trial.error());
-    m_compare->showTrials(names);
+    compare().showTrials(names);
     show(Mode::Compare);
     return {};
 }
 
 bool ProjectPages::isSettled() const
 {
+    if (!m_isOneShown)
+        return false;
     const QWidget *page = m_stack.currentWidget();
     if (page == m_review)
         return m_review->isSettled();
@@ -182,10 +263,23 @@ void ProjectPages::passOnSettled()
         Q_EMIT settled();
 }
 
+void ProjectPages::saveNotes()
+{
+    if (m_history)
+        m_history->saveNotes();
+}
+
 void ProjectPages::saveLayouts() const
 {
-    m_review->desk().saveLayout();
-    m_compare->desk().saveLayout();
+    if (m_review)
+        m_review->desk().saveLayout();
+    if (m_compare)
+        m_compare->desk().saveLayout();
+}
+
+TrialScenePtr ProjectPages::scene() const
+{
+    return m_review ? m_review->scene() : nullptr;
 }
 
 } // namespace odo

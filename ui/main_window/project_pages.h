@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "ui/models/trial_scene.h"
 
 #include <QObject>
 #include <QStringList>
+#include <QTimer>
 #include <array>
 #include <set>
 #include <string>
@@ -22,24 +24,31 @@ class ReviewPage;
 class TestbedPage;
 class Workspace;
 
-/// The pages of the open project, one a mode: tells each what another one changed, and lets it read the
-/// project only while it is seen. A page that is hidden is stale after a change, and reads when it is shown.
-/// Lives as long as the project is open. GUI thread.
+/// The pages of the open project, one a mode: makes them one by one, tells each what another one changed, and
+/// lets it read the project only while it is seen. A page that is hidden is stale after a change, and reads
+/// when it is shown. Lives as long as the project is open. GUI thread.
 class ProjectPages : public QObject
 {
     Q_OBJECT
 public:
     enum class Mode { Testbed, Record, Review, Compare, History };
 
-    /// Adds the pages to the stack; they leave it with this object. None is shown or read yet.
+    /// The pages come to the stack, and leave it with this object.
     ProjectPages(Workspace &workspace, QStackedWidget &stack, QObject *parent = nullptr);
     ~ProjectPages() override;
 
-    TestbedPage &testbed() const { return *m_testbed; }
-    RecordPage &record() const { return *m_record; }
-    ReviewPage &review() const { return *m_review; }
-    ComparePage &compare() const { return *m_compare; }
-    HistoryPage &history() const { return *m_history; }
+    /// Makes the pages in the next turns of the event loop, one in each, for all at once would keep the
+    /// window waiting: Review first, which is shown unless another one is. A page that is asked for is made
+    /// at once.
+    void makeSoon() { m_maker.start(); }
+    /// As makeSoon, at once.
+    void makeAll();
+    TestbedPage &testbed();
+    RecordPage &record();
+    ReviewPage &review();
+    const ReviewPage &review() const { return *m_review; } ///< that was made
+    ComparePage &compare();
+    HistoryPage &history();
 
     void show(Mode mode);
     Mode mode() const { return m_mode; } ///< that was shown last
@@ -50,9 +59,14 @@ public:
     void refresh() { refreshAllBut(nullptr); }
     /// Everything that belongs to the page on screen is there, or cannot be had.
     bool isSettled() const;
+    /// What is being written (notes) is stored now.
+    void saveNotes();
     void saveLayouts() const;
+    /// The trial on screen in Review; null: none.
+    TrialScenePtr scene() const;
 
 Q_SIGNALS:
+    void made(odo::ProjectPages::Mode mode);
     void shown(odo::ProjectPages::Mode mode);
     void changed(); ///< by one of the pages
     void told(const QString &words);
@@ -60,11 +74,14 @@ Q_SIGNALS:
     void settled();
 
 private:
-    void connectTestbed();
-    void connectRecord();
-    void connectReview();
-    void connectCompare();
-    void connectHistory();
+    void makeNext();
+    QWidget *page(Mode mode);
+    QWidget *make(Mode mode);
+    QWidget *makeTestbed();
+    QWidget *makeRecord();
+    QWidget *makeReview();
+    QWidget *makeCompare();
+    QWidget *makeHistory();
     void tell(const QString &words);
     void openTrial(const QString &trial);
     void refreshAllBut(const QWidget *page);
@@ -73,14 +90,16 @@ private:
 
     Workspace &m_workspace;
     QStackedWidget &m_stack;
-    TestbedPage *m_testbed;
-    RecordPage *m_record;
-    ReviewPage *m_review;
-    ComparePage *m_compare;
-    HistoryPage *m_history;
-    std::array<QWidget *, 5> m_pages; ///< in the order of the modes
-    Mode m_mode = Mode::Review;
+    TestbedPage *m_testbed = nullptr;
+    RecordPage *m_record = nullptr;
+    ReviewPage *m_review = nullptr;
+    ComparePage *m_compare = nullptr;
+    HistoryPage *m_history = nullptr;
+    std::array<QWidget *, 5> m_pages{}; ///< in the order of the modes; null: not made yet
     std::set<QWidget *> m_stale;
+    Mode m_mode = Mode::Review;
+    bool m_isOneShown = false;
+    QTimer m_maker;
 };
 
 } // namespace odo

@@ -42,6 +42,28 @@ private Q_SLOTS:
         QCOMPARE(m_stack->count(), 1); // the pages went with it
     }
 
+    void areMadeOneAfterTheOther()
+    {
+        QSignalSpy made(m_pages.get(), &ProjectPages::made);
+        m_pages->makeSoon();
+        QCOMPARE(made.count(), 0);
+        QVERIFY(!m_pages->isSettled());
+        QTRY_COMPARE(made.count(), 5);
+        QCOMPARE(made.front().front().value<ProjectPages::Mode>(), ProjectPages::Mode::Review);
+        QVERIFY(qobject_cast<ReviewPage *>(m_stack->currentWidget()));
+        QTRY_VERIFY(m_pages->scene());
+    }
+
+    void aPageThatIsAskedForComesAtOnceAndStays()
+    {
+        QSignalSpy made(m_pages.get(), &ProjectPages::made);
+        m_pages->makeSoon();
+        m_pages->show(ProjectPages::Mode::History);
+        QCOMPARE(made.count(), 1);
+        QTRY_COMPARE(made.count(), 5);
+        QVERIFY(qobject_cast<HistoryPage *>(m_stack->currentWidget()));
+    }
+
     void nothingIsReadBeforeItIsShown()
     {
         QCOMPARE(rowsIn("Trials", m_pages->history()), 0);

@@ -84,6 +84,7 @@ private:
     void renderMaterial() const;
     /// Triggers the action of this text and answers its dialogs; waits for the job that may follow.
     void run(const char *action, const QList<Answer> &answers);
+    QAction *actionOf(const char *text) const;
     void runAndCancel(const char *action, const Answer &answer);
     QString message() const { return m_window->findChild<MessageBar *>()->text(); }
     Project &project() const { return *m_window->workspace().project(); }
@@ -140,18 +141,23 @@ void TestWindowFlows::initTestCase()
     m_window->show();
 }
 
-void TestWindowFlows::run(const char *text, const QList<Answer> &answers)
+QAction *TestWindowFlows::actionOf(const char *text) const
 {
     for (QAction *action : m_window->findChildren<QAction *>())
-        if (action->text().remove(QLatin1Char('&')) == QString::fromUtf8(text)) {
-            QVERIFY2(action->isEnabled(), text);
-            Person person(answers);
-            action->trigger();
-            QVERIFY2(person.isDone(), qPrintable(message()));
-            QTRY_VERIFY_WITH_TIMEOUT(!m_window->workspace().isBusy(), 120000);
-            return;
-        }
-    QFAIL(text);
+        if (action->text().remove(QLatin1Char('&')) == QString::fromUtf8(text))
+            return action;
+    return nullptr;
+}
+
+void TestWindowFlows::run(const char *text, const QList<Answer> &answers)
+{
+    QTRY_VERIFY2(actionOf(text), text); // the pages of a project that was just made are still to come
+    QAction *action = actionOf(text);
+    QVERIFY2(action->isEnabled(), text);
+    Person person(answers);
+    action->trigger();
+    QVERIFY2(person.isDone(), qPrintable(message()));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->workspace().isBusy(), 120000);
 }
 
 void TestWindowFlows::runAndCancel(const char *text, const Answer &answer)
