@@ -2,6 +2,7 @@
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/camera_list_model.h"
 #include "ui/models/metric_model.h"
+#include "ui/models/name_list_model.h"
 #include "ui/models/shown_team.h"
 #include "ui/models/spike_model.h"
 #include "ui/models/change_model.h"
@@ -10,6 +11,10 @@
 
 #include <QAbstractItemModelTester>
 #include <QDateTime>
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -61,6 +66,32 @@ class TestListModels : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
+    /// Of the whole tree, wherever its test lies.
+    void everyModelIsTested()
+    {
+        const QDir tree(qEnvironmentVariable("ODOGRAPH_SOURCE_DIR"));
+        const auto contents = [&tree](const QString &folder, const QStringList &names) {
+            QStringList texts;
+            QDirIterator files(tree.filePath(folder), names, QDir::Files, QDirIterator::Subdirectories);
+            while (files.hasNext())
+                if (QFile file(files.next()); file.open(QIODevice::ReadOnly))
+                    texts << QString::fromUtf8(file.readAll());
+            return texts;
+        };
+        const QStringList tests =
+            contents(QStringLiteral("tests"), {QStringLiteral("tst_*.cpp")}).filter(QStringLiteral("QAbstractItemModelTester"));
+        static const QRegularExpression definition(
+            QStringLiteral("class (\\w+)(?: final)? : public (?:QAbstract\\w*Model|Q\\w*ProxyModel|QStandardItemModel|QStringListModel)\\b"));
+        QStringList models;
+        for (const QString &text :
+             contents(QStringLiteral("ui"), {QStringLiteral("*.h"), QStringLiteral("*.cpp")}))
+            for (auto found = definition.globalMatch(text); found.hasNext();)
+                models << found.next().captured(1);
+        QVERIFY2(models.size() >= 8, qPrintable(models.join(u' ')));
+        for (const QString &model : std::as_const(models))
+            QVERIFY2(!tests.filter(QRegularExpression(QStringLiteral("\\b%1 \\w+[;(]").arg(model))).isEmpty(),
+                     qPrintable(model + QStringLiteral(" has no QAbstractItemModelTester")));
+    }
     void spikes()
     {
         SpikeModel model;
@@ -86,6 +117,20 @@ private Q_SLOTS:
         QCOMPARE(model.rowCount(), 4);
         QCOMPARE(model.index(0, SpikeModel::ReasonColumn).data().toString(), QStringLiteral("used, by hand"));
         QVERIFY(model.index(0, 0).data(SpikeModel::RestoredRole).toBool());
+    }
+    void names()
+    {
+        NameListModel model({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")},
+                            {QStringLiteral("Trial 1 · Falcon"), QStringLiteral("Trial 2")});
+        QAbstractItemModelTester tester(&model, strict);
+        QCOMPARE(model.rowCount(), 2);
+        QCOMPARE(model.index(0).data().toString(), QStringLiteral("Trial 1 · Falcon"));
+        QCOMPARE(model.index(0).data(NameListModel::NameRole).toString(), QStringLiteral("Trial 1"));
+        QCOMPARE(model.indexOf(QStringLiteral("Trial 2")), 1);
+        QCOMPARE(model.indexOf(QStringLiteral("Trial 3")), -1);
+        NameListModel none({}, {});
+        QAbstractItemModelTester second(&none, strict);
+        QCOMPARE(none.rowCount(), 0);
     }
     void metrics()
     {
