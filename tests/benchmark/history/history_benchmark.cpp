@@ -3,8 +3,8 @@
 // person waits.
 #include "core/project/project.h"
 #include "tests/benchmark/figures.h"
-#include "tests/benchmark/history/year_project.h"
 #include "tests/ui/support/busy_watch.h"
+#include "tests/ui/support/year_project.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/main_window.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/benchmark/history/year_project.h"
+#include "tests/ui/support/year_project.h"
 
 #include "core/project/connection.h"
 #include "core/project/project.h"
