@@ -228,9 +228,11 @@ void TestRecordPage::theRobotStartsAndEndsTheRun()
     run.task = "Circle";
     part<RunCard>()->setRun(run);
     chooseStart(-1);
+    QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs); // not while pictures are late
     button()->click();
     QVERIFY(!m_page->isRecording());
-    QVERIFY(part<StartCard>()->words().contains(QStringLiteral("Waiting for the robot at “Lap”")));
+    QVERIFY2(part<StartCard>()->words().contains(QStringLiteral("Waiting for the robot at “Lap”")),
+             qPrintable(part<StartCard>()->words()));
     QTRY_VERIFY_WITH_TIMEOUT(m_page->isRecording(), runMs);
     QTRY_VERIFY_WITH_TIMEOUT(!m_page->isRecording(), runMs);
     const auto *result = part<RunResultCard>();
