@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/job_runner.h"
 
+#include "core/workflow/call_later.h"
 #include "core/workflow/job.h"
 
-#include <QMetaObject>
 
 namespace odo {
 
@@ -26,18 +26,16 @@ bool JobRunner::start(std::shared_ptr<Job> job)
     m_cancel = CancelToken();
     if (const auto prepared = m_job->prepare(m_project); !prepared) {
         // Queued, so that the caller always hears of the end after start has returned.
-        QMetaObject::invokeMethod(this, [this, prepared] { finish(prepared); }, Qt::QueuedConnection);
+        callLater(this, [this, prepared] { finish(prepared); });
         return true;
     }
     JobControl control{m_cancel, [this](double fraction, const std::string &text) {
                            const QString words = QString::fromStdString(text);
-                           QMetaObject::invokeMethod(
-                               this, [this, fraction, words] { Q_EMIT progressed(fraction, words); },
-                               Qt::QueuedConnection);
+                           callLater(this, [this, fraction, words] { Q_EMIT progressed(fraction, words); });
                        }};
     m_thread = std::thread([this, worker = m_job, control] {
         const Result<void> result = worker->run(control);
-        QMetaObject::invokeMethod(this, [this, result] { finish(result); }, Qt::QueuedConnection);
+        callLater(this, [this, result] { finish(result); });
     });
     return true;
 }

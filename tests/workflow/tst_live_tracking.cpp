@@ -5,6 +5,7 @@
 #include "core/simulation/renderer.h"
 
 #include <QTest>
+#include <atomic>
 #include <future>
 #include <set>
 
@@ -38,7 +39,10 @@ struct Drive
     {
         return LiveTracker::create(views, robots, feeds,
                                    {[this](const LiveSight &sight) { ++sights[sight.view]; },
-                                    [this](const LiveMoment &moment) { moments.push_back(moment); }});
+                                    [this](const LiveMoment &moment) {
+                                        moments.push_back(moment);
+                                        ++momentCount;
+                                    }});
     }
     /// Each picture in its turn; none is dropped. stalls: a view that gives nothing in this part of the
     /// scene.
@@ -80,7 +84,8 @@ struct Drive
     std::vector<RobotRecord> robots;
     std::vector<LiveTracker::Feed> feeds;
     std::map<std::size_t, int> sights;
-    std::vector<LiveMoment> moments;
+    std::vector<LiveMoment> moments; ///< to be read when the tracker has ended
+    std::atomic<std::size_t> momentCount = 0;
     const Nanoseconds zero = 5h; ///< the steady clock's time at the scene's beginning
 };
 
@@ -157,7 +162,7 @@ void TestLiveTracking::aViewThatStalls()
         Drive drive("circle");
         auto live = drive.follow();
         drive.play(0, 1);
-        const auto before = drive.moments.size();
+        const std::size_t before = drive.momentCount;
         drive.play(1, 3, silent);
         live->reset();
         QVERIFY(drive.moments.size() >

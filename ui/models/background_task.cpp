@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/background_task.h"
 
-#include <QMetaObject>
+#include "core/workflow/call_later.h"
+
 
 namespace odo {
 
@@ -20,20 +21,15 @@ bool BackgroundTask::start(Work work)
     m_cancel = CancelToken();
     const JobControl control{m_cancel, [this](double fraction, const std::string &text) {
                                  const QString words = QString::fromStdString(text);
-                                 QMetaObject::invokeMethod(
-                                     this, [this, fraction, words] { Q_EMIT progressed(fraction, words); },
-                                     Qt::QueuedConnection);
+                                 callLater(this, [this, fraction, words] { Q_EMIT progressed(fraction, words); });
                              }};
     m_thread = std::thread([this, control, work = std::move(work)] {
         const Result<void> result = work(control);
-        QMetaObject::invokeMethod(
-            this,
-            [this, result] {
-                m_thread.join();
-                m_running = false;
-                Q_EMIT finished(result ? std::nullopt : std::optional<Error>(result.error()));
-            },
-            Qt::QueuedConnection);
+        callLater(this, [this, result] {
+            m_thread.join();
+            m_running = false;
+            Q_EMIT finished(result ? std::nullopt : std::optional<Error>(result.error()));
+        });
     });
     return true;
 }

@@ -2,6 +2,7 @@
 #include "ui/models/project_reader.h"
 
 #include "core/project/project.h"
+#include "core/workflow/call_later.h"
 
 #include <utility>
 
@@ -19,7 +20,7 @@ void ProjectReader::ask(Request request)
     m_next = std::move(request);
     m_isWanted = false;
     if (isFirst)
-        QMetaObject::invokeMethod(this, &ProjectReader::begin, Qt::QueuedConnection);
+        callLater(this, [this] { begin(); });
 }
 
 void ProjectReader::begin()

@@ -3,10 +3,10 @@
 
 #include "core/base/steady_now.h"
 #include "core/project/project.h"
+#include "core/workflow/call_later.h"
 #include "core/workflow/hash_job.h"
 #include "core/workflow/live_trial.h"
 
-#include <QMetaObject>
 
 namespace odo {
 namespace {
@@ -74,23 +74,19 @@ void RunRecorder::end()
 
 void RunRecorder::tell(const Error &error)
 {
-    QMetaObject::invokeMethod(
-        this, [this, error] { Q_EMIT failed(error); }, Qt::QueuedConnection);
+    callLater(this, [this, error] { Q_EMIT failed(error); });
 }
 
 /// From now on another one may begin.
 void RunRecorder::tellEnd(const QString &trial, const Result<QStringList> &warnings)
 {
-    QMetaObject::invokeMethod(
-        this,
-        [this, trial, warnings] {
-            m_state = State::Idle;
-            if (warnings)
-                Q_EMIT recorded(trial, *warnings);
-            else
-                Q_EMIT gaveUp(trial, warnings.error());
-        },
-        Qt::QueuedConnection);
+    callLater(this, [this, trial, warnings] {
+        m_state = State::Idle;
+        if (warnings)
+            Q_EMIT recorded(trial, *warnings);
+        else
+            Q_EMIT gaveUp(trial, warnings.error());
+    });
 }
 
 /// Waits for it, until it is time to store.

@@ -3,9 +3,9 @@
 
 #include "core/capture/awaited_source.h"
 #include "core/video/picture.h"
+#include "core/workflow/call_later.h"
 #include "ui/views/screen_image.h"
 
-#include <QMetaObject>
 
 namespace odo {
 
@@ -27,7 +27,7 @@ RunningCameras::~RunningCameras()
 
 void RunningCameras::onWorker(std::function<void()> work)
 {
-    QMetaObject::invokeMethod(&m_worker, std::move(work), Qt::QueuedConnection);
+    callLater(&m_worker, std::move(work));
 }
 
 void RunningCameras::start(std::vector<WantedCamera> cameras)
@@ -38,8 +38,7 @@ void RunningCameras::start(std::vector<WantedCamera> cameras)
     m_opening = true;
     onWorker([this, wanted = m_cameras, generation = m_generation] {
         const auto opened = std::make_shared<Sources>(openAll(wanted));
-        QMetaObject::invokeMethod(
-            this, [this, generation, opened] { adopt(generation, opened); }, Qt::QueuedConnection);
+        callLater(this, [this, generation, opened] { adopt(generation, opened); });
     });
 }
 
@@ -100,13 +99,10 @@ Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
                                                  m_toShow.pushOrDrop(sight);
                                          },
                                          [this, generation = m_generation](const LiveMoment &moment) {
-                                             QMetaObject::invokeMethod(
-                                                 this,
-                                                 [this, generation, moment] {
-                                                     if (generation == m_generation)
-                                                         Q_EMIT moved(moment);
-                                                 },
-                                                 Qt::QueuedConnection);
+                                             callLater(this, [this, generation, moment] {
+                                                 if (generation == m_generation)
+                                                     Q_EMIT moved(moment);
+                                             });
                                          }};
     auto tracker = LiveTracker::create(views, m_robots, subscribe(), listener);
     if (tracker) {
@@ -149,8 +145,7 @@ void RunningCameras::showPictures()
         }
         LivePicture picture{sight->view, toImage(toScreen(frame, size.width(), size.height())), taken,
                             sight->observations};
-        QMetaObject::invokeMethod(
-            this, [this, picture] { deliver(picture); }, Qt::QueuedConnection);
+        callLater(this, [this, picture] { deliver(picture); });
     }
 }
 

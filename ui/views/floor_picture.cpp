@@ -3,8 +3,8 @@
 
 #include "core/video/picture.h"
 #include "core/video/video_reader.h"
+#include "core/workflow/call_later.h"
 
-#include <QMetaObject>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -241,8 +241,7 @@ void FloorPictureMaker::begin()
     m_cancel = CancelToken();
     m_thread = std::thread([this, scene = m_scene, extent = m_extent, side = m_sidePx, cancel = m_cancel] {
         const FloorPicture picture = makeFloorPicture(*scene, extent, side, cancel);
-        QMetaObject::invokeMethod(
-            this, [this, picture, cancel] { finish(picture, cancel.isCancelled()); }, Qt::QueuedConnection);
+        callLater(this, [this, picture, cancel] { finish(picture, cancel.isCancelled()); });
     });
 }
 

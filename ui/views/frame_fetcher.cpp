@@ -3,9 +3,9 @@
 
 #include "core/video/picture.h"
 #include "core/video/video_reader.h"
+#include "core/workflow/call_later.h"
 #include "ui/views/screen_image.h"
 
-#include <QMetaObject>
 #include <condition_variable>
 #include <list>
 #include <mutex>
@@ -192,19 +192,16 @@ void FrameFetcher::Worker::serve(const Request &request)
 
 void FrameFetcher::Worker::deliver(const Request &request, const QImage &image, const QString &error)
 {
-    QMetaObject::invokeMethod(
-        &owner,
-        [this, generationAsked = request.generation, serial = request.serial, frame = request.frame, image,
-         error] {
-            if (generationAsked != generation)
-                return;
-            answeredSerial = std::max(answeredSerial, serial);
-            if (!image.isNull())
-                Q_EMIT owner.frameReady(frame, image);
-            else if (!error.isEmpty())
-                Q_EMIT owner.failed(frame, error);
-        },
-        Qt::QueuedConnection);
+    callLater(&owner, [this, generationAsked = request.generation, serial = request.serial,
+                       frame = request.frame, image, error] {
+        if (generationAsked != generation)
+            return;
+        answeredSerial = std::max(answeredSerial, serial);
+        if (!image.isNull())
+            Q_EMIT owner.frameReady(frame, image);
+        else if (!error.isEmpty())
+            Q_EMIT owner.failed(frame, error);
+    });
 }
 
 FrameFetcher::FrameFetcher(QObject *parent) : QObject(parent), m_worker(std::make_unique<Worker>(*this)) {}

@@ -117,9 +117,13 @@ void TestAravisStreaming::picturesThatWereNeverSentAreGaps()
     QVERIFY(source);
     const auto before = take(*source, 10);
     camera.skipIds = 3;
-    const auto after = take(*source, 20);
-    QCOMPARE(after.size(), std::size_t(20));
-    const std::uint64_t gaps = after.back().sequence - before.front().sequence + 1 - 30;
+    std::uint64_t taken = before.size(), gaps = 0;
+    while (gaps < 3 && taken < 300) { // those that were sent before are still on their way
+        const auto after = take(*source, 10);
+        QCOMPARE(after.size(), std::size_t(10));
+        taken += after.size();
+        gaps = after.back().sequence - before.front().sequence + 1 - taken;
+    }
     QVERIFY2(gaps >= 3 && gaps <= 11 * slowness, qPrintable(QString::number(gaps)));
 }
 

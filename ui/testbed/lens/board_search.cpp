@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/lens/board_search.h"
 
+#include "core/workflow/call_later.h"
 #include "ui/testbed/lens/board_search_worker.h"
 #include "ui/testbed/lens/watched_camera.h"
 
@@ -34,7 +35,7 @@ BoardSearch::~BoardSearch()
 
 void BoardSearch::ask(std::function<void(BoardSearchWorker &)> what)
 {
-    QMetaObject::invokeMethod(m_worker, [worker = m_worker, what = std::move(what)] { what(*worker); }, Qt::QueuedConnection);
+    callLater(m_worker, [worker = m_worker, what = std::move(what)] { what(*worker); });
 }
 
 void BoardSearch::begin(const BoardSpec &spec)

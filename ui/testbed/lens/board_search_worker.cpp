@@ -4,6 +4,7 @@
 #include "core/video/picture.h"
 #include "core/video/picture_writer.h"
 #include "core/video/video_reader.h"
+#include "core/workflow/call_later.h"
 #include "core/workflow/picture_source.h"
 #include "ui/testbed/lens/watched_camera.h"
 #include "ui/views/path_field.h"
@@ -64,7 +65,7 @@ void BoardSearchWorker::goOn()
 {
     if (std::exchange(m_going, true))
         return;
-    QMetaObject::invokeMethod(this, &BoardSearchWorker::step, Qt::QueuedConnection);
+    callLater(this, [this] { step(); });
 }
 
 void BoardSearchWorker::step()

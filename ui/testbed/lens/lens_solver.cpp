@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/lens/lens_solver.h"
 
-#include <QMetaObject>
+#include "core/workflow/call_later.h"
+
 #include <cmath>
 
 namespace odo {
@@ -49,14 +50,14 @@ void LensSolver::start()
     JobControl control;
     control.cancel = m_cancel;
     control.progress = [this, cancel = m_cancel](double fraction, const std::string &text) {
-        QMetaObject::invokeMethod(this, [this, cancel, fraction, words = QString::fromStdString(text)] {
+        callLater(this, [this, cancel, fraction, words = QString::fromStdString(text)] {
             if (!cancel.isCancelled())
                 Q_EMIT progressed(fraction, words);
         });
     };
     m_thread = std::thread([this, control, question = std::move(*m_next)] {
         Result<LensAnswer> answer = answerTo(question, control);
-        QMetaObject::invokeMethod(this, [this, answer = std::move(answer)] { finish(answer); }, Qt::QueuedConnection);
+        callLater(this, [this, answer = std::move(answer)] { finish(answer); });
     });
     m_next.reset();
 }

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMetaObject>
+#include <QObject>
+#include <type_traits>
+#include <utility>
+
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/tsan_interface.h>
+#endif
+
+namespace odo {
+
+/// A call on its way from one thread to another. Qt's event queue orders what both do with it, by a lock that
+/// ThreadSanitizer cannot see in a library that is not built with it; in its builds that order is told to it
+/// here, so that whatever it still reports is ours.
+template <class Call> class CallOnItsWay
+{
+public:
+    explicit CallOnItsWay(Call call) : m_call(std::move(call)) {}
+    CallOnItsWay(CallOnItsWay &&other) : m_call(std::move(other.m_call)) { handOver(); }
+    ~CallOnItsWay() { takeOver(); }
+    CallOnItsWay &operator=(CallOnItsWay &&) = delete;
+
+    void operator()()
+    {
+        takeOver();
+        m_call();
+    }
+
+private:
+#ifdef __SANITIZE_THREAD__
+    static inline char s_order = 0;
+    static void handOver() { __tsan_release(&s_order); }
+    static void takeOver() { __tsan_acquire(&s_order); }
+#else
+    static void handOver() {}
+    static void takeOver() {}
+#endif
+    Call m_call;
+};
+
+/// Calls on the context's thread, in a later turn of its event loop, in the order in which one thread asks; never
+/// after the context is gone. Any thread: this is how threads tell windows and jobs what they have done.
+template <class Call> void callLater(QObject *context, Call &&call)
+{
+    QMetaObject::invokeMethod(context, CallOnItsWay<std::decay_t<Call>>(std::forward<Call>(call)),
+                              Qt::QueuedConnection);
+}
+
+} // namespace odo
