@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/compare/compare_column.h"
 
-#include "ui/compare/comparison_curves.h"
+#include "ui/views/comparison_curves.h"
 #include "ui/compare/run_chooser.h"
 #include "ui/models/difference_model.h"
 #include "ui/models/timeline.h"

@@ -3,23 +3,23 @@
 
 #include "ui/models/profile_place.h"
 #include "ui/models/timeline.h"
+#include "ui/views/comparison_painting.h"
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
 
 #include <QKeyEvent>
 #include <QLineF>
 #include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace odo {
 
 namespace {
 
-constexpr double gateHalfPx = 17, grabPx = 9, clickPx = 20, closestPx = 0.8;
-constexpr int mostDashed = 20000; // points of a way
+constexpr double grabPx = 9, clickPx = 20;
 constexpr double fineM = 0.01, coarseM = 0.1;
 
 } // namespace
@@ -68,39 +68,8 @@ MapPlan CompareMap::plan() const
     return {m_bounds, QSizeF(size())};
 }
 
-void CompareMap::paintWays(QPainter &painter) const
-{
-    const MapPlan shown = plan();
-    for (std::size_t run = m_scene->runCount(); run-- > 0;) { // the first one on top
-        QPainterPath way;
-        std::optional<QPointF> last;
-        for (const ProfilePoint &point : m_scene->profile(run).points) {
-            if (!point.valid) {
-                last.reset();
-                continue;
-            }
-            const QPointF at = shown.fromWorld(point.position);
-            if (!last)
-                way.moveTo(at);
-            else if (QLineF(*last, at).length() < closestPx)
-                continue;
-            else
-                way.lineTo(at);
-            last = at;
-        }
-        // Dashes of a very long way take long to paint, and cover one another.
-        const Qt::PenStyle dash = way.elementCount() < mostDashed ? seriesDash(int(run)) : Qt::SolidLine;
-        QColor rim = ThemeColours::of(palette()).mapGround;
-        rim.setAlpha(170);
-        painter.strokePath(way, QPen(rim, 4.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.strokePath(way,
-                           QPen(seriesColour(int(run), palette()), 2.2, dash, Qt::RoundCap, Qt::RoundJoin));
-    }
-}
-
 void CompareMap::paintStill(QPainter &painter) const
 {
-    const ThemeColours colours = ThemeColours::of(palette());
     const MapPlan shown = plan();
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     if (!m_floor.image.isNull()) {
@@ -111,9 +80,7 @@ void CompareMap::paintStill(QPainter &painter) const
                           m_floor.image);
         painter.setOpacity(1);
     }
-    QColor foot = colours.mapGround;
-    foot.setAlpha(215);
-    painter.fillRect(QRectF(0, height() - MapPlan::footHeight, width(), MapPlan::footHeight), foot);
+    drawMapFoot(painter, shown, palette());
     drawMapGrid(painter, shown, palette(), !m_floor.image.isNull());
     const TrialScene &first = *m_scene->scenes.front();
     if (first.layout)
@@ -121,44 +88,19 @@ void CompareMap::paintStill(QPainter &painter) const
     if (m_scene->compared.comparison.isTasksPath)
         drawReferencePath(
             painter, path(), [&](const Eigen::Vector2d &point) { return shown.fromWorld(point); }, palette());
-    paintWays(painter);
+    std::vector<std::size_t> runs(m_scene->runCount());
+    std::iota(runs.begin(), runs.end(), std::size_t(0));
+    drawWays(painter, shown, *m_scene, runs, palette());
 }
 
 QLineF CompareMap::gateLine(std::size_t gate) const
 {
-    const PathPoint at = pointAt(path(), m_gates[gate].stationM);
-    const QPointF middle = plan().fromWorld(at.position),
-                  across(-at.direction.y(), -at.direction.x()); // Y is up on the floor
-    return {middle - gateHalfPx * across, middle + gateHalfPx * across};
+    return pathGateLine(plan(), path(), m_gates[gate]);
 }
 
 QPointF CompareMap::gatePlace(std::size_t gate) const
 {
     return gateLine(gate).center();
-}
-
-void CompareMap::paintGate(QPainter &painter, std::size_t gate) const
-{
-    const ThemeColours colours = ThemeColours::of(palette());
-    const bool isChosen = m_chosen == gate;
-    const QLineF line = gateLine(gate);
-    const QColor colour = isChosen ? colours.accent : colours.text;
-    painter.setPen(QPen(colours.mapGround, 5.5, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(line);
-    painter.setPen(QPen(colour, isChosen ? 3.5 : 2.5, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(line);
-    painter.setBrush(colours.card);
-    painter.drawEllipse(line.center(), 4, 4);
-    const QString name = QString::fromStdString(m_gates[gate].name);
-    const QFontMetricsF metrics(painter.font());
-    const QPointF end = line.y1() < line.y2() ? line.p1() : line.p2();
-    const QRectF box(end.x() - metrics.horizontalAdvance(name) / 2 - 3, end.y() - metrics.height() - 2,
-                     metrics.horizontalAdvance(name) + 6, metrics.height());
-    QColor ground = colours.mapGround;
-    ground.setAlpha(200);
-    painter.fillRect(box, ground);
-    painter.setPen(colour);
-    painter.drawText(box, Qt::AlignCenter, name);
 }
 
 void CompareMap::paintRobots(QPainter &painter) const
@@ -186,7 +128,8 @@ void CompareMap::paintEvent(QPaintEvent *)
     drawStill(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     for (std::size_t gate = 0; gate < m_gates.size(); ++gate)
-        paintGate(painter, gate);
+        drawPathGate(painter, gateLine(gate), QString::fromStdString(m_gates[gate].name), m_chosen == gate,
+                     palette());
     paintRobots(painter);
     if (hasFocus()) {
         painter.setBrush(Qt::NoBrush);

@@ -50,8 +50,6 @@ private:
     MapPlan plan() const;
     const ReferencePath &path() const { return m_scene->compared.comparison.path; }
     void paintStill(QPainter &painter) const override;
-    void paintWays(QPainter &painter) const;
-    void paintGate(QPainter &painter, std::size_t gate) const;
     void paintRobots(QPainter &painter) const;
     QLineF gateLine(std::size_t gate) const;
     std::optional<std::size_t> gateAt(const QPointF &place) const;

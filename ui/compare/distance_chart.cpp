@@ -4,7 +4,7 @@
 #include "ui/models/figure_text.h"
 #include "ui/models/shown_units.h"
 #include "ui/models/timeline.h"
-#include "ui/views/curve_painting.h"
+#include "ui/views/comparison_painting.h"
 #include "ui/views/series_key.h"
 #include "ui/views/theme.h"
 
@@ -14,15 +14,6 @@
 #include <algorithm>
 
 namespace odo {
-
-namespace {
-
-QString unitOf(Compared what)
-{
-    return what == Compared::Speed ? shownUnits().speed.name : QStringLiteral("s");
-}
-
-} // namespace
 
 DistanceArea::DistanceArea(Timeline &timeline, Compared what, QWidget *parent)
     : QWidget(parent), m_timeline(timeline), m_what(what)
@@ -39,68 +30,24 @@ void DistanceArea::setScene(ComparisonScenePtr scene)
     m_scene = std::move(scene);
     m_curves.clear();
     if (m_scene)
-        m_curves = m_what == Compared::Speed ? speedCurves(*m_scene) : differenceCurves(*m_scene);
+        m_curves = comparedCurves(*m_scene, m_what);
     setRanges();
 }
 
 void DistanceArea::setRanges()
 {
-    double low = 0, high = 0;
-    for (const DistanceCurve &curve : m_curves)
-        for (const DistanceCurve::Stretch &stretch : curve.stretches)
-            for (const QPointF &point : stretch.curve.line) {
-                low = std::min(low, point.y());
-                high = std::max(high, point.y());
-            }
-    if (high - low < 1e-3)
-        high = low + (m_what == Compared::Speed ? 1 : 0.1);
-    m_values = coveringTicks(low, high, std::max(2, int(ChartPlot::rectIn(rect()).height() / 23)));
-    m_low = 0;
-    m_high = 1;
-    if (m_scene && !m_scene->compared.comparison.waysM.empty()) {
-        const RunComparison &comparison = m_scene->compared.comparison;
-        m_low = comparison.distanceM(0);
-        m_high = comparison.distanceM(comparison.waysM.size() - 1);
-    }
+    m_plot = comparedPlot(ChartPlot::rectIn(QRectF(rect())), m_scene.get(), m_what, m_curves);
     m_still = {};
     update();
-}
-
-ChartPlot DistanceArea::plot() const
-{
-    return {ChartPlot::rectIn(QRectF(rect())), m_low, m_high, m_values};
-}
-
-void DistanceArea::paintCurve(QPainter &painter, const ChartPlot &plot, const DistanceCurve &curve) const
-{
-    const QColor colour = seriesColour(int(curve.run), palette()), faint = ThemeColours::of(palette()).muted;
-    for (const DistanceCurve::Stretch &stretch : curve.stretches)
-        drawCurveRun(painter, plot, stretch.curve,
-                     {stretch.faint ? faint : colour, seriesDash(int(curve.run))});
-}
-
-void DistanceArea::paintStill(QPainter &painter) const
-{
-    const ChartPlot shown = plot();
-    drawChartAxes(painter, shown, shownUnits().distance, font(), palette());
-    painter.setClipRect(shown.rect);
-    painter.setRenderHint(QPainter::Antialiasing, false);
-    if (m_what == Compared::TimeDifference) { // neither is ahead on this line
-        painter.setPen(QPen(ThemeColours::of(palette()).muted, 1));
-        painter.drawLine(shown.at(shown.low, 0), shown.at(shown.high, 0));
-    }
-    painter.setRenderHint(QPainter::Antialiasing);
-    for (const DistanceCurve &curve : m_curves)
-        paintCurve(painter, shown, curve);
 }
 
 void DistanceArea::paintCursor(QPainter &painter) const
 {
     constexpr double rounding = 1e-3;
     double distance = m_scene->distanceAt(0, m_timeline.currentTime());
-    if (distance < m_low - rounding || distance > m_high + rounding)
+    if (distance < plot().low - rounding || distance > plot().high + rounding)
         return;
-    distance = std::clamp(distance, m_low, m_high);
+    distance = std::clamp(distance, plot().low, plot().high);
     const ChartPlot shown = plot();
     drawChartCursor(painter, shown, distance, palette());
     double top = shown.rect.top();
@@ -109,7 +56,7 @@ void DistanceArea::paintCursor(QPainter &painter) const
                                                      : differenceAt(*m_scene, curve.run, distance);
         if (!value)
             continue;
-        QString text = figureText(value->value, value->sigma, unitOf(m_what)).text();
+        QString text = figureText(value->value, value->sigma, comparedUnit(m_what)).text();
         if (m_what == Compared::Speed || m_curves.size() > 1)
             text.prepend(QString::fromStdString(m_scene->name(curve.run)) + QStringLiteral(": "));
         top = drawChartBubble(painter, shown, {distance, value->value}, top, text,
@@ -125,7 +72,7 @@ void DistanceArea::paintEvent(QPaintEvent *)
         m_still.fill(ThemeColours::of(palette()).card);
         QPainter painter(&m_still);
         painter.setFont(font());
-        paintStill(painter);
+        drawComparedCurves(painter, m_plot, m_what, m_curves, font(), palette());
     }
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_still);

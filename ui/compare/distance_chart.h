@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/compare/comparison_curves.h"
+#include "ui/views/comparison_curves.h"
 #include "ui/views/card.h"
 #include "ui/views/chart_painting.h"
 
@@ -11,9 +11,6 @@ namespace odo {
 
 class SeriesKey;
 class Timeline;
-
-/// What is shown against the distance.
-enum class Compared { Speed, TimeDifference };
 
 /// The plot of one quantity of all runs against the distance; inside DistanceChart. The cursor stands where
 /// the first run is at the shared time; a click, a drag or the arrow keys move it.
@@ -37,10 +34,8 @@ protected:
     void mouseMoveEvent(QMouseEvent *event) override;
 
 private:
-    ChartPlot plot() const;
+    const ChartPlot &plot() const { return m_plot; }
     void setRanges();
-    void paintStill(QPainter &painter) const;
-    void paintCurve(QPainter &painter, const ChartPlot &plot, const DistanceCurve &curve) const;
     void paintCursor(QPainter &painter) const;
     void goTo(double x);
 
@@ -48,9 +43,8 @@ private:
     Compared m_what;
     ComparisonScenePtr m_scene;
     std::vector<DistanceCurve> m_curves;
-    AxisTicks m_values;
-    double m_low = 0, m_high = 1;
-    QPixmap m_still; ///< null: to be painted
+    ChartPlot m_plot;
+    QPixmap m_still; ///< of plot; null: to be painted
 };
 
 /// One quantity of all runs against the distance along the common path, with 95 % bands.

@@ -24,13 +24,7 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    void drawAxes(QPainter &painter, const QRectF &plot) const;
-    void drawProgress(QPainter &painter, const QRectF &plot) const;
-    QPointF place(const QRectF &plot, double ms, double value) const;
-
     TeamStanding m_team; ///< of no runs: nothing is shown
-    double m_firstMs = 0, m_lastMs = 1, m_low = 0, m_high = 1;
-    QString m_unit;
 };
 
 } // namespace odo

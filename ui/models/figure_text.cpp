@@ -45,19 +45,6 @@ QString rounded(double value, int decimals, const QLocale &locale)
     return plain.toString(result, 'f', std::clamp(decimals, 0, mostDecimals));
 }
 
-/// What a metric's unit is shown in; nullopt: itself.
-std::optional<ShownUnit> shownUnitOf(const std::string &unit)
-{
-    const ShownUnits &units = shownUnits();
-    if (unit == "m")
-        return units.distance;
-    if (unit == "mm")
-        return ShownUnit{units.length.name, fromMillimetres(units.length.perSi)};
-    if (unit == "m/s")
-        return units.speed;
-    return unit == "m/s\u00b2" ? std::optional(units.acceleration) : std::nullopt;
-}
-
 FigureText shownFigure(double value, std::optional<double> sigma, const ShownUnit &unit, const QLocale &locale)
 {
     return figureText(value * unit.perSi, sigma ? std::optional(*sigma * unit.perSi) : std::nullopt, unit.name,
@@ -101,19 +88,28 @@ FigureText figureText(double value, std::optional<double> sigma, const QString &
     return {rounded(value, decimals, locale), {}, unit};
 }
 
+ShownUnit metricUnit(const Metric &metric)
+{
+    const ShownUnits &units = shownUnits();
+    if (metric.unit == "rad/s") // nobody drives in radians
+        return {QStringLiteral("\u00b0/s"), 180 / std::numbers::pi};
+    if (metric.name == "path_completed")
+        return {QStringLiteral("%"), 100};
+    if (metric.unit == "m")
+        return units.distance;
+    if (metric.unit == "mm")
+        return {units.length.name, fromMillimetres(units.length.perSi)};
+    if (metric.unit == "m/s")
+        return units.speed;
+    if (metric.unit == "m/s\u00b2")
+        return units.acceleration;
+    return {metric.unit == "1" ? QString() : QString::fromStdString(metric.unit), 1};
+}
+
 FigureText metricFigure(const Metric &metric, const QLocale &locale)
 {
-    if (metric.unit == "rad/s") { // nobody drives in radians
-        constexpr double degrees = 180 / std::numbers::pi;
-        const auto sigma = metric.sigma ? std::optional(*metric.sigma * degrees) : std::nullopt;
-        return figureText(metric.value * degrees, sigma, QStringLiteral("\u00b0/s"), locale);
-    }
-    if (metric.name == "path_completed")
-        return figureText(100 * metric.value, std::nullopt, QStringLiteral("%"), locale);
-    if (const auto unit = shownUnitOf(metric.unit))
-        return shownFigure(metric.value, metric.sigma, *unit, locale);
-    const QString unit = metric.unit == "1" ? QString() : QString::fromStdString(metric.unit);
-    return figureText(metric.value, metric.sigma, unit, locale);
+    const auto sigma = metric.name == "path_completed" ? std::nullopt : metric.sigma;
+    return shownFigure(metric.value, sigma, metricUnit(metric), locale);
 }
 
 QString metricName(const std::string &name)

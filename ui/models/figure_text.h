@@ -3,6 +3,7 @@
 
 #include "core/base/units.h"
 #include "core/trajectory/profile.h"
+#include "ui/models/shown_units.h"
 
 #include <QLocale>
 #include <QString>
@@ -27,6 +28,8 @@ struct FigureText
 FigureText figureText(double value, std::optional<double> sigma, const QString &unit,
                       const QLocale &locale = QLocale());
 
+/// What a metric is shown in, and by how much its stored value is multiplied for it; a bare number has no name.
+ShownUnit metricUnit(const Metric &metric);
 /// The figure of a metric, in the units that are shown (shown_units.h).
 FigureText metricFigure(const Metric &metric, const QLocale &locale = QLocale());
 /// "max_speed" → "Top speed"; a name that is not known is made readable.

@@ -2,6 +2,7 @@
 #include "ui/review/trial_facts.h"
 
 #include "core/trajectory/gate_passages.h"
+#include "ui/models/analysis_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/score_text.h"
 #include "ui/models/shown_team.h"
@@ -10,7 +11,6 @@
 #include <QDateTime>
 #include <QLocale>
 #include <QStringList>
-#include <cmath>
 #include <filesystem>
 
 namespace odo {
@@ -51,37 +51,6 @@ Fact viewFact(const SceneView &view)
     return fact;
 }
 
-QString millisecondText(double seconds)
-{
-    return Words::tr("%1 ms").arg(QLocale().toString(seconds * 1e3, 'f', 1));
-}
-
-QString begunText(double offsetS)
-{
-    return offsetS < 0 ? Words::tr("begun %1 earlier").arg(millisecondText(-offsetS))
-                       : Words::tr("begun %1 later").arg(millisecondText(offsetS));
-}
-
-QString stepText(const RecordingRecord &view)
-{
-    const QString sigma = millisecondText(view.startOffsetSigmaS), begun = begunText(view.startOffsetS);
-    if (view.syncMethod == "told")
-        return Words::tr("%1, as told by hand").arg(begun);
-    QString text;
-    if (view.syncMethod == "auto")
-        text = Words::tr("in step to %1, found from the motion; %2").arg(sigma, begun);
-    else if (view.syncMethod == "flash")
-        text = Words::tr("in step to %1, found from a flash of light; %2").arg(sigma, begun);
-    else if (view.syncMethod == "clock")
-        text = Words::tr("in step to %1, by the cameras' time stamps; %2").arg(sigma, begun);
-    else
-        return Words::tr("taken as begun together");
-    if (view.clockRate != 0)
-        text += view.clockRate > 0 ? Words::tr(", its clock %1 ppm fast").arg(std::lround(view.clockRate * 1e6))
-                                   : Words::tr(", its clock %1 ppm slow").arg(std::lround(-view.clockRate * 1e6));
-    return text;
-}
-
 Fact stepFact(const SceneView &view)
 {
     Fact fact{Words::tr("In step"),
@@ -90,21 +59,6 @@ Fact stepFact(const SceneView &view)
     if (view.recording.syncMethod != "told" && !isStepMeasured(view.recording))
         fact.badge = {Words::tr("not synchronised"), BadgeState::Warning};
     return fact;
-}
-
-QString smootherText(Smoother smoother)
-{
-    switch (smoother) {
-    case Smoother::Rts:
-        return Words::tr("Kalman/RTS, noise from the data");
-    case Smoother::SavGol:
-        return Words::tr("Savitzky–Golay, cubic, 11 points");
-    case Smoother::Tracker:
-        return Words::tr("differences as in Tracker");
-    case Smoother::None:
-        break;
-    }
-    return Words::tr("none: raw differences");
 }
 
 QString timeText(double seconds, double sigmaS)

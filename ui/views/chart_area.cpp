@@ -85,15 +85,7 @@ ChartArea::RobotCurves ChartArea::curvesOf(std::size_t robot) const
     curves.runs = curveRuns(curves.values, m_quantity, places);
     std::erase_if(curves.runs, [](const CurveRun &run) { return run.line.size() < 2; });
     curves.measured = measuredPoints(profile, m_quantity, places);
-    for (const Spike &spike : profile.spikes) {
-        const auto index = static_cast<std::size_t>(spike.sampleIndex);
-        if (m_quantity != Quantity::Speed || index >= profile.points.size())
-            continue;
-        const auto measured = measuredSpeed(profile, index);
-        if (measured || profile.points[index].valid)
-            curves.spikes.append({places[index], curveFactor(Quantity::Speed) *
-                                                     (measured ? *measured : profile.points[index].speedMps)});
-    }
+    curves.spikes = spikePoints(profile, m_quantity, places);
     return curves;
 }
 
@@ -119,23 +111,6 @@ QPointF ChartArea::positionOf(Nanoseconds time, double value) const
     return plot().at(m_span.cursorPlace(time), value);
 }
 
-void ChartArea::drawSpikes(QPainter &painter) const
-{
-    const ThemeColours colours = ThemeColours::of(palette());
-    painter.setPen(QPen(colours.card, 1));
-    painter.setBrush(colours.spike);
-    for (const RobotCurves &curves : m_curves)
-        for (const QPointF &spike : curves.spikes) {
-            if (spike.x() < m_span.low() || spike.x() > m_span.high())
-                continue;
-            // What lies beyond the axis is shown at its end: every spike is to be seen.
-            const QPointF at =
-                plot().at(spike.x(), std::clamp(spike.y(), m_valueTicks.first, m_valueTicks.last()));
-            const QPointF triangle[] = {at + QPointF(-5.5, 5), at + QPointF(5.5, 5), at + QPointF(0, -6)};
-            painter.drawConvexPolygon(triangle, 3);
-        }
-}
-
 void ChartArea::drawStill(QPainter &painter) const
 {
     const bool isTime = m_span.against() == ChartSpan::Against::Time;
@@ -149,7 +124,8 @@ void ChartArea::drawStill(QPainter &painter) const
             isEmpty = false;
         }
     painter.setRenderHint(QPainter::Antialiasing);
-    drawSpikes(painter);
+    for (const RobotCurves &curves : m_curves)
+        drawChartSpikes(painter, plot(), curves.spikes, palette());
     if (m_scene && isEmpty) {
         painter.setPen(ThemeColours::of(palette()).muted);
         painter.drawText(plotRect(), Qt::AlignCenter, tr("No curve yet: track the trial"));

@@ -72,7 +72,6 @@ private:
     QRectF plotRect() const;
     ChartPlot plot() const;
     void drawStill(QPainter &painter) const;
-    void drawSpikes(QPainter &painter) const;
     void drawFit(QPainter &painter) const;
     void drawCursor(QPainter &painter) const;
     std::optional<CurveValue> valueAt(std::size_t robot, Nanoseconds time) const;

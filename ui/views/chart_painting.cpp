@@ -67,6 +67,21 @@ void drawChartRange(QPainter &painter, const ChartPlot &plot, double from, doubl
             painter.drawLine(QPointF(x, plot.rect.top()), QPointF(x, plot.rect.bottom()));
 }
 
+void drawChartSpikes(QPainter &painter, const ChartPlot &plot, const QList<QPointF> &spikes,
+                     const QPalette &palette)
+{
+    const ThemeColours colours = ThemeColours::of(palette);
+    painter.setPen(QPen(colours.card, 1));
+    painter.setBrush(colours.spike);
+    for (const QPointF &spike : spikes) {
+        if (spike.x() < plot.low || spike.x() > plot.high)
+            continue;
+        const QPointF at = plot.at(spike.x(), std::clamp(spike.y(), plot.values.first, plot.values.last()));
+        const QPointF triangle[] = {at + QPointF(-5.5, 5), at + QPointF(5.5, 5), at + QPointF(0, -6)};
+        painter.drawConvexPolygon(triangle, 3);
+    }
+}
+
 void drawChartFit(QPainter &painter, const ChartPlot &plot, const QList<QPointF> &values,
                   const QPalette &palette)
 {

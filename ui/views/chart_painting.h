@@ -29,6 +29,7 @@ struct ChartPlot
     QRectF rect;
     double low = 0, high = 1; ///< of the axis below
     AxisTicks values;         ///< of the axis at the left
+    double fineness = 1;      ///< columns to a unit of rect, in which many points are drawn as one: more for print
 
     QPointF at(double x, double value) const;
     double xAt(double screenX) const; ///< kept within low and high
@@ -44,6 +45,11 @@ void drawChartCursor(QPainter &painter, const ChartPlot &plot, double x, const Q
 /// A light shade from one place to another, with a line at either end.
 void drawChartRange(QPainter &painter, const ChartPlot &plot, double from, double to,
                     const QPalette &palette);
+
+/// A triangle for each spike that is visible; one beyond the axis at the left stands at its end, for every
+/// spike is to be seen.
+void drawChartSpikes(QPainter &painter, const ChartPlot &plot, const QList<QPointF> &spikes,
+                     const QPalette &palette);
 
 /// A dashed line over the curves, within the plot.
 void drawChartFit(QPainter &painter, const ChartPlot &plot, const QList<QPointF> &values,

@@ -38,14 +38,19 @@ struct Column
     bool isEmpty() const { return high < low; }
 };
 
+int columnCount(const ChartPlot &plot)
+{
+    return std::max(1, int(std::ceil(plot.rect.width() * plot.fineness)));
+}
+
 /// Of each pixel column the extremes of line and band; neighbours reach one another.
 std::vector<Column> columnsOf(const ChartPlot &plot, const CurveRun &run, qsizetype from, qsizetype to)
 {
-    const int count = std::max(1, int(std::ceil(plot.rect.width())));
+    const int count = columnCount(plot);
     std::vector<Column> columns(static_cast<std::size_t>(count));
     const QPointF *line = run.line.constData(), *lower = run.lower.constData(),
                   *upper = run.upper.constData();
-    const double step = (plot.high - plot.low) / plot.rect.width();
+    const double step = (plot.high - plot.low) / (plot.rect.width() * plot.fineness);
     qsizetype i = from;
     while (i < to && line[i].x() < plot.low)
         ++i;
@@ -71,18 +76,19 @@ void drawColumns(QPainter &painter, const ChartPlot &plot, const std::vector<Col
                  const CurvePen &pen)
 {
     constexpr std::size_t dashLength = 10, dashed = 6;
+    const double width = 1 / plot.fineness;
     QList<QRectF> line, band;
     const auto between = [&](std::size_t i, double low, double high, double least) {
         const double top = plot.at(plot.low, high).y(), bottom = plot.at(plot.low, low).y();
         const double height = std::max(least, bottom - top);
-        return QRectF(plot.rect.left() + double(i), (top + bottom - height) / 2, 1, height);
+        return QRectF(plot.rect.left() + double(i) * width, (top + bottom - height) / 2, width, height);
     };
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const Column &column = columns[i];
         if (column.isEmpty())
             continue;
         band << between(i, column.bandLow, column.bandHigh, 1);
-        if (pen.dash == Qt::SolidLine || i % dashLength < dashed)
+        if (pen.dash == Qt::SolidLine || std::size_t(double(i) * width) % dashLength < dashed)
             line << between(i, column.low, column.high, lineWidth);
     }
     QColor haze = pen.colour;
@@ -131,7 +137,7 @@ void drawCurveRun(QPainter &painter, const ChartPlot &plot, const CurveRun &run,
         return;
     painter.save();
     painter.setClipRect(plot.rect);
-    if (to - from > plot.rect.width())
+    if (to - from > columnCount(plot))
         drawColumns(painter, plot, columnsOf(plot, run, from, to), pen);
     else
         drawLine(painter, plot, run, from, to, pen);
@@ -141,7 +147,7 @@ void drawCurveRun(QPainter &painter, const ChartPlot &plot, const CurveRun &run,
 void drawCurvePoints(QPainter &painter, const ChartPlot &plot, const QList<QPointF> &points,
                      const QColor &colour)
 {
-    const int columns = std::max(1, int(plot.rect.width()));
+    const int columns = columnCount(plot);
     const QList<QPointF> shown = decimated(points, plot.low, plot.high, columns);
     painter.save();
     painter.setClipRect(plot.rect);

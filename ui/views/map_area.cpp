@@ -3,42 +3,17 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/models/profile_place.h"
-#include "ui/models/shown_units.h"
 #include "ui/models/timeline.h"
-#include "ui/views/simplified_line.h"
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
+#include "ui/views/trail_painting.h"
 
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <QStringList>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace odo {
-
-namespace {
-
-constexpr double footHeight = MapPlan::footHeight;
-
-double topSpeed(const TrialScene &scene)
-{
-    double top = 0;
-    for (const SceneRobot &robot : scene.robots) {
-        if (!robot.analysis)
-            continue;
-        for (const ProfilePoint &point : robot.analysis->profile.points) {
-            if (point.valid)
-                top = std::max(top, point.speedMps);
-        }
-    }
-    return top;
-}
-
-} // namespace
 
 MapArea::MapArea(Timeline &timeline, QWidget *parent)
     : MapCanvas(parent), m_timeline(timeline), m_bounds(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1))
@@ -58,7 +33,7 @@ void MapArea::setScene(TrialScenePtr scene)
     setDisagreements({});
     if (m_scene) {
         m_bounds = m_scene->floorBounds();
-        m_topSpeedMps = topSpeed(*m_scene);
+        m_topSpeedMps = topSpeedMps(*m_scene);
     }
     m_maker.make(m_scene, m_bounds, plan().scalePx() * devicePixelRatioF());
     update();
@@ -78,64 +53,6 @@ MapPlan MapArea::plan() const
 QPointF MapArea::fromWorld(const Eigen::Vector2d &point) const
 {
     return plan().fromWorld(point);
-}
-
-void MapArea::paintTrail(QPainter &painter, const Profile &profile) const
-{
-    constexpr double tolerancePx = 0.2; // less cannot be seen, and strokes cost by the point
-    constexpr int colourSteps = 48;     // nor can more of them be told apart
-    struct Piece
-    {
-        QPolygonF line;
-        int colour;
-    };
-    std::vector<Piece> pieces;
-    QPainterPath whole;
-    QPolygonF run;
-    const auto endRun = [&] {
-        whole.addPolygon(simplified(run, tolerancePx));
-        run.clear();
-    };
-    for (const ProfilePoint &point : profile.points) {
-        if (!point.valid) {
-            endRun();
-            continue;
-        }
-        const double part = m_topSpeedMps > 0 ? point.speedMps / m_topSpeedMps : 0;
-        const int colour = static_cast<int>(std::lround(colourSteps * part));
-        const QPointF at = fromWorld(point.position);
-        if (!run.isEmpty() && pieces.back().colour == colour)
-            pieces.back().line << at;
-        else
-            pieces.push_back({run.isEmpty() ? QPolygonF({at}) : QPolygonF({run.back(), at}), colour});
-        run << at;
-    }
-    endRun();
-    // A rim, so that both ends of the colour scale stand out from any floor.
-    const QColor rim = isDark(palette()) ? QColor(235, 238, 240, 150) : QColor(25, 30, 35, 110);
-    painter.strokePath(whole, QPen(rim, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    for (const Piece &piece : pieces) {
-        painter.setPen(QPen(scaleColour(double(piece.colour) / colourSteps), 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.drawPolyline(simplified(piece.line, tolerancePx));
-    }
-}
-
-void MapArea::paintSpikes(QPainter &painter, const Profile &profile) const
-{
-    const ThemeColours colours = ThemeColours::of(palette());
-    painter.setPen(QPen(colours.card, 1));
-    painter.setBrush(colours.spike);
-    for (const Spike &spike : profile.spikes) {
-        const auto index = static_cast<std::size_t>(spike.sampleIndex);
-        if (index >= profile.samples.size())
-            continue;
-        const auto &measured = profile.samples[index].position;
-        if (!measured && !profile.points[index].valid)
-            continue;
-        const QPointF at = fromWorld(measured ? *measured : profile.points[index].position);
-        const QPointF triangle[] = {at + QPointF(-6, 5), at + QPointF(6, 5), at + QPointF(0, -6)};
-        painter.drawConvexPolygon(triangle, 3);
-    }
 }
 
 void MapArea::setColouring(MapColouring colouring)
@@ -192,29 +109,14 @@ void MapArea::paintDisagreements(QPainter &painter) const
 
 void MapArea::paintLegend(QPainter &painter) const
 {
-    const bool isSpeed = m_colouring == MapColouring::Speed;
-    if ((isSpeed ? m_topSpeedMps : m_topDisagreementM) <= 0)
-        return;
-    constexpr int barWidth = 76, barHeight = 7;
-    const double left = 12, middle = height() - footHeight / 2.0 + 1;
-    const ThemeColours colours = ThemeColours::of(palette());
-    QLinearGradient gradient(left, 0, left + barWidth, 0);
-    for (int i = 0; i <= 8; ++i)
-        gradient.setColorAt(i / 8.0, scaleColour(i / 8.0));
-    painter.setPen(QPen(colours.border, 1));
-    painter.setBrush(gradient);
-    painter.drawRect(QRectF(left, middle - barHeight / 2.0, barWidth, barHeight));
-    painter.setPen(colours.muted);
-    const ShownUnit &speed = shownUnits().speed;
-    const double top = speed.perSi * m_topSpeedMps;
-    painter.drawText(QPointF(left + barWidth + 7, middle + QFontMetricsF(font()).capHeight() / 2),
-                     isSpeed ? tr("0 to %1 %2").arg(QLocale().toString(top, 'f', top < 1 ? 2 : 1), speed.name)
-                             : tr("0 to %1 apart").arg(lengthText(m_topDisagreementM)));
+    if (m_colouring == MapColouring::Speed)
+        drawSpeedLegend(painter, plan(), m_topSpeedMps, palette());
+    else if (m_topDisagreementM > 0)
+        drawScaleLegend(painter, plan(), tr("0 to %1 apart").arg(lengthText(m_topDisagreementM)), palette());
 }
 
 void MapArea::paintStill(QPainter &painter) const
 {
-    const ThemeColours colours = ThemeColours::of(palette());
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     if (!m_floor.image.isNull()) {
         constexpr double muted = 0.55; // the trail comes first
@@ -224,10 +126,7 @@ void MapArea::paintStill(QPainter &painter) const
                           m_floor.image);
         painter.setOpacity(1);
     }
-    // The foot is kept calm, so that scale and legend can be read over any floor.
-    QColor foot = colours.mapGround;
-    foot.setAlpha(215);
-    painter.fillRect(QRectF(0, height() - footHeight, width(), footHeight), foot);
+    drawMapFoot(painter, plan(), palette());
     drawMapGrid(painter, plan(), palette(), !m_floor.image.isNull());
     if (m_scene->layout)
         drawMapMarkers(painter, plan(), *m_scene->layout, palette());
@@ -236,7 +135,7 @@ void MapArea::paintStill(QPainter &painter) const
         drawReferencePath(painter, m_scene->task->path, toScreen, palette());
     for (const SceneRobot &robot : m_scene->robots) {
         if (robot.analysis && m_colouring == MapColouring::Speed)
-            paintTrail(painter, robot.analysis->profile);
+            drawSpeedTrail(painter, plan(), robot.analysis->profile, m_topSpeedMps, palette());
     }
     if (m_colouring == MapColouring::Disagreement)
         paintDisagreements(painter);
@@ -244,7 +143,7 @@ void MapArea::paintStill(QPainter &painter) const
         drawGates(painter, m_scene->task->gates, toScreen, palette());
     for (const SceneRobot &robot : m_scene->robots) {
         if (robot.analysis)
-            paintSpikes(painter, robot.analysis->profile);
+            drawMapSpikes(painter, plan(), robot.analysis->profile, palette());
     }
     paintLegend(painter);
 }

@@ -45,8 +45,6 @@ protected:
 private:
     MapPlan plan() const;
     void paintStill(QPainter &painter) const override;
-    void paintTrail(QPainter &painter, const Profile &profile) const;
-    void paintSpikes(QPainter &painter, const Profile &profile) const;
     void paintDisagreements(QPainter &painter) const;
     void paintLegend(QPainter &painter) const;
     void paintRobot(QPainter &painter, std::size_t robot) const;

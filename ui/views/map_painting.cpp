@@ -88,6 +88,14 @@ void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette
         Qt::AlignRight | Qt::AlignBottom, Words::tr("grid %1 %2").arg(ticks.label(ticks.step), unit.name));
 }
 
+void drawMapFoot(QPainter &painter, const MapPlan &plan, const QPalette &palette)
+{
+    QColor foot = ThemeColours::of(palette).mapGround;
+    foot.setAlpha(215);
+    painter.fillRect(
+        QRectF(0, plan.size.height() - MapPlan::footHeight, plan.size.width(), MapPlan::footHeight), foot);
+}
+
 void drawMapMarkers(QPainter &painter, const MapPlan &plan, const MarkerLayout &layout,
                     const QPalette &palette)
 {

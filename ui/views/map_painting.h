@@ -31,6 +31,8 @@ struct MapPlan
 
 /// A line every round distance, and the distance at the foot.
 void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette, bool overPicture);
+/// The foot is kept calm, so that scale and legend can be read over any floor.
+void drawMapFoot(QPainter &painter, const MapPlan &plan, const QPalette &palette);
 /// The markers of a layout with their labels, outside of the field.
 void drawMapMarkers(QPainter &painter, const MapPlan &plan, const MarkerLayout &layout,
                     const QPalette &palette);

@@ -107,4 +107,19 @@ QList<QPointF> measuredPoints(const Profile &profile, Quantity quantity, const s
     return points;
 }
 
+QList<QPointF> spikePoints(const Profile &profile, Quantity quantity, const std::vector<double> &places)
+{
+    QList<QPointF> spikes;
+    for (const Spike &spike : profile.spikes) {
+        const auto index = static_cast<std::size_t>(spike.sampleIndex);
+        if (quantity != Quantity::Speed || index >= profile.points.size())
+            continue;
+        const auto measured = measuredSpeed(profile, index);
+        if (measured || profile.points[index].valid)
+            spikes.append({places[index], curveFactor(Quantity::Speed) *
+                                              (measured ? *measured : profile.points[index].speedMps)});
+    }
+    return spikes;
+}
+
 } // namespace odo

@@ -37,4 +37,8 @@ ValueRange valueRange(const std::vector<const CurveRun *> &runs, Quantity quanti
 /// measuredValues as points at the places of the samples, in the unit of curveUnit; empty for the turn rate.
 QList<QPointF> measuredPoints(const Profile &profile, Quantity quantity, const std::vector<double> &places);
 
+/// The spikes of a curve of speed, where they were measured or else where the curve is; empty for every other
+/// quantity.
+QList<QPointF> spikePoints(const Profile &profile, Quantity quantity, const std::vector<double> &places);
+
 } // namespace odo

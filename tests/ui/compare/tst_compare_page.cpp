@@ -7,7 +7,7 @@
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_map.h"
 #include "ui/compare/compare_page.h"
-#include "ui/compare/comparison_curves.h"
+#include "ui/views/comparison_curves.h"
 #include "ui/compare/distance_chart.h"
 #include "ui/compare/run_chooser.h"
 #include "ui/models/difference_model.h"

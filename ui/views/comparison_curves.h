@@ -21,10 +21,17 @@ struct DistanceCurve
     std::vector<Stretch> stretches;
 };
 
+/// What is shown against the distance.
+enum class Compared { Speed, TimeDifference };
+/// "m/s" or as shown_units.h has it; "s".
+QString comparedUnit(Compared what);
+
 /// The speed of every run where it first came to each station, in the unit that is shown.
 std::vector<DistanceCurve> speedCurves(const ComparisonScene &scene);
 /// How much later each run but the first is, seconds; faint where that is within its error.
 std::vector<DistanceCurve> differenceCurves(const ComparisonScene &scene);
+
+std::vector<DistanceCurve> comparedCurves(const ComparisonScene &scene, Compared what);
 
 /// The same at one place; nullopt where a run was not there.
 std::optional<CurveValue> speedAt(const ComparisonScene &scene, std::size_t run, double distanceM);

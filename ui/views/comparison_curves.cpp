@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/compare/comparison_curves.h"
+#include "ui/views/comparison_curves.h"
 
 #include "ui/models/shown_units.h"
 
@@ -44,6 +44,11 @@ DistanceCurve curveOf(const ComparisonScene &scene, std::size_t run, bool isNeve
 
 } // namespace
 
+QString comparedUnit(Compared what)
+{
+    return what == Compared::Speed ? shownUnits().speed.name : QStringLiteral("s");
+}
+
 std::vector<DistanceCurve> speedCurves(const ComparisonScene &scene)
 {
     std::vector<DistanceCurve> curves;
@@ -64,6 +69,11 @@ std::vector<DistanceCurve> differenceCurves(const ComparisonScene &scene)
             return scene.compared.comparison.timeDifference(run, station);
         }));
     return curves;
+}
+
+std::vector<DistanceCurve> comparedCurves(const ComparisonScene &scene, Compared what)
+{
+    return what == Compared::Speed ? speedCurves(scene) : differenceCurves(scene);
 }
 
 std::optional<CurveValue> speedAt(const ComparisonScene &scene, std::size_t run, double distanceM)

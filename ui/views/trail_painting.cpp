@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/trail_painting.h"
+
+#include "ui/models/shown_units.h"
+#include "ui/models/trial_scene.h"
+#include "ui/views/simplified_line.h"
+#include "ui/views/theme.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr int colourSteps = 48; // more of them cannot be told apart
+
+class Words
+{
+    Q_DECLARE_TR_FUNCTIONS(TrailPainting)
+};
+
+/// A stretch of one colour.
+struct Piece
+{
+    QPolygonF line;
+    int colour = 0;
+};
+
+} // namespace
+
+double topSpeedMps(const TrialScene &scene)
+{
+    double top = 0;
+    for (const SceneRobot &robot : scene.robots) {
+        if (!robot.analysis)
+            continue;
+        for (const ProfilePoint &point : robot.analysis->profile.points) {
+            if (point.valid)
+                top = std::max(top, point.speedMps);
+        }
+    }
+    return top;
+}
+
+void drawSpeedTrail(QPainter &painter, const MapPlan &plan, const Profile &profile, double topMps,
+                    const QPalette &palette)
+{
+    constexpr double tolerancePx = 0.2; // less cannot be seen, and strokes cost by the point
+    std::vector<Piece> pieces;
+    QPainterPath whole;
+    QPolygonF run;
+    const auto endRun = [&] {
+        whole.addPolygon(simplified(run, tolerancePx));
+        run.clear();
+    };
+    for (const ProfilePoint &point : profile.points) {
+        if (!point.valid) {
+            endRun();
+            continue;
+        }
+        const double part = topMps > 0 ? point.speedMps / topMps : 0;
+        const int colour = static_cast<int>(std::lround(colourSteps * part));
+        const QPointF at = plan.fromWorld(point.position);
+        if (!run.isEmpty() && pieces.back().colour == colour)
+            pieces.back().line << at;
+        else
+            pieces.push_back({run.isEmpty() ? QPolygonF({at}) : QPolygonF({run.back(), at}), colour});
+        run << at;
+    }
+    endRun();
+    const QColor rim = isDark(palette) ? QColor(235, 238, 240, 150) : QColor(25, 30, 35, 110);
+    painter.strokePath(whole, QPen(rim, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    for (const Piece &piece : pieces) {
+        painter.setPen(QPen(scaleColour(double(piece.colour) / colourSteps), 3, Qt::SolidLine, Qt::RoundCap,
+                            Qt::RoundJoin));
+        painter.drawPolyline(simplified(piece.line, tolerancePx));
+    }
+}
+
+void drawMapSpikes(QPainter &painter, const MapPlan &plan, const Profile &profile, const QPalette &palette)
+{
+    const ThemeColours colours = ThemeColours::of(palette);
+    painter.setPen(QPen(colours.card, 1));
+    painter.setBrush(colours.spike);
+    for (const Spike &spike : profile.spikes) {
+        const auto index = static_cast<std::size_t>(spike.sampleIndex);
+        if (index >= profile.samples.size())
+            continue;
+        const auto &measured = profile.samples[index].position;
+        if (!measured && !profile.points[index].valid)
+            continue;
+        const QPointF at = plan.fromWorld(measured ? *measured : profile.points[index].position);
+        const QPointF triangle[] = {at + QPointF(-6, 5), at + QPointF(6, 5), at + QPointF(0, -6)};
+        painter.drawConvexPolygon(triangle, 3);
+    }
+}
+
+void drawScaleLegend(QPainter &painter, const MapPlan &plan, const QString &words, const QPalette &palette)
+{
+    constexpr int barWidth = 76, barHeight = 7;
+    const double left = 12, middle = plan.size.height() - MapPlan::footHeight / 2.0 + 1;
+    const ThemeColours colours = ThemeColours::of(palette);
+    QLinearGradient gradient(left, 0, left + barWidth, 0);
+    for (int i = 0; i <= 8; ++i)
+        gradient.setColorAt(i / 8.0, scaleColour(i / 8.0));
+    painter.setPen(QPen(colours.border, 1));
+    painter.setBrush(gradient);
+    painter.drawRect(QRectF(left, middle - barHeight / 2.0, barWidth, barHeight));
+    painter.setPen(colours.muted);
+    painter.drawText(QPointF(left + barWidth + 7, middle + QFontMetricsF(painter.font()).capHeight() / 2), words);
+}
+
+void drawSpeedLegend(QPainter &painter, const MapPlan &plan, double topMps, const QPalette &palette)
+{
+    if (topMps <= 0)
+        return;
+    const ShownUnit &speed = shownUnits().speed;
+    const double top = speed.perSi * topMps;
+    drawScaleLegend(painter, plan,
+                    Words::tr("0 to %1 %2").arg(QLocale().toString(top, 'f', top < 1 ? 2 : 1), speed.name),
+                    palette);
+}
+
+} // namespace odo
