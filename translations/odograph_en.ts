@@ -3,6 +3,38 @@
 <!-- Plural forms of the English words alone: every tr("%n …") of the program has its two here. -->
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>ClassReport</name>
+    <message numerus="yes">
+        <source>of %n team(s)</source>
+        <translation><numerusform>of %n team</numerusform><numerusform>of %n teams</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) left out: measured by another course; measure them again.</source>
+        <translation><numerusform>%n trial left out: measured by another course; measure it again.</numerusform><numerusform>%n trials left out: measured by another course; measure them again.</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation><numerusform>and %n more</numerusform><numerusform>and %n more</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>ReportMethod</name>
+    <message numerus="yes">
+        <source>%n missing</source>
+        <translation><numerusform>%n missing</numerusform><numerusform>%n missing</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>RunEvents</name>
+    <message numerus="yes">
+        <source>(%n samples)</source>
+        <translation><numerusform>(%n sample)</numerusform><numerusform>(%n samples)</numerusform></translation>
+    </message>
+</context>
+<context>
     <name>odo::ClassesDialog</name>
     <message numerus="yes">
         <source>%1 (archived, %n team(s))</source>

@@ -32,6 +32,7 @@ Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runList(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runShow(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runReport(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runExport(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel);

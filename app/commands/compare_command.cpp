@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/report_options.h"
 #include "core/workflow/compare_trials.h"
 #include "core/workflow/track_warnings.h"
+#include "ui/main_window/plural_forms.h"
+#include "ui/report/report_job.h"
 
+#include <QCoreApplication>
 #include <QJsonArray>
 
 namespace odo {
@@ -140,6 +144,16 @@ QString answerText(const ComparedTrials &trials, const TrialComparison &compared
     return lines.join(u'\n');
 }
 
+Result<void> writeReport(const CommandCall &call, Project &project, const CompareSettings &settings)
+{
+    const auto options = readReportOptions(call);
+    if (!options)
+        return tl::unexpected(options.error());
+    installPluralForms(*qApp);
+    ReportJob job(comparisonReport(settings, *options), call.value(output), QStringLiteral("Odograph comparison"));
+    return runToEnd(job, project, call.control());
+}
+
 } // namespace
 
 Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
@@ -150,19 +164,17 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
              "P.odo TRIAL1 TRIAL2 [--robot R]... [--align auto|start_gate|motion_onset|distance|SECONDS]"),
          3,
          3,
-         {{{QStringLiteral("o"), output}, QStringLiteral("A report; not made yet."), QStringLiteral("FILE")},
+         QList<QCommandLineOption>{
+          {{QStringLiteral("o"), output}, QStringLiteral("The PDF report to write."), QStringLiteral("FILE")},
           {robot, QStringLiteral("Where a trial has several: of both, or given twice."), QStringLiteral("R")},
           {align,
            QStringLiteral("The moment that counts as the same; SECONDS: how much later TRIAL2's moment comes "
                           "in its recording."),
-           QStringLiteral("HOW"), QStringLiteral("auto")}}},
+           QStringLiteral("HOW"), QStringLiteral("auto")}} +
+             reportOptionSyntax()},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    if (call.isSet(output))
-        return fail(ErrorCode::Unavailable, "compare -o '" + call.value(output) + "'",
-                    "this version makes no report of a comparison",
-                    "leave -o away; --json gives the figures");
     const std::vector<std::string> robots = call.texts(robot);
     if (robots.size() > 2)
         return call.wrongCall(QStringLiteral("--robot is given once for both trials, or once for each"));
@@ -182,6 +194,9 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
     const auto compared = compareTrials(*trials, settings);
     if (!compared)
         return tl::unexpected(compared.error());
+    if (call.isSet(output))
+        if (auto written = writeReport(call, **project, settings); !written)
+            return written;
     call.answer(answerJson(*compared), answerText(*trials, *compared));
     for (const ComparedTrial &run : trials->runs)
         for (const std::string &warning : analysisWarnings(run.analysis, run.trial.name))

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/program.h"
+#include "tests/ui/support/stored_example.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+/// `report` and `compare -o` as scripts call them.
+class TestReports : public QObject
+{
+    Q_OBJECT
+    QTemporaryDir m_folder;
+    QString m_project;
+
+    QString path(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
+    ProgramRun report(const QStringList &arguments) const
+    {
+        return runProgram(QStringList{QStringLiteral("report"), m_project} + arguments);
+    }
+    static bool isPdf(const QString &file)
+    {
+        QFile pdf(file);
+        return pdf.open(QIODevice::ReadOnly) && pdf.read(5) == "%PDF-" && pdf.readAll().trimmed().endsWith("%%EOF");
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        const auto file = storeExample(m_folder.path().toStdString());
+        QVERIFY(file.has_value());
+        m_project = QString::fromStdString(file->string());
+    }
+    void trialsAndTheirClass()
+    {
+        const QString file = path("report.pdf");
+        const ProgramRun run = report({QStringLiteral("Trial 1"), QStringLiteral("Trial 2"), QStringLiteral("-o"), file, QStringLiteral("--class"),
+                                       QStringLiteral("9B"), QStringLiteral("--teams"), QStringLiteral("--method"), QStringLiteral("--json")});
+        QVERIFY2(run.exitStatus == 0, run.err.constData());
+        QVERIFY(isPdf(file));
+        QCOMPARE(run.json().value(QStringLiteral("report")).toString(), file);
+        // The ranking, the one team that has the usual task, and three runs with two pages each.
+        QCOMPARE(run.json().value(QStringLiteral("pages")).toInt(), 1 + 1 + 2 * 3);
+    }
+    void aComparison()
+    {
+        const QString file = path("comparison.pdf");
+        const ProgramRun run =
+            runProgram({QStringLiteral("compare"), m_project, QStringLiteral("Trial 1"), QStringLiteral("Trial 2"), QStringLiteral("--robot"),
+                        QStringLiteral("Red 2"), QStringLiteral("-o"), file, QStringLiteral("--json"), QStringLiteral("--paper"), QStringLiteral("letter")});
+        QVERIFY2(run.exitStatus == 0, run.err.constData());
+        QVERIFY(isPdf(file));
+        QVERIFY(run.json().contains(QStringLiteral("aligned_by"))); // the figures as without it
+    }
+    void whatCannotBeIsSaidInALine_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<int>("status");
+        QTest::addColumn<QString>("words");
+        const QString o = QStringLiteral("-o"), trial = QStringLiteral("Trial 1"), file = path("none.pdf");
+        QTest::newRow("no file") << QStringList{trial} << 2 << QStringLiteral("-o is missing");
+        QTest::newRow("nothing to report") << QStringList{o, file} << 2 << QStringLiteral("name a trial, or a class");
+        QTest::newRow("task without class") << QStringList{trial, o, file, QStringLiteral("--task"), QStringLiteral("x")} << 2
+                                            << QStringLiteral("--task needs --class");
+        QTest::newRow("paper") << QStringList{trial, o, file, QStringLiteral("--paper"), QStringLiteral("a3")} << 2
+                               << QStringLiteral("--paper is a4 or letter");
+        QTest::newRow("trial") << QStringList{trial, QStringLiteral("Trial 9"), o, file} << 1 << QStringLiteral("Trial 9");
+        QTest::newRow("class") << QStringList{o, file, QStringLiteral("--class"), QStringLiteral("7C")} << 1
+                               << QStringLiteral("class '7C': the project has '9B'");
+        QTest::newRow("logo") << QStringList{trial, o, file, QStringLiteral("--logo"), path("no.png")} << 1
+                              << QStringLiteral("choose a PNG, JPEG or SVG picture");
+        QTest::newRow("folder") << QStringList{trial, o, path("no/where.pdf")} << 1 << QStringLiteral("nothing was written");
+    }
+    void whatCannotBeIsSaidInALine()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(int, status);
+        QFETCH(QString, words);
+        const ProgramRun run = report(arguments);
+        QCOMPARE(run.exitStatus, status);
+        QVERIFY(run.out.isEmpty());
+        QCOMPARE(run.err.count('\n'), 1);
+        QVERIFY2(QString::fromUtf8(run.err).contains(words), run.err.constData());
+        QVERIFY(QDir(m_folder.path()).entryList({QStringLiteral("none*")}).isEmpty());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestReports)
+#include "tst_reports.moc"

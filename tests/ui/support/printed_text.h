@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/report/report_page.h"
+
+#include <QList>
+#include <QRectF>
+#include <QString>
+#include <QStringList>
+
+namespace odo::test {
+
+/// Writes pages to a PDF file; the words of what went wrong, or none.
+QString print(const ReportPages &pages, const QString &file);
+
+/// What poppler's programs read in a PDF file: its text in the order of the page, the names of fonts that are not
+/// embedded, and each word with its box (points, from the upper left corner; page sizes in pageSizes).
+QString printedText(const QString &file, int page = 0);
+QStringList fontsNotEmbedded(const QString &file);
+struct PrintedWord
+{
+    int page = 0; ///< from 1
+    QRectF box;
+    QString text;
+};
+struct PrintedWords
+{
+    QList<QSizeF> pageSizes;
+    QList<PrintedWord> words;
+};
+PrintedWords printedWords(const QString &file);
+
+} // namespace odo::test

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/class_report.h"
+
+#include "core/trajectory/hampel.h"
+#include "ui/models/shown_team.h"
+#include "ui/models/standings_model.h"
+#include "ui/report/report_painting.h"
+#include "ui/views/axis_ticks.h"
+#include "ui/views/theme.h"
+#include "ui/views/trend_painting.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr double figuresHeight = 66, partTitleHeight = 21, scaleHeight = 16, gap = 10, footHeight = 30;
+constexpr double leastRow = 17, mostRow = 25;
+
+class Words
+{
+    Q_DECLARE_TR_FUNCTIONS(ClassReport)
+};
+
+QString teamName(const TeamStanding &team)
+{
+    return literalName(shownTeam(team.team, team.pseudonym));
+}
+
+FigureText figureOf(const Standings &standings, double value, std::optional<double> sigma = std::nullopt)
+{
+    Metric metric = standings.teams.front().runs.front().metric; // its name and unit
+    metric.value = value;
+    metric.sigma = sigma;
+    return metricFigure(metric);
+}
+
+QString medianText(const TeamStanding &team, const Standings &standings)
+{
+    const double sigma = team.figures.sigma;
+    return figureOf(standings, team.figures.median, sigma > 0 ? std::optional(sigma) : std::nullopt).text();
+}
+
+std::vector<double> allValues(const Standings &standings)
+{
+    std::vector<double> values;
+    for (const TeamStanding &team : standings.teams)
+        values.insert(values.end(), team.figures.values.begin(), team.figures.values.end());
+    return values;
+}
+
+double bestOf(const Standings &standings)
+{
+    const std::vector<double> values = allValues(standings);
+    return standings.isLessBetter ? std::ranges::min(values) : std::ranges::max(values);
+}
+
+/// How the columns of the ranking share the width.
+struct Columns
+{
+    double rank, team, runs, best, median, strip; ///< what is left is for the progress
+};
+constexpr Columns columnWidths{24, 122, 36, 68, 92, 180};
+
+/// The scale on which every run of the class is a dot.
+struct Strip
+{
+    QRectF rect; ///< over all rows
+    AxisTicks ticks;
+    double factor = 1; ///< of the unit that is shown, to one of the metric
+
+    double x(double value) const
+    {
+        const double low = ticks.first / factor, high = ticks.last() / factor;
+        return rect.left() + 6 + (value - low) / (high - low) * (rect.width() - 12);
+    }
+};
+
+/// What part of a ranking a page shows.
+struct RankingPart
+{
+    std::size_t from = 0, to = 0;
+    int page = 1, pages = 1;
+    double rowHeight = mostRow;
+};
+
+class ClassPage
+{
+public:
+    ClassPage(QPainter &painter, const ClassContent &content, const ReportOptions &options)
+        : m_painter(painter), m_content(content), m_standings(content.standings), m_options(options),
+          m_colours(ThemeColours::of(reportPalette()))
+    {
+    }
+    void paintRanking(const QRectF &sheet, const RankingPart &part);
+    void paintTeam(const QRectF &sheet, std::size_t team);
+
+private:
+    QRectF paintFrame(const QRectF &sheet, const QString &title, const QStringList &facts, int page, int pages);
+    void paintClassFigures(const QRectF &rect);
+    void paintScale(const Strip &strip, double top);
+    void paintRow(const QRectF &row, const TeamStanding &team, const Strip &strip);
+    void paintRuns(const QRectF &rect, const TeamStanding &team);
+    Strip stripIn(const QRectF &rect) const;
+    QStringList classFacts() const;
+
+    QPainter &m_painter;
+    const ClassContent &m_content;
+    const Standings &m_standings;
+    const ReportOptions &m_options;
+    ThemeColours m_colours;
+};
+
+QRectF ClassPage::paintFrame(const QRectF &sheet, const QString &title, const QStringList &facts, int page, int pages)
+{
+    QStringList foot(Words::tr("Rank: one more than the number of teams that are better beyond doubt (medians apart by more "
+                               "than 1.96 σ); teams of one rank cannot be told apart."));
+    if (m_content.leftOut > 0)
+        foot << Words::tr("%n trial(s) left out: measured by another course; measure them again.", "", m_content.leftOut);
+    foot << (pages > 1 ? Words::tr("Page %1 of %2 · Odograph %3").arg(page).arg(pages).arg(QStringLiteral(ODOGRAPH_VERSION))
+                       : Words::tr("Odograph %1").arg(QStringLiteral(ODOGRAPH_VERSION)));
+    return drawFoot(m_painter, drawHead(m_painter, sheet, m_options.letterhead, title, facts), m_options.letterhead, foot);
+}
+
+QStringList ClassPage::classFacts() const
+{
+    QStringList facts;
+    if (!m_standings.choice.task.empty())
+        facts << Words::tr("Task: %1").arg(literalName(m_standings.choice.task));
+    facts << Words::tr("by %1").arg(metricName(m_standings.choice.metric));
+    Instant first = Instant::max(), last = Instant::min();
+    for (const TeamStanding &team : m_standings.teams) {
+        first = std::min(first, team.runs.front().date);
+        last = std::max(last, team.runs.back().date);
+    }
+    const QString from = reportDay(first), to = reportDay(last);
+    facts << (from == to ? from : Words::tr("%1 to %2").arg(from, to));
+    return facts;
+}
+
+void ClassPage::paintClassFigures(const QRectF &rect)
+{
+    std::vector<double> values = allValues(m_standings);
+    const auto number = [](int count) { return FigureText{QLocale().toString(count), {}, {}}; };
+    QList<ReportFigure> figures;
+    figures << ReportFigure{Words::tr("Teams"), number(int(m_standings.teams.size())), {}}
+            << ReportFigure{Words::tr("Trials"), number(int(values.size())),
+                            m_content.trials > int(values.size()) ? Words::tr("of %1").arg(m_content.trials) : QString()}
+            << ReportFigure{Words::tr("Best"), figureOf(m_standings, bestOf(m_standings)), {}}
+            << ReportFigure{Words::tr("Median of all runs"), figureOf(m_standings, median(values)), {}};
+    constexpr std::size_t leastForQuartiles = 4;
+    std::ranges::sort(values);
+    const auto quartile = [&](double part) { return values[std::size_t(std::lround(part * double(values.size() - 1)))]; };
+    if (values.size() >= leastForQuartiles)
+        figures << ReportFigure{Words::tr("Middle half of the runs"),
+                            figureOf(m_standings, quartile(0.75) - quartile(0.25)),
+                            Words::tr("%1 to %2").arg(figureOf(m_standings, quartile(0.25)).value,
+                                                      figureOf(m_standings, quartile(0.75)).text())};
+    drawFigures(m_painter, rect, figures);
+}
+
+Strip ClassPage::stripIn(const QRectF &rect) const
+{
+    constexpr int mostTicks = 5;
+    const std::vector<double> values = allValues(m_standings);
+    const auto [low, high] = std::ranges::minmax(values);
+    const double factor = metricUnit(m_standings.teams.front().runs.front().metric).perSi;
+    const double least = std::max(1e-9, (high - low) * factor);
+    return {rect, coveringTicks(low * factor, low * factor + least, mostTicks), factor};
+}
+
+void ClassPage::paintScale(const Strip &strip, double top)
+{
+    for (const double tick : strip.ticks.values()) {
+        const double x = strip.x(tick / strip.factor);
+        m_painter.setPen(QPen(m_colours.grid, 0.7));
+        m_painter.drawLine(QPointF(x, strip.rect.top()), QPointF(x, strip.rect.bottom()));
+        drawLine(m_painter, QRectF(x - 30, top, 60, scaleHeight), strip.ticks.label(tick), reportFont(smallSize), m_colours.muted,
+                 Qt::AlignCenter);
+    }
+}
+
+void ClassPage::paintRow(const QRectF &row, const TeamStanding &team, const Strip &strip)
+{
+    constexpr double radius = 2.6;
+    const QFont font = reportFont(smallSize + 1);
+    double left = row.left();
+    const auto cell = [&](double width, const QString &text, Qt::Alignment side, QFont::Weight weight = QFont::Normal) {
+        drawLine(m_painter, QRectF(left + 2, row.top(), width - 8, row.height()), text,
+                 weight == QFont::Normal ? font : reportFont(smallSize + 1, weight), m_colours.text, side | Qt::AlignVCenter);
+        left += width;
+    };
+    cell(columnWidths.rank, m_standings.isRanked() ? QLocale().toString(team.figures.rank) : QStringLiteral("–"), Qt::AlignRight,
+         QFont::DemiBold);
+    cell(columnWidths.team, teamName(team), Qt::AlignLeft);
+    cell(columnWidths.runs, QLocale().toString(int(team.runs.size())), Qt::AlignRight);
+    cell(columnWidths.best, figureOf(m_standings, team.progress.best).text(), Qt::AlignRight);
+    cell(columnWidths.median, medianText(team, m_standings), Qt::AlignRight);
+    const double middle = row.center().y();
+    m_painter.setRenderHint(QPainter::Antialiasing);
+    m_painter.setPen(QPen(m_colours.card, 0.7));
+    m_painter.setBrush(m_colours.point);
+    for (const double value : team.figures.values)
+        m_painter.drawEllipse(QPointF(strip.x(value), middle), radius, radius);
+    m_painter.setPen(QPen(m_colours.text, 2));
+    const double at = strip.x(team.figures.median);
+    m_painter.drawLine(QPointF(at, middle - row.height() * 0.32), QPointF(at, middle + row.height() * 0.32));
+    left += columnWidths.strip;
+    drawLine(m_painter, QRectF(left + 8, row.top(), row.right() - left - 8, row.height()), progressText(team, m_standings),
+             reportFont(smallSize), m_colours.muted);
+}
+
+void ClassPage::paintRanking(const QRectF &sheet, const RankingPart &part)
+{
+    QRectF room = paintFrame(sheet, literalName(m_standings.choice.className), classFacts(), part.page, part.pages);
+    if (part.page == 1) {
+        paintClassFigures(QRectF(room.left(), room.top(), room.width(), figuresHeight));
+        room.setTop(room.top() + figuresHeight + gap);
+    }
+    room = drawPartTitle(m_painter, room, Words::tr("The teams"),
+                         Words::tr("each run is a dot; the line is the median of the team"));
+    const Columns &w = columnWidths;
+    const double stripLeft = room.left() + w.rank + w.team + w.runs + w.best + w.median;
+    const double rows = part.rowHeight * double(part.to - part.from);
+    const Strip strip = stripIn(QRectF(stripLeft, room.top() + scaleHeight, w.strip, rows));
+    paintScale(strip, room.top());
+    double left = room.left();
+    const auto head = [&](double width, const QString &text, Qt::Alignment side) {
+        drawLine(m_painter, QRectF(left + 2, room.top(), width - 8, scaleHeight), text, reportFont(smallSize), m_colours.muted,
+                 side | Qt::AlignVCenter);
+        left += width;
+    };
+    head(w.rank, Words::tr("#"), Qt::AlignRight);
+    head(w.team, Words::tr("Team"), Qt::AlignLeft);
+    head(w.runs, Words::tr("Trials"), Qt::AlignRight);
+    head(w.best, Words::tr("Best"), Qt::AlignRight);
+    head(w.median, Words::tr("Median"), Qt::AlignRight);
+    left += w.strip + 6;
+    head(room.right() - left, Words::tr("Through the term"), Qt::AlignLeft);
+    double top = room.top() + scaleHeight;
+    for (std::size_t team = part.from; team < part.to; ++team) {
+        m_painter.setPen(QPen(m_colours.grid, 0.7));
+        m_painter.drawLine(QPointF(room.left(), top), QPointF(room.right(), top));
+        paintRow(QRectF(room.left(), top, room.width(), part.rowHeight), m_standings.teams[team], strip);
+        top += part.rowHeight;
+    }
+}
+
+/// Every run of a team, the newest below; in two columns where they are many.
+void ClassPage::paintRuns(const QRectF &rect, const TeamStanding &team)
+{
+    QRectF room = drawPartTitle(m_painter, rect, Words::tr("Its trials"));
+    ReportTable table;
+    table.weights = {0.3, 0.42, 0.28};
+    table.alignments = {Qt::AlignLeft, Qt::AlignLeft, Qt::AlignRight};
+    table.header = {Words::tr("Date"), Words::tr("Trial"), metricName(m_standings.choice.metric)};
+    const auto perColumn = std::size_t(std::max(1.0, room.height() / table.rowHeight - 1));
+    const bool isWide = team.runs.size() > perColumn;
+    const double width = isWide ? (room.width() - 20) / 2 : room.width() * 0.7;
+    for (std::size_t column = 0; column < (isWide ? 2 : 1); ++column) {
+        table.rows.clear();
+        const std::size_t end = column == 1 || !isWide ? team.runs.size() : perColumn;
+        for (std::size_t i = column * perColumn; i < end; ++i)
+            table.rows << ReportTable::Row{{reportDate(team.runs[i].date), literalName(team.runs[i].trial),
+                                            metricFigure(team.runs[i].metric).text()},
+                                           false, team.runs[i].metric.value == team.progress.best};
+        drawTable(m_painter, QRectF(room.left() + double(column) * (width + 20), room.top(), width, room.height()), table);
+    }
+}
+
+void ClassPage::paintTeam(const QRectF &sheet, std::size_t index)
+{
+    constexpr double trendHeight = 260;
+    const TeamStanding &team = m_standings.teams[index];
+    QStringList facts(Words::tr("Class: %1").arg(literalName(m_standings.choice.className)));
+    QRectF room = paintFrame(sheet, teamName(team), facts + classFacts(), 1, 1);
+    QList<ReportFigure> figures;
+    if (m_standings.isRanked())
+        figures << ReportFigure{Words::tr("Rank"), {QLocale().toString(team.figures.rank), {}, {}},
+                                Words::tr("of %n team(s)", "", int(m_standings.teams.size()))};
+    figures << ReportFigure{Words::tr("Best"), figureOf(m_standings, team.progress.best), {}};
+    const double sigma = team.figures.sigma;
+    figures << ReportFigure{Words::tr("Median"),
+                            figureOf(m_standings, team.figures.median, sigma > 0 ? std::optional(sigma) : std::nullopt),
+                            Words::tr("class median %1").arg(figureOf(m_standings, median(allValues(m_standings))).text())};
+    if (team.progress.spread)
+        figures << ReportFigure{Words::tr("Spread of one run"), figureOf(m_standings, *team.progress.spread), {}};
+    drawFigures(m_painter, QRectF(room.left(), room.top(), room.width(), figuresHeight), figures);
+    room.setTop(room.top() + figuresHeight + gap);
+    const QRectF trend = drawPartTitle(m_painter, QRectF(room.left(), room.top(), room.width(), trendHeight),
+                                       Words::tr("Through the term"), progressText(team, m_standings));
+    m_painter.setFont(reportFont(smallSize));
+    drawTrend(m_painter, trend, team, reportPalette());
+    room.setTop(room.top() + trendHeight + gap);
+    paintRuns(room, team);
+}
+
+/// As many rows as a page has room for at a height between the least and the most.
+std::vector<RankingPart> partsOf(std::size_t teams, const PageFormat &format, const Letterhead &letterhead)
+{
+    const double head = 70, foot = 12.0 * (letterhead.remark.isEmpty() ? 3 : 4) + 10;
+    const double later = format.content().height() - head - foot - partTitleHeight - scaleHeight,
+                 first = later - figuresHeight - gap;
+    const double wanted = std::clamp(first / double(teams), leastRow, mostRow);
+    const auto fits = [wanted](double room) { return std::size_t(room / wanted + 1e-6); };
+    std::vector<RankingPart> parts;
+    for (std::size_t from = 0; from < teams;) {
+        const std::size_t to = std::min(teams, from + fits(parts.empty() ? first : later));
+        parts.push_back({from, to, int(parts.size()) + 1, 1, wanted});
+        from = to;
+    }
+    for (RankingPart &part : parts)
+        part.pages = int(parts.size());
+    return parts;
+}
+
+} // namespace
+
+ReportPages classPages(const ClassContentPtr &content, const ReportOptions &options)
+{
+    const PageFormat format{options.paper, false};
+    ReportPages pages;
+    for (const RankingPart &part : partsOf(content->standings.teams.size(), format, options.letterhead))
+        pages.push_back({format, [content, options, format, part](QPainter &painter) {
+                             ClassPage(painter, *content, options).paintRanking(format.content(), part);
+                         }});
+    for (std::size_t team = 0; content->settings.withTeams && team < content->standings.teams.size(); ++team)
+        pages.push_back({format, [content, options, format, team](QPainter &painter) {
+                             ClassPage(painter, *content, options).paintTeam(format.content(), team);
+                         }});
+    return pages;
+}
+
+} // namespace odo

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "ui/report/report_page.h"
+
+#include <QSaveFile>
+#include <filesystem>
+#include <memory>
+
+class QPdfWriter;
+
+namespace odo {
+
+/// A PDF that is written page by page, with its fonts embedded and its charts as lines. Under its name there is
+/// the old file or the whole new one: what is not finished leaves nothing. One thread.
+class PdfFile
+{
+public:
+    PdfFile(const std::filesystem::path &file, const QString &title);
+    ~PdfFile();
+
+    /// Io where the file cannot be written.
+    Result<void> add(const ReportPage &page);
+    /// Io likewise; InvalidInput for a file without a page.
+    Result<void> finish();
+
+private:
+    Result<void> begin(const PageFormat &format);
+    tl::unexpected<Error> failure() const;
+
+    QString m_title;
+    QSaveFile m_file;
+    std::unique_ptr<QPdfWriter> m_writer; ///< null: no page yet
+    std::unique_ptr<QPainter> m_painter;
+};
+
+} // namespace odo

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/trial_content.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/video/picture.h"
+#include "core/video/video_reader.h"
+#include "core/workflow/trial_scores.h"
+#include "ui/views/screen_image.h"
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+constexpr int stillWidthPx = 560; // 180 to the inch in a column of the page
+
+QImage pictureOf(const SceneView &view, std::int64_t frame, int widthPx)
+{
+    const auto reader = VideoReader::open(view.file);
+    if (!reader || view.recording.widthPx <= 0)
+        return {};
+    const auto decoded = (*reader)->frameAt(frame);
+    if (!decoded)
+        return {};
+    return toImage(toScreen(*decoded, widthPx, widthPx * view.recording.heightPx / view.recording.widthPx));
+}
+
+} // namespace
+
+std::vector<Still> takeStills(const TrialScene &scene, Nanoseconds time, int widthPx)
+{
+    std::vector<Still> stills;
+    for (std::size_t view = 0; view < scene.views.size(); ++view) {
+        Still still;
+        if (const auto frame = scene.frameAt(view, time)) {
+            still.frame = *frame;
+            still.picture = pictureOf(scene.views[view], *frame, widthPx);
+        }
+        stills.push_back(std::move(still));
+    }
+    return stills;
+}
+
+Nanoseconds tellingMoment(const TrialScene &scene)
+{
+    const ProfilePoint *top = nullptr;
+    Nanoseconds time{0};
+    for (const SceneRobot &robot : scene.robots) {
+        for (std::size_t i = 0; robot.analysis && i < robot.analysis->profile.points.size(); ++i) {
+            const ProfilePoint &point = robot.analysis->profile.points[i];
+            if (!point.valid || (top && point.speedMps <= top->speedMps))
+                continue;
+            top = &point;
+            time = robot.analysis->profile.samples[i].time;
+        }
+    }
+    const auto &times = scene.frameTimes();
+    return top || times.empty() ? time : times[times.size() / 2];
+}
+
+Result<std::map<std::string, ClassFigure>> TrialContentReader::classFiguresOf(const TrialScene &scene)
+{
+    const std::pair key(scene.trial.className, scene.trial.task);
+    if (key.first.empty() || key.second.empty())
+        return {};
+    if (const auto known = m_classes.find(key); known != m_classes.end())
+        return known->second;
+    auto names = m_project.analyses().metricNames();
+    if (!names)
+        return tl::unexpected(names.error());
+    if (!scene.scoring.empty())
+        names->push_back(scoreMetric);
+    auto figures = classFigures(m_project, key.first, key.second, *names);
+    if (figures)
+        m_classes[key] = *figures;
+    return figures;
+}
+
+Result<std::vector<std::optional<double>>> TrialContentReader::lensesOf(const TrialScene &scene)
+{
+    std::vector<std::optional<double>> lenses(scene.views.size());
+    const auto analysed = std::ranges::find_if(scene.robots, [](const SceneRobot &robot) { return robot.analysis.has_value(); });
+    if (analysed == scene.robots.end())
+        return lenses;
+    const std::vector<RecordId> &registrations = analysed->analysis->registrations;
+    for (std::size_t view = 0; view < std::min(lenses.size(), registrations.size()); ++view) {
+        if (registrations[view] == 0)
+            continue;
+        const auto registration = m_project.cameras().registration(registrations[view]);
+        if (!registration)
+            return tl::unexpected(registration.error());
+        if (registration->intrinsics == 0)
+            continue;
+        const auto lens = m_project.cameras().intrinsics(registration->intrinsics);
+        if (!lens)
+            return tl::unexpected(lens.error());
+        if (lens->calibration.rmsPx > 0)
+            lenses[view] = lens->calibration.rmsPx;
+    }
+    return lenses;
+}
+
+Result<TrialContentPtr> TrialContentReader::read(const std::string &trial)
+{
+    const auto scene = loadTrialScene(m_project, trial);
+    if (!scene)
+        return tl::unexpected(scene.error());
+    auto content = std::make_shared<TrialContent>();
+    content->scene = *scene;
+    auto figures = classFiguresOf(**scene);
+    if (!figures)
+        return tl::unexpected(figures.error());
+    content->classFigures = std::move(*figures);
+    auto lenses = lensesOf(**scene);
+    if (!lenses)
+        return tl::unexpected(lenses.error());
+    content->lensRmsPx = std::move(*lenses);
+    content->stillTime = tellingMoment(**scene);
+    content->stills = takeStills(**scene, content->stillTime, stillWidthPx);
+    return content;
+}
+
+} // namespace odo

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/workflow/class_figures.h"
+#include "ui/models/trial_scene.h"
+
+#include <QImage>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace odo {
+
+class Project;
+
+/// A picture of one view at a moment of the run.
+struct Still
+{
+    std::int64_t frame = 0;
+    QImage picture; ///< null: it cannot be had
+};
+
+/// The views of a trial at a moment, at this width. Any thread; slow (decodes).
+std::vector<Still> takeStills(const TrialScene &scene, Nanoseconds time, int widthPx);
+
+/// What a report says of one trial: immutable values, safe to share with any thread.
+struct TrialContent
+{
+    TrialScenePtr scene;
+    std::map<std::string, ClassFigure> classFigures; ///< of the class of the trial's team in its task; may be empty
+    std::vector<std::optional<double>> lensRmsPx;    ///< of each view's calibration; nullopt: it has none
+    Nanoseconds stillTime{0};
+    std::vector<Still> stills; ///< one a view
+};
+using TrialContentPtr = std::shared_ptr<const TrialContent>;
+
+/// Reads what reports need of trials from a project, one after the other. What trials of one class and task
+/// have in common is read once. On the project's thread.
+class TrialContentReader
+{
+public:
+    explicit TrialContentReader(Project &project) : m_project(project) {}
+    /// With the pictures of the views at the run's top speed, so that this takes as long as decoding them.
+    /// Errors: those of loadTrialScene and of the repositories.
+    Result<TrialContentPtr> read(const std::string &trial);
+
+private:
+    Result<std::map<std::string, ClassFigure>> classFiguresOf(const TrialScene &scene);
+    Result<std::vector<std::optional<double>>> lensesOf(const TrialScene &scene);
+
+    Project &m_project;
+    std::map<std::pair<std::string, std::string>, std::map<std::string, ClassFigure>> m_classes; ///< by class and task
+};
+
+/// When a still says most of a run: at its top speed; at the middle of a run that was not tracked.
+Nanoseconds tellingMoment(const TrialScene &scene);
+
+} // namespace odo

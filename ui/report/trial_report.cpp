@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/trial_report.h"
+
+#include "core/trajectory/gate_passages.h"
+#include "core/workflow/trial_scores.h"
+#include "ui/models/metric_choice.h"
+#include "ui/models/score_text.h"
+#include "ui/models/shown_team.h"
+#include "ui/report/method_page.h"
+#include "ui/report/report_chart.h"
+#include "ui/report/report_map.h"
+#include "ui/report/report_painting.h"
+#include "ui/report/stills_painting.h"
+#include "ui/views/theme.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <algorithm>
+#include <span>
+
+namespace odo {
+
+namespace {
+
+constexpr std::size_t largeFigures = 5, mostEvents = 12;
+
+class Words
+{
+    Q_DECLARE_TR_FUNCTIONS(TrialReport)
+};
+
+/// One page, while it is painted.
+class TrialPage
+{
+public:
+    TrialPage(QPainter &painter, const TrialContent &content, std::size_t robot, const ReportOptions &options)
+        : m_painter(painter), m_content(content), m_scene(*content.scene), m_robot(robot), m_options(options)
+    {
+        if (m_robot < m_scene.robots.size() && m_scene.robots[m_robot].analysis)
+            m_analysis = &*m_scene.robots[m_robot].analysis;
+        if (!m_analysis)
+            return;
+        m_events = runEvents(m_analysis->profile, mostEvents);
+        m_score = scoreOf(m_scene, m_robot);
+    }
+    void paint(const QRectF &sheet);
+
+private:
+    QList<ReportFigure> figures() const;
+    std::size_t largeCount() const { return largeFigures - (m_score ? 1 : 0); } ///< of the metrics
+    double tablesHeight() const;
+    QString medianWords(const std::string &metric, const std::string &unit) const;
+    void paintPlaces(const QRectF &rect);
+    void paintTables(const QRectF &rect);
+    void paintEvents(const QRectF &rect);
+    void paintSplits(const QRectF &rect, const std::vector<Lap> &laps);
+    void paintMetrics(const QRectF &rect);
+    void paintRemarks(const QRectF &rect);
+
+    QPainter &m_painter;
+    const TrialContent &m_content;
+    const TrialScene &m_scene;
+    std::size_t m_robot;
+    const ReportOptions &m_options;
+    const AnalysisRecord *m_analysis = nullptr; ///< null: not tracked
+    std::vector<RunEvent> m_events;
+    std::optional<Score> m_score;
+};
+
+QString TrialPage::medianWords(const std::string &metric, const std::string &unit) const
+{
+    const auto found = m_content.classFigures.find(metric);
+    if (found == m_content.classFigures.end() || found->second.runs < 2)
+        return {};
+    FigureText figure = metricFigure({metric, unit, found->second.median, std::nullopt});
+    return Words::tr("class median %1").arg(figure.text());
+}
+
+QList<ReportFigure> TrialPage::figures() const
+{
+    QList<ReportFigure> figures;
+    if (m_score)
+        figures << ReportFigure{Words::tr("Score"), scoreFigure(*m_score), medianWords(scoreMetric, "1")};
+    for (const Metric &metric : tellingMetrics(m_analysis->profile.metrics, largeCount()))
+        figures << ReportFigure{metricName(metric.name), metricFigure(metric), medianWords(metric.name, metric.unit)};
+    return figures;
+}
+
+/// The map, and beside it what the cameras saw.
+void TrialPage::paintPlaces(const QRectF &rect)
+{
+    const bool hasViews = !m_scene.views.empty();
+    constexpr double mapShare = 0.6, gap = 14;
+    const double mapWidth = hasViews ? mapShare * rect.width() : rect.width();
+    const QRectF map = drawPartTitle(m_painter, QRectF(rect.left(), rect.top(), mapWidth, rect.height()),
+                                     Words::tr("The run from above"), Words::tr("coloured by speed"));
+    drawRunMap(m_painter, map, m_scene, m_robot, m_events);
+    if (!hasViews)
+        return;
+    const QRectF right(rect.left() + mapWidth + gap, rect.top(), rect.width() - mapWidth - gap, rect.height());
+    const QRectF pictures = drawPartTitle(m_painter, right, Words::tr("The cameras’ views"),
+                                          m_analysis ? Words::tr("at %1, the top speed").arg(secondsText(m_content.stillTime))
+                                                     : Words::tr("at %1").arg(secondsText(m_content.stillTime)));
+    drawStills(m_painter, pictures, m_scene, m_content.stills);
+}
+
+void TrialPage::paintEvents(const QRectF &rect)
+{
+    const QRectF room = drawPartTitle(m_painter, rect, Words::tr("What happened"));
+    ReportTable table;
+    table.weights = {0.09, 0.2, 0.71};
+    table.alignments = {Qt::AlignLeft, Qt::AlignRight, Qt::AlignLeft};
+    for (const RunEvent &event : m_events)
+        table.rows << ReportTable::Row{{QString::number(event.number), secondsText(event.time), literalName(event.words)},
+                                       false, false};
+    if (table.rows.isEmpty())
+        drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), 16), Words::tr("It did not move"),
+                 reportFont(bodySize), ThemeColours::of(reportPalette()).muted);
+    drawTable(m_painter, room, table);
+}
+
+void TrialPage::paintSplits(const QRectF &rect, const std::vector<Lap> &laps)
+{
+    const QRectF room = drawPartTitle(m_painter, rect, Words::tr("Splits"));
+    const auto best = std::ranges::min_element(laps, {}, &Lap::timeS);
+    ReportTable table;
+    table.weights = {0.42, 0.58};
+    table.alignments = {Qt::AlignLeft, Qt::AlignRight};
+    for (auto lap = laps.begin(); lap != laps.end(); ++lap) {
+        const auto time = [](double seconds, double sigmaS) {
+            return figureText(seconds, sigmaS, QStringLiteral("s")).text();
+        };
+        table.rows << ReportTable::Row{{Words::tr("Run %1").arg(lap - laps.begin() + 1), time(lap->timeS, lap->sigmaS)},
+                                       false, laps.size() > 1 && lap == best};
+        for (const Sector &sector : lap->sectors)
+            if (lap->sectors.size() > 1)
+                table.rows << ReportTable::Row{{QStringLiteral("   ") + Words::tr("to %1").arg(literalName(sector.gate)),
+                                                time(sector.timeS, sector.sigmaS)}, false, false};
+    }
+    drawTable(m_painter, room, table);
+}
+
+void TrialPage::paintMetrics(const QRectF &rect)
+{
+    const QRectF room = drawPartTitle(m_painter, rect, Words::tr("Figures"), Words::tr("± one σ"));
+    ReportTable table;
+    table.weights = {0.54, 0.46};
+    table.alignments = {Qt::AlignLeft, Qt::AlignRight};
+    const auto &all = m_analysis->profile.metrics;
+    const std::vector<Metric> telling = tellingMetrics(all, all.size());
+    for (const Metric &metric : std::span(telling).subspan(std::min(largeCount(), telling.size())))
+        table.rows << ReportTable::Row{{metricName(metric.name), metricFigure(metric).text()}, false, false};
+    drawTable(m_painter, room, table);
+}
+
+/// What the list of events needs, so that map and pictures get the rest; the other tables are cut there.
+double TrialPage::tablesHeight() const
+{
+    constexpr double title = 21, row = 15;
+    constexpr std::size_t fewest = 8;
+    return title + row * double(std::max(fewest, m_events.size()));
+}
+
+void TrialPage::paintTables(const QRectF &rect)
+{
+    constexpr double gap = 16;
+    const std::vector<Lap> laps = lapsOf(m_analysis->profile.passages);
+    const bool hasSplits = !laps.empty();
+    const double width = (rect.width() - (hasSplits ? 2 : 1) * gap);
+    const double events = width * (hasSplits ? 0.39 : 0.55), splits = hasSplits ? width * 0.26 : 0;
+    paintEvents(QRectF(rect.left(), rect.top(), events, rect.height()));
+    if (hasSplits)
+        paintSplits(QRectF(rect.left() + events + gap, rect.top(), splits, rect.height()), laps);
+    const double left = rect.left() + events + gap + (hasSplits ? splits + gap : 0);
+    paintMetrics(QRectF(left, rect.top(), rect.right() - left, rect.height()));
+}
+
+/// The notes, and lines for a pen where there are none.
+void TrialPage::paintRemarks(const QRectF &rect)
+{
+    const QRectF room = drawPartTitle(m_painter, rect, Words::tr("Remarks"));
+    if (!m_scene.trial.notes.empty()) {
+        drawParagraph(m_painter, room, literalName(m_scene.trial.notes), reportFont(smallSize + 1),
+                      ThemeColours::of(reportPalette()).text);
+        return;
+    }
+    m_painter.setPen(QPen(ThemeColours::of(reportPalette()).grid, 0.8));
+    constexpr double lineHeight = 18;
+    for (double y = room.top() + lineHeight - 3; y <= room.bottom(); y += lineHeight)
+        m_painter.drawLine(QPointF(room.left(), y), QPointF(room.right(), y));
+}
+
+void TrialPage::paint(const QRectF &sheet)
+{
+    constexpr double figuresHeight = 66, gap = 10, chartShare = 0.14, remarksHeight = 58;
+    QRectF room = drawFoot(m_painter, drawHead(m_painter, sheet, m_options.letterhead, trialTitle(m_scene, m_robot),
+                                               trialHeadFacts(m_scene, m_robot)),
+                           m_options.letterhead, provenanceLines(m_content, m_robot));
+    const QRectF remarks(room.left(), room.bottom() - remarksHeight, room.width(), remarksHeight);
+    room.setBottom(remarks.top() - gap);
+    paintRemarks(remarks);
+    if (!m_analysis) {
+        drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), 30),
+                 Words::tr("This trial has not been tracked yet: there are no figures."), reportFont(bodySize + 2),
+                 ThemeColours::of(reportPalette()).text);
+        paintPlaces(room.adjusted(0, 40, 0, -room.height() * 0.35));
+        return;
+    }
+    drawFigures(m_painter, QRectF(room.left(), room.top(), room.width(), figuresHeight), figures());
+    room.setTop(room.top() + figuresHeight + gap);
+    const QRectF tables(room.left(), room.bottom() - tablesHeight(), room.width(), tablesHeight());
+    paintTables(tables);
+    room.setBottom(tables.top() - gap);
+    const double chart = chartShare * sheet.height();
+    const auto fromBelow = [&](Quantity quantity) {
+        drawRunChart(m_painter, QRectF(room.left(), room.bottom() - chart, room.width(), chart), m_analysis->profile,
+                     quantity, m_events);
+        room.setBottom(room.bottom() - chart - gap / 2);
+    };
+    fromBelow(Quantity::Acceleration);
+    fromBelow(Quantity::Speed);
+    paintPlaces(room);
+}
+
+} // namespace
+
+QString trialTitle(const TrialScene &scene, std::size_t robot)
+{
+    const QString name = literalName(scene.trial.name);
+    return scene.robots.size() > 1 && robot < scene.robots.size()
+               ? Words::tr("%1 – %2").arg(name, literalName(scene.robots[robot].robot.name))
+               : name;
+}
+
+QStringList trialHeadFacts(const TrialScene &scene, std::size_t robot)
+{
+    QStringList facts;
+    const auto add = [&facts](const QString &what, const QString &value) {
+        if (!value.isEmpty())
+            facts << Words::tr("%1: %2").arg(what, literalName(value));
+    };
+    add(Words::tr("Class"), QString::fromStdString(scene.trial.className));
+    add(Words::tr("Team"), shownTeam(scene.trial));
+    if (robot < scene.robots.size())
+        add(Words::tr("Robot"), QString::fromStdString(scene.robots[robot].robot.name));
+    add(Words::tr("Task"), QString::fromStdString(scene.trial.task));
+    facts << reportDate(scene.trial.date);
+    return facts;
+}
+
+ReportPages trialPages(const TrialContentPtr &content, const ReportOptions &options)
+{
+    ReportPages pages;
+    const PageFormat format{options.paper, false};
+    const std::size_t robots = std::max<std::size_t>(1, content->scene->robots.size());
+    for (std::size_t robot = 0; robot < robots; ++robot) {
+        pages.push_back({format, [content, robot, options, format](QPainter &painter) {
+                             TrialPage(painter, *content, robot, options).paint(format.content());
+                         }});
+        const bool isTracked = robot < content->scene->robots.size() && content->scene->robots[robot].analysis;
+        if (options.withMethod && isTracked)
+            pages.push_back({format, [content, robot, options, format](QPainter &painter) {
+                                 paintMethodPage(painter, format.content(), *content, robot, options.letterhead);
+                             }});
+    }
+    return pages;
+}
+
+} // namespace odo
