@@ -150,6 +150,10 @@ void checkTrial(Project &project, const TrialRecord &trial, const std::vector<Ro
         for (const RobotRecord &robot : robots)
             checkObservations(project, recording, where, robot, problems);
     }
+    for (const RobotRecord &robot : robots) {
+        if (const auto track = project.trials().currentImportedTrack(trial.id, robot.id); !track)
+            problems.push_back({track.error().what + ": " + track.error().why, where, restoreAdvice});
+    }
     if (const auto analyses = project.analyses().current(trial.id); !analyses)
         problems.push_back(
             {analyses.error().what + ": " + analyses.error().why, where, "track the trial again"});

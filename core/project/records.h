@@ -86,14 +86,18 @@ struct LayoutRecord
     MarkerLayout layout;
 };
 
+/// In what colour of the charts' palette (Okabe and Ito 2008) a robot is drawn; by itself as its place in the trial says.
+enum class DrawingColour { Automatic, Blue, Vermilion, Green, Purple, Orange, SkyBlue };
+
 struct RobotRecord
 {
     RecordId id = 0;
     std::string name;
-    RgbColour colour;
+    RgbColour colour; ///< by which it is tracked
     enum class Height { Told, Automatic, Free } heightMode = Height::Automatic;
     std::optional<double> heightM;          ///< when Told
     std::optional<double> lengthM, widthM;
+    DrawingColour drawingColour = DrawingColour::Automatic;
 };
 
 struct TeamRecord
@@ -101,14 +105,17 @@ struct TeamRecord
     RecordId id = 0;
     std::string name, className;
     std::string pseudonym = {}; ///< by which it is shown where names are to stay among those who know them; may be empty
+    std::vector<std::string> members = {}; ///< names of the people, in the order of the list
+    std::vector<RecordId> robots = {};     ///< that belong to it, in the order of the list; a robot may belong to several teams
 };
 
-/// A task is not changed once it is stored: trials were measured by it.
+/// A task's course is not changed once it is stored: trials were measured by it.
 struct TaskRecord
 {
     RecordId id = 0;
     std::string name;
     Task task;
+    std::optional<Instant> archived = {}; ///< since when it is out of the way; what was measured by it stays
 };
 
 struct TrialRecord
@@ -180,6 +187,20 @@ struct ObservationSeries
     RecordId robot = 0;
     std::string algorithm; ///< name and version of the tracker
     std::vector<Observation> observations;
+};
+
+/// Where a robot was, as another program measured it: the raw measurement of a trial without recordings.
+struct ImportedTrack
+{
+    RecordId trial = 0, robot = 0;
+    Instant imported;
+    std::string file;     ///< its name, without folders
+    std::string sha256;
+    std::int64_t bytes = 0;
+    std::string format;   ///< what it was read as, one word: "tum", "csv", "tracker"
+    std::string reading;  ///< for people: units, axes and errors it was read with
+    /// In order of time, with their covariances; flagged Lost where it has no position. Views and disagreement are not known.
+    std::vector<Sample> samples;
 };
 
 /// One computed result for one robot of a trial, with all that went into it.

@@ -74,10 +74,10 @@ public:
     Result<std::vector<RobotRecord>> all() const;
     Result<RobotRecord> find(const std::string &name) const;
     Result<RobotRecord> get(RecordId id) const;
-    /// Gives the robot of that id another name, colour, height or size; what was measured before stays as it is. AlreadyExists for a
+    /// Gives the robot of that id another name, colour, drawing colour, height or size; what was measured before stays as it is. AlreadyExists for a
     /// name that another robot has.
     Result<void> set(const RobotRecord &robot);
-    /// InvalidInput where a trial has it.
+    /// InvalidInput where a trial has it. Teams lose it.
     Result<void> remove(RecordId robot);
 
 private:
@@ -91,7 +91,8 @@ public:
     Result<TeamRecord> add(const TeamRecord &team);
     Result<std::vector<TeamRecord>> all() const;
     Result<TeamRecord> find(const std::string &name) const;
-    /// Gives the team of that id another name, class (empty: none) or pseudonym. AlreadyExists for a name that another team has.
+    /// Gives the team of that id another name, class (empty: none), pseudonym, other members or robots. AlreadyExists for a name that
+    /// another team has, NotFound for a robot that is not there.
     Result<void> set(const TeamRecord &team);
     /// InvalidInput where a trial is its.
     Result<void> remove(RecordId team);
@@ -123,10 +124,12 @@ public:
     Result<TaskRecord> get(RecordId id) const;
     /// Those that nothing depends on are not in it.
     Result<std::map<RecordId, TaskUse>> uses() const;
-    /// Tasks to choose from: without those that are kept for analyses alone.
+    /// Tasks to choose from: without those that are archived or kept for analyses alone.
     Result<std::vector<TaskRecord>> current() const;
     Result<void> rename(RecordId task, const std::string &name);
-    /// Gives a task another course; name and scoring stay. A task is not altered where it stands: a new one takes its name and its
+    /// Out of the way, or back again; its trials stay as they are.
+    Result<void> setArchived(RecordId task, bool archived);
+    /// Gives a task another course; name, archive and scoring stay. A task is not altered where it stands: a new one takes its name and its
     /// trials over. Where analyses were measured by the one before, it is kept for them as "NAME (version 1)", so that they
     /// stay true; else it goes. Gives the stored task, with another id unless nothing was to change.
     Result<TaskRecord> change(const TaskRecord &task);
@@ -209,6 +212,11 @@ public:
     Result<void> setOverrules(RecordId trial, RecordId robot, const std::vector<Overrule> &overrules);
     /// In order of the frames.
     Result<std::vector<Overrule>> overrules(RecordId trial, RecordId robot) const;
+    /// A track that was measured elsewhere; a newer one joins the older ones. InvalidInput for one without samples, of times that do not
+    /// rise, or with a position or covariance that is no number.
+    Result<void> addImportedTrack(const ImportedTrack &track);
+    /// The newest one; nullopt where there is none: the robot was tracked in recordings.
+    Result<std::optional<ImportedTrack>> currentImportedTrack(RecordId trial, RecordId robot) const;
     Result<void> setTruth(const TruthSeries &truth);
     Result<std::optional<TruthSeries>> truth(RecordId trial, RecordId robot) const;
 

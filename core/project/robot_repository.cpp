@@ -10,7 +10,7 @@ namespace odo {
 namespace {
 
 const QString robotColumns =
-    QStringLiteral("SELECT id, name, colour, height_mode, height_m, length_m, width_m FROM robot ");
+    QStringLiteral("SELECT id, name, colour, height_mode, height_m, length_m, width_m, drawing_colour FROM robot ");
 
 Result<RobotRecord> robotOf(const Statement &row)
 {
@@ -28,6 +28,10 @@ Result<RobotRecord> robotOf(const Statement &row)
     robot.heightM = row.optionalReal(4);
     robot.lengthM = row.optionalReal(5);
     robot.widthM = row.optionalReal(6);
+    const auto drawing = fromStoredWord(drawingColourWords, row.text(7), "robot '" + robot.name + "'");
+    if (!drawing)
+        return tl::unexpected(drawing.error());
+    robot.drawingColour = *drawing;
     return robot;
 }
 
@@ -62,11 +66,12 @@ Result<RobotRecord> RobotRepository::add(const RobotRecord &robot)
             return tl::unexpected(isFree.error());
         Statement insert(m_connection,
                          QStringLiteral("INSERT INTO robot (name, colour, height_mode, height_m, "
-                                        "length_m, width_m) VALUES (?,?,?,?,?,?)"));
+                                        "length_m, width_m, drawing_colour) VALUES (?,?,?,?,?,?,?)"));
         insert.bind(robot.name)
             .bind(robot.colour.toString())
             .bind(storedWord(heightModeWords, robot.heightMode));
-        if (auto done = insert.bind(robot.heightM).bind(robot.lengthM).bind(robot.widthM).run(); !done)
+        insert.bind(robot.heightM).bind(robot.lengthM).bind(robot.widthM);
+        if (auto done = insert.bind(storedWord(drawingColourWords, robot.drawingColour)).run(); !done)
             return tl::unexpected(done.error());
         RobotRecord stored = robot;
         stored.id = insert.insertedId();
@@ -124,9 +129,10 @@ Result<void> RobotRepository::set(const RobotRecord &robot)
             if (auto isFree = checkNameIsFree(m_connection, "robot", "robot", robot.name); !isFree)
                 return isFree;
         Statement update(m_connection, QStringLiteral("UPDATE robot SET name=?, colour=?, height_mode=?, height_m=?, "
-                                                      "length_m=?, width_m=? WHERE id=?"));
+                                                      "length_m=?, width_m=?, drawing_colour=? WHERE id=?"));
         update.bind(robot.name).bind(robot.colour.toString()).bind(storedWord(heightModeWords, robot.heightMode));
-        return update.bind(robot.heightM).bind(robot.lengthM).bind(robot.widthM).bind(robot.id).run();
+        update.bind(robot.heightM).bind(robot.lengthM).bind(robot.widthM);
+        return update.bind(storedWord(drawingColourWords, robot.drawingColour)).bind(robot.id).run();
     });
 }
 
@@ -138,13 +144,16 @@ Result<void> RobotRepository::remove(RecordId robot)
             return tl::unexpected(known.error());
         Statement used(m_connection, QStringLiteral("SELECT 1 FROM trial_robot WHERE robot_id=? UNION "
                                                     "SELECT 1 FROM analysis WHERE robot_id=? UNION "
-                                                    "SELECT 1 FROM observation_series WHERE robot_id=?"));
-        const auto isUsed = used.bind(robot).bind(robot).bind(robot).firstRow();
+                                                    "SELECT 1 FROM observation_series WHERE robot_id=? UNION "
+                                                    "SELECT 1 FROM imported_track WHERE robot_id=?"));
+        const auto isUsed = used.bind(robot).bind(robot).bind(robot).bind(robot).firstRow();
         if (!isUsed)
             return tl::unexpected(isUsed.error());
         if (*isUsed)
             return fail(ErrorCode::InvalidInput, "robot '" + known->name + "'", "it drove in a trial",
                         "keep it; it can be given another name");
+        if (auto left = runFor(m_connection, "DELETE FROM team_robot WHERE robot_id=?", robot); !left)
+            return left;
         return runFor(m_connection, "DELETE FROM robot WHERE id=?", robot);
     });
 }

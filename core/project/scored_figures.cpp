@@ -11,7 +11,7 @@ namespace {
 
 /// hasCourse, of the table task.
 const QString courseCondition = QStringLiteral(
-    "(EXISTS (SELECT 1 FROM gate WHERE gate.task_id=task.id) OR task.max_speed_m_s IS NOT NULL OR "
+    "(EXISTS (SELECT 1 FROM gate WHERE gate.task_id=task.id) OR EXISTS (SELECT 1 FROM zone WHERE zone.task_id=task.id) OR task.max_speed_m_s IS NOT NULL OR "
     "task.max_accel_m_s2 IS NOT NULL OR COALESCE(LENGTH(task.path_points), 0)>8)"); // 8 bytes: no points
 
 /// Newest analyses of the trials of scored tasks, between two dates that are its first parameters.

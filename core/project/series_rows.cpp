@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The observations, the overrules and the truth of TrialRepository.
+// The observations, the imported tracks, the overrules and the truth of TrialRepository.
+#include "core/project/column_blob.h"
 #include "core/project/connection.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
@@ -83,6 +84,55 @@ Result<std::vector<Overrule>> TrialRepository::overrules(RecordId trial, RecordI
     if (!read)
         return tl::unexpected(read.error());
     return overrules;
+}
+
+Result<void> TrialRepository::addImportedTrack(const ImportedTrack &track)
+{
+    const auto refuse = [&track](const std::string &why) {
+        return fail(ErrorCode::InvalidInput, "track '" + track.file + "'", why, "import another file");
+    };
+    if (track.samples.empty())
+        return refuse("it has no samples");
+    if (track.samples.size() > maxBlobRows)
+        return refuse("it has more than " + std::to_string(maxBlobRows) + " samples");
+    for (std::size_t i = 0; i < track.samples.size(); ++i) {
+        const Sample &sample = track.samples[i];
+        if (i > 0 && sample.time <= track.samples[i - 1].time)
+            return refuse("its times do not rise");
+        if ((sample.position && !sample.position->allFinite()) || !sample.covariance.allFinite() ||
+            !sample.commonCovariance.allFinite())
+            return refuse("a position or its covariance is no number");
+    }
+    return transact(m_connection, [&]() -> Result<void> {
+        if (auto valid = checkName("track", track.file); !valid)
+            return valid;
+        if (auto valid = checkText("reading of a track", track.reading); !valid)
+            return valid;
+        Statement insert(m_connection, QStringLiteral("INSERT INTO imported_track (trial_id, robot_id, imported_ms, file, sha256, bytes, "
+                                                      "format, reading, samples) VALUES (?,?,?,?,?,?,?,?,?)"));
+        insert.bind(track.trial).bind(track.robot);
+        insert.bind(static_cast<std::int64_t>(track.imported.time_since_epoch().count())).bind(track.file).bind(track.sha256);
+        return insert.bind(track.bytes).bind(track.format).bind(track.reading).bind(packSamples(track.samples)).run();
+    });
+}
+
+Result<std::optional<ImportedTrack>> TrialRepository::currentImportedTrack(RecordId trial, RecordId robot) const
+{
+    Statement select(m_connection, QStringLiteral("SELECT imported_ms, file, sha256, bytes, format, reading, samples FROM imported_track "
+                                                  "WHERE trial_id=? AND robot_id=? ORDER BY id DESC LIMIT 1"));
+    const auto found = select.bind(trial).bind(robot).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return std::nullopt;
+    ImportedTrack track{trial,          robot,          Instant(std::chrono::milliseconds(select.integer(0))),
+                        select.text(1), select.text(2), select.integer(3),
+                        select.text(4), select.text(5), {}};
+    auto samples = unpackSamples(select.blob(6), "track '" + track.file + "'");
+    if (!samples)
+        return tl::unexpected(samples.error());
+    track.samples = std::move(*samples);
+    return std::optional(std::move(track));
 }
 
 Result<void> TrialRepository::setTruth(const TruthSeries &truth)

@@ -35,6 +35,14 @@ constexpr StoredWords<GateRole, 4> gateRoleWords{{{GateRole::Start, "start"},
                                                   {GateRole::Finish, "finish"},
                                                   {GateRole::StartFinish, "start_finish"},
                                                   {GateRole::Split, "split"}}};
+constexpr StoredWords<ZoneRule, 2> zoneRuleWords{{{ZoneRule::StayInside, "stay_inside"}, {ZoneRule::StayOutside, "stay_outside"}}};
+constexpr StoredWords<DrawingColour, 7> drawingColourWords{{{DrawingColour::Automatic, "automatic"},
+                                                            {DrawingColour::Blue, "blue"},
+                                                            {DrawingColour::Vermilion, "vermilion"},
+                                                            {DrawingColour::Green, "green"},
+                                                            {DrawingColour::Purple, "purple"},
+                                                            {DrawingColour::Orange, "orange"},
+                                                            {DrawingColour::SkyBlue, "sky_blue"}}};
 constexpr StoredWords<RegistrationCheck::Outcome, 4> checkOutcomeWords{
     {{RegistrationCheck::Outcome::Still, "still"},
      {RegistrationCheck::Outcome::CameraMoved, "camera"},

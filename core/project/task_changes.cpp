@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // TaskRepository's part of what people change: names, courses, scoring.
 #include "core/project/connection.h"
+#include "core/project/instant_now.h"
 #include "core/project/named_rows.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
@@ -17,7 +18,11 @@ bool isSameCourse(const Task &a, const Task &b)
         return one.name == other.name && one.role == other.role && one.from == other.from &&
                one.to == other.to;
     };
+    const auto isSameZone = [](const Zone &one, const Zone &other) {
+        return one.name == other.name && one.rule == other.rule && one.corners == other.corners;
+    };
     return a.kind == b.kind &&
+           std::equal(a.zones.begin(), a.zones.end(), b.zones.begin(), b.zones.end(), isSameZone) &&
            std::equal(a.gates.begin(), a.gates.end(), b.gates.begin(), b.gates.end(), isSameGate) &&
            a.path.points == b.path.points && a.path.closed == b.path.closed &&
            a.limits.maxSpeedMps == b.limits.maxSpeedMps && a.limits.maxAccelMps2 == b.limits.maxAccelMps2;
@@ -49,7 +54,7 @@ Result<void> setName(ProjectConnection &connection, RecordId task, const std::st
 
 Result<void> removeRows(ProjectConnection &connection, RecordId task)
 {
-    for (const char *sql : {"DELETE FROM scoring WHERE task_id=?", "DELETE FROM gate WHERE task_id=?",
+    for (const char *sql : {"DELETE FROM scoring WHERE task_id=?", "DELETE FROM gate WHERE task_id=?", "DELETE FROM zone WHERE task_id=?",
                             "DELETE FROM task WHERE id=?"})
         if (auto done = runFor(connection, sql, task); !done)
             return done;
@@ -101,7 +106,7 @@ Result<std::vector<TaskRecord>> TaskRepository::current() const
         return tasks ? tl::unexpected(known.error()) : tasks;
     std::erase_if(*tasks, [&known](const TaskRecord &task) {
         const auto use = known->find(task.id);
-        return use != known->end() && isEarlierVersion(task, use->second);
+        return task.archived || (use != known->end() && isEarlierVersion(task, use->second));
     });
     return tasks;
 }
@@ -117,6 +122,17 @@ Result<void> TaskRepository::rename(RecordId task, const std::string &name)
         if (auto isFree = checkNameIsFree(m_connection, "task", "task", name); !isFree)
             return isFree;
         return setName(m_connection, task, name);
+    });
+}
+
+Result<void> TaskRepository::setArchived(RecordId task, bool archived)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto known = get(task);
+        if (!known || known->archived.has_value() == archived)
+            return known ? Result<void>() : tl::unexpected(known.error());
+        Statement update(m_connection, QStringLiteral("UPDATE task SET archived_ms=? WHERE id=?"));
+        return update.bindReference(archived ? instantNow().time_since_epoch().count() : 0).bind(task).run();
     });
 }
 
@@ -142,7 +158,7 @@ Result<TaskRecord> TaskRepository::change(const TaskRecord &task)
             return tl::unexpected(version.error());
         if (auto named = setName(m_connection, before->id, *version); !named)
             return tl::unexpected(named.error());
-        const auto added = add({0, before->name, task.task});
+        const auto added = add({0, before->name, task.task, before->archived});
         if (!added)
             return added;
         if (auto moved = moveAll(before->id, added->id); !moved)

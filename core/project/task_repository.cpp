@@ -10,32 +10,48 @@ namespace odo {
 namespace {
 
 const QString taskColumns =
-    QStringLiteral("SELECT id, name, template, path_points, path_closed, max_speed_m_s, max_accel_m_s2 FROM task ");
+    QStringLiteral("SELECT id, name, template, path_points, path_closed, max_speed_m_s, max_accel_m_s2, archived_ms FROM task ");
+
+constexpr auto restoreAdvice = "restore the project from a backup copy";
 
 /// x and y of each point in turn.
-QByteArray packPath(const ReferencePath &path)
+QByteArray packPlaces(const std::vector<Eigen::Vector2d> &points)
 {
     std::vector<double> numbers;
-    for (const Eigen::Vector2d &point : path.points)
+    for (const Eigen::Vector2d &point : points)
         numbers.insert(numbers.end(), {point.x(), point.y()});
     return packNumbers(numbers);
 }
 
-Result<void> readPath(const Statement &row, const std::string &what, ReferencePath &into)
+/// name: of the line, for messages ("its reference path").
+Result<std::vector<Eigen::Vector2d>> unpackPlaces(const QByteArray &blob, const std::string &what, const std::string &name)
 {
-    const QByteArray blob = row.blob(3);
+    std::vector<Eigen::Vector2d> points;
     if (blob.isEmpty())
-        return {};
+        return points;
     const auto numbers = unpackNumbers(blob, what);
     if (!numbers)
         return tl::unexpected(numbers.error());
     if (numbers->size() % 2 != 0)
-        return fail(ErrorCode::InvalidInput, what, "its reference path ends within a point",
-                    "restore the project from a backup copy");
+        return fail(ErrorCode::InvalidInput, what, name + " ends within a point", restoreAdvice);
     for (std::size_t i = 0; i < numbers->size(); i += 2)
-        into.points.emplace_back((*numbers)[i], (*numbers)[i + 1]);
-    into.closed = row.integer(4) != 0;
-    return {};
+        points.emplace_back((*numbers)[i], (*numbers)[i + 1]);
+    return points;
+}
+
+Result<void> readZones(const ProjectConnection &connection, const std::string &what, TaskRecord &into)
+{
+    Statement select(connection, QStringLiteral("SELECT name, rule, corners FROM zone WHERE task_id=? ORDER BY position"));
+    return select.bind(into.id).eachRow([&](const Statement &row) -> Result<void> {
+        const auto rule = fromStoredWord(zoneRuleWords, row.text(1), "zone '" + row.text(0) + "'");
+        if (!rule)
+            return tl::unexpected(rule.error());
+        auto corners = unpackPlaces(row.blob(2), what, "its zone '" + row.text(0) + "'");
+        if (!corners)
+            return tl::unexpected(corners.error());
+        into.task.zones.push_back({row.text(0), *rule, std::move(*corners)});
+        return {};
+    });
 }
 
 Result<void> readGates(const ProjectConnection &connection, TaskRecord &into)
@@ -62,14 +78,19 @@ Result<TaskRecord> readTask(const ProjectConnection &connection, const Statement
     if (!kind)
         return tl::unexpected(kind.error());
     record.task.kind = *kind;
-    if (auto read = readPath(row, what, record.task.path); !read)
-        return tl::unexpected(read.error());
+    auto path = unpackPlaces(row.blob(3), what, "its reference path");
+    if (!path)
+        return tl::unexpected(path.error());
+    record.task.path = {std::move(*path), row.integer(4) != 0};
     record.task.limits = {row.optionalReal(5), row.optionalReal(6)};
+    if (row.optionalReal(7))
+        record.archived = Instant(std::chrono::milliseconds(row.integer(7)));
     if (auto read = readGates(connection, record); !read)
         return tl::unexpected(read.error());
+    if (auto read = readZones(connection, what, record); !read)
+        return tl::unexpected(read.error());
     if (auto valid = checkTask(record.task); !valid)
-        return fail(valid.error().code, what, valid.error().what + ": " + valid.error().why,
-                    "restore the project from a backup copy");
+        return fail(valid.error().code, what, valid.error().what + ": " + valid.error().why, restoreAdvice);
     return record;
 }
 
@@ -83,6 +104,20 @@ Result<void> addGates(ProjectConnection &connection, RecordId task, const std::v
         insert.bind(task).bind(static_cast<std::int64_t>(i)).bind(gate.name);
         insert.bind(storedWord(gateRoleWords, gate.role)).bind(gate.from.x()).bind(gate.from.y());
         if (auto done = insert.bind(gate.to.x()).bind(gate.to.y()).run(); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> addZones(ProjectConnection &connection, RecordId task, const std::vector<Zone> &zones)
+{
+    for (std::size_t i = 0; i < zones.size(); ++i) {
+        const Zone &zone = zones[i];
+        if (auto valid = checkName("zone", zone.name); !valid)
+            return valid;
+        Statement insert(connection, QStringLiteral("INSERT INTO zone VALUES (?,?,?,?,?)"));
+        insert.bind(task).bind(static_cast<std::int64_t>(i)).bind(zone.name);
+        if (auto done = insert.bind(storedWord(zoneRuleWords, zone.rule)).bind(packPlaces(zone.corners)).run(); !done)
             return done;
     }
     return {};
@@ -102,14 +137,18 @@ Result<TaskRecord> TaskRepository::add(const TaskRecord &task)
         if (auto isFree = checkNameIsFree(m_connection, "task", "task", task.name); !isFree)
             return tl::unexpected(isFree.error());
         Statement insert(m_connection, QStringLiteral("INSERT INTO task (name, template, path_points, path_closed, "
-                                                      "max_speed_m_s, max_accel_m_s2) VALUES (?,?,?,?,?,?)"));
-        insert.bind(task.name).bind(storedWord(taskTemplateWords, task.task.kind)).bind(packPath(task.task.path));
+                                                      "max_speed_m_s, max_accel_m_s2, archived_ms) VALUES (?,?,?,?,?,?,?)"));
+        insert.bind(task.name).bind(storedWord(taskTemplateWords, task.task.kind)).bind(packPlaces(task.task.path.points));
         insert.bind(task.task.path.closed ? 1 : 0).bind(task.task.limits.maxSpeedMps);
-        if (auto done = insert.bind(task.task.limits.maxAccelMps2).run(); !done)
+        insert.bind(task.task.limits.maxAccelMps2);
+        insert.bindReference(task.archived ? task.archived->time_since_epoch().count() : 0);
+        if (auto done = insert.run(); !done)
             return tl::unexpected(done.error());
         TaskRecord stored = task;
         stored.id = insert.insertedId();
         if (auto added = addGates(m_connection, stored.id, task.task.gates); !added)
+            return tl::unexpected(added.error());
+        if (auto added = addZones(m_connection, stored.id, task.task.zones); !added)
             return tl::unexpected(added.error());
         return stored;
     });

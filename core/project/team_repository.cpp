@@ -4,23 +4,100 @@
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 
+#include <set>
+#include <unordered_map>
+
 namespace odo {
 
 namespace {
 
+constexpr std::size_t mostMembers = 200;
+
 const QString teamColumns = QStringLiteral("SELECT team.id, team.name, class.name, pseudonym FROM team "
                                            "LEFT JOIN class ON class.id=team.class_id ");
 
-TeamRecord teamOf(const Statement &row)
+/// The teams that a condition with one parameter means, or all, with their members and robots: three queries, however many teams.
+Result<std::vector<TeamRecord>> readTeams(const ProjectConnection &connection, const char *condition, const std::string *name)
 {
-    return {row.integer(0), row.text(1), row.text(2), row.text(3)};
+    std::vector<TeamRecord> teams;
+    std::unordered_map<RecordId, std::size_t> placeOf;
+    const auto read = [&](const QString &sql, const char *order, const auto &take) {
+        Statement select(connection, sql + QLatin1String(condition) + QLatin1String(order));
+        if (name)
+            select.bind(*name);
+        return select.eachRow([&take](const Statement &row) -> Result<void> {
+            take(row);
+            return {};
+        });
+    };
+    const auto teamOf = [&](const Statement &row) -> TeamRecord * {
+        const auto place = placeOf.find(row.integer(0));
+        return place == placeOf.end() ? nullptr : &teams[place->second];
+    };
+    auto done = read(teamColumns, " ORDER BY team.id", [&](const Statement &row) {
+        placeOf.emplace(row.integer(0), teams.size());
+        teams.push_back({row.integer(0), row.text(1), row.text(2), row.text(3)});
+    });
+    if (done)
+        done = read(QStringLiteral("SELECT team.id, team_member.name FROM team JOIN team_member ON team_id=team.id "),
+                    " ORDER BY team.id, position", [&](const Statement &row) {
+                        if (TeamRecord *team = teamOf(row))
+                            team->members.push_back(row.text(1));
+                    });
+    if (done)
+        done = read(QStringLiteral("SELECT team.id, robot_id FROM team JOIN team_robot ON team_id=team.id "),
+                    " ORDER BY team.id, position", [&](const Statement &row) {
+                        if (TeamRecord *team = teamOf(row))
+                            team->robots.push_back(row.integer(1));
+                    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return teams;
 }
 
 Result<void> checkTeam(const TeamRecord &team)
 {
     if (auto valid = checkName("team", team.name); !valid)
         return valid;
+    const std::string what = "team '" + team.name + "'";
+    if (team.members.size() > mostMembers)
+        return fail(ErrorCode::InvalidInput, what, "it has more than " + std::to_string(mostMembers) + " members",
+                    "give the names of the people in the team");
+    for (const std::string &member : team.members)
+        if (auto valid = checkName("member", member); !valid)
+            return valid;
+    if (std::set(team.robots.begin(), team.robots.end()).size() != team.robots.size())
+        return fail(ErrorCode::InvalidInput, what, "a robot belongs to it twice", "name each of its robots once");
     return team.pseudonym.empty() ? Result<void>() : checkName("pseudonym", team.pseudonym);
+}
+
+Result<void> removeLists(ProjectConnection &connection, RecordId team)
+{
+    if (auto gone = runFor(connection, "DELETE FROM team_member WHERE team_id=?", team); !gone)
+        return gone;
+    return runFor(connection, "DELETE FROM team_robot WHERE team_id=?", team);
+}
+
+/// Replaces members and robots.
+Result<void> setLists(ProjectConnection &connection, RecordId id, const TeamRecord &team)
+{
+    if (auto gone = removeLists(connection, id); !gone)
+        return gone;
+    for (std::size_t i = 0; i < team.members.size(); ++i) {
+        Statement insert(connection, QStringLiteral("INSERT INTO team_member VALUES (?,?,?)"));
+        if (auto done = insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(team.members[i]).run(); !done)
+            return done;
+    }
+    for (std::size_t i = 0; i < team.robots.size(); ++i) {
+        Statement known(connection, QStringLiteral("SELECT 1 FROM robot WHERE id=?"));
+        const auto found = known.bind(team.robots[i]).firstRow();
+        if (!found || !*found)
+            return found ? noSuchId(connection, "robot", team.robots[i]) : tl::unexpected(found.error());
+        Statement insert(connection, QStringLiteral("INSERT INTO team_robot VALUES (?,?,?)"));
+        if (auto done = insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(team.robots[i]).run(); !done)
+            return done;
+    }
+    return {};
 }
 
 } // namespace
@@ -42,32 +119,25 @@ Result<TeamRecord> TeamRepository::add(const TeamRecord &team)
             return tl::unexpected(done.error());
         TeamRecord stored = team;
         stored.id = insert.insertedId();
+        if (auto lists = setLists(m_connection, stored.id, team); !lists)
+            return tl::unexpected(lists.error());
         return stored;
     });
 }
 
 Result<std::vector<TeamRecord>> TeamRepository::all() const
 {
-    std::vector<TeamRecord> teams;
-    Statement select(m_connection, teamColumns + QStringLiteral("ORDER BY team.id"));
-    auto read = select.eachRow([&teams](const Statement &row) -> Result<void> {
-        teams.push_back(teamOf(row));
-        return {};
-    });
-    if (!read)
-        return tl::unexpected(read.error());
-    return teams;
+    return readTeams(m_connection, "", nullptr);
 }
 
 Result<TeamRecord> TeamRepository::find(const std::string &name) const
 {
-    Statement select(m_connection, teamColumns + QStringLiteral("WHERE team.name=?"));
-    const auto found = select.bind(name).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
+    auto teams = readTeams(m_connection, "WHERE team.name=?", &name);
+    if (!teams)
+        return tl::unexpected(teams.error());
+    if (teams->empty())
         return noSuchName(m_connection, "team", "team", name);
-    return teamOf(select);
+    return std::move(teams->front());
 }
 
 Result<void> TeamRepository::set(const TeamRecord &team)
@@ -86,7 +156,9 @@ Result<void> TeamRepository::set(const TeamRecord &team)
         if (!classId)
             return tl::unexpected(classId.error());
         Statement update(m_connection, QStringLiteral("UPDATE team SET name=?, class_id=?, pseudonym=? WHERE id=?"));
-        return update.bind(team.name).bindReference(*classId).bind(team.pseudonym).bind(team.id).run();
+        if (auto done = update.bind(team.name).bindReference(*classId).bind(team.pseudonym).bind(team.id).run(); !done)
+            return done;
+        return setLists(m_connection, team.id, team);
     });
 }
 
@@ -102,6 +174,8 @@ Result<void> TeamRepository::remove(RecordId team)
             return fail(ErrorCode::InvalidInput, "team '" + known.text(0) + "'",
                         trials == 1 ? "a trial is its" : std::to_string(trials) + " trials are its",
                         "delete them for good first, or archive its class");
+        if (auto gone = removeLists(m_connection, team); !gone)
+            return gone;
         return runFor(m_connection, "DELETE FROM team WHERE id=?", team);
     });
 }

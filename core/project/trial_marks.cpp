@@ -117,7 +117,7 @@ Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
               "DELETE FROM spike WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
               "DELETE FROM gate_passage WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
               "DELETE FROM analysis WHERE trial_id=?", "DELETE FROM overrule WHERE trial_id=?",
-              "DELETE FROM truth WHERE trial_id=?", "DELETE FROM trial_tag WHERE trial_id=?",
+              "DELETE FROM imported_track WHERE trial_id=?", "DELETE FROM truth WHERE trial_id=?", "DELETE FROM trial_tag WHERE trial_id=?",
               "DELETE FROM trial_robot WHERE trial_id=?", "DELETE FROM trial WHERE id=?"}) {
             if (auto done = runFor(m_connection, sql, trial); !done)
                 return tl::unexpected(done.error());

@@ -65,7 +65,7 @@ Score scoreOf(const std::vector<Criterion> &criteria, const std::vector<Metric> 
 bool hasCourse(const Task &task)
 {
     return !task.gates.empty() || !task.path.points.empty() || task.limits.maxSpeedMps ||
-           task.limits.maxAccelMps2;
+           task.limits.maxAccelMps2 || !task.zones.empty();
 }
 
 Result<void> checkScoring(const std::vector<Criterion> &criteria)

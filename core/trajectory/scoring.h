@@ -48,7 +48,7 @@ std::vector<Metric> scoringMetrics(const std::vector<Spike> &spikes,
 
 Score scoreOf(const std::vector<Criterion> &criteria, const std::vector<Metric> &metrics);
 
-/// Whether a task has anything that figures depend on: gates, a path or limits.
+/// Whether a task has anything that figures depend on: gates, a path, limits or zones.
 bool hasCourse(const Task &task);
 
 /// Whether a rubric can be computed, InvalidInput where not: numbers that are none, bounds that are equal, no

@@ -161,6 +161,14 @@ Result<void> checkTask(const Task &task)
         if (auto valid = checkGateAmong(before); !valid)
             return valid;
     }
+    std::vector<Zone> zones;
+    for (const Zone &zone : task.zones) {
+        if (auto valid = checkZone(zone); !valid)
+            return valid;
+        zones.push_back(zone);
+        if (auto valid = checkZoneAmong(zones); !valid)
+            return valid;
+    }
     if (auto valid = checkReferencePath(task.path); !valid)
         return valid;
     return checkTaskLimits(task.limits);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/trajectory/zone.h"
 
 #include <Eigen/Core>
 #include <optional>
@@ -47,6 +48,7 @@ struct Task
     std::vector<Gate> gates; ///< in the order in which they are to be passed
     ReferencePath path;
     TaskLimits limits;
+    std::vector<Zone> zones = {};
 };
 
 /// "free", "straight_line", "circle", "figure_eight", "slalom"; NotFound, with the words there are, for another.
@@ -57,7 +59,7 @@ Result<GateRole> parseGateRole(std::string_view word);
 std::string_view gateRoleWord(GateRole role);
 
 /// Whether a task can be measured, InvalidInput where not: numbers that are none, a gate shorter than a
-/// millimetre, names twice, two starts or finishes, a path of a single point, limits that are not above zero.
+/// millimetre, names twice, two starts or finishes, a path of a single point, limits that are not above zero, zones that are none (checkZone).
 /// The parts' functions are for readers that know the line of each part.
 Result<void> checkTask(const Task &task);
 Result<void> checkGate(const Gate &gate);

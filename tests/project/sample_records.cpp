@@ -90,6 +90,9 @@ Task RecordSource::task()
                   {"финиш", GateRole::Finish, vector(), vector()}};
     task.path = {{vector(), vector(), vector(), vector()}, true};
     task.limits = {positive(), positive()};
+    const Eigen::Vector2d corner = vector();
+    task.zones = {{"поле", ZoneRule::StayInside, {corner, corner + Eigen::Vector2d(2, 0), corner + Eigen::Vector2d(0.1, 3)}},
+                  rectangularZone("Wand", ZoneRule::StayOutside, corner, corner + Eigen::Vector2d(-0.1, -0.7))};
     return task;
 }
 

@@ -56,7 +56,9 @@ private Q_SLOTS:
         const std::filesystem::path file = m_folder->filePath(QStringLiteral("year.odo")).toStdString();
         m_project = std::move(*Project::create(file, "Year"));
         RecordSource source(7);
-        m_trial = fill(*m_project, source)->trial;
+        const auto filled = fill(*m_project, source);
+        m_trial = filled->trial;
+        m_robot = filled->robot;
         m_second = std::move(*ProjectConnection::open(file, DatabaseAccess::ReadOnly));
     }
     void cleanup()
@@ -88,7 +90,7 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<Project> m_project;
     std::unique_ptr<ProjectConnection> m_second; ///< looks on
-    RecordId m_trial = 0;
+    RecordId m_trial = 0, m_robot = 0;
 };
 
 void TestChangeJournal::aChangeIsTakenBackAndMadeAgain()
@@ -138,7 +140,7 @@ Result<void> TestChangeJournal::randomChange(std::mt19937 &random)
             return trials.setNotes(m_trial, name + "\n=1+1");
         case 6:
             return m_project->teams()
-                .add({0, name, "class " + std::to_string(number % 3), "P" + name})
+                .add({0, name, "class " + std::to_string(number % 3), "P" + name, {name, "Zoë"}, {m_robot}})
                 .map([](auto &&) {});
         case 7:
             return trials.setTask(m_trial, "task " + std::to_string(number % 4));

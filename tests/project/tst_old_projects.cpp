@@ -202,6 +202,15 @@ private:
         QVERIFY2(task.has_value(), task ? "" : task.error().message().c_str());
         QVERIFY(task->task.kind == TaskTemplate::Free && task->task.gates.empty());
         QVERIFY(task->task.path.points.empty() && !task->task.limits.maxSpeedMps);
+        QVERIFY(task->task.zones.empty() && !task->archived);
+        QVERIFY(project.robots().find("red")->drawingColour == DrawingColour::Automatic);
+        const auto team = project.teams().find("Heron");
+        QVERIFY(team->members.empty() && team->robots.empty());
+        QCOMPARE(team->pseudonym, std::string(format >= 10 ? "Team 4" : ""));
+        QCOMPARE(trial->starred, format >= 10);
+        QCOMPARE(trial->tags.size(), std::size_t(format >= 10 ? 1 : 0));
+        QCOMPARE(project.tasks().scoring(task->id)->size(), std::size_t(format >= 10 ? 1 : 0));
+        QVERIFY(!project.trials().currentImportedTrack(trial->id, 1)->has_value());
     }
     static void analysisIsKept(Project &project, int format)
     {

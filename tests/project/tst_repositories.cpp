@@ -230,7 +230,7 @@ private Q_SLOTS:
     void robotsRoundTrip()
     {
         using Height = RobotRecord::Height;
-        const RobotRecord wanted[] = {{0, "red", {1, 2, 255}, Height::Told, m_source.positive(), 0.26, 0.19},
+        const RobotRecord wanted[] = {{0, "red", {1, 2, 255}, Height::Told, m_source.positive(), 0.26, 0.19, DrawingColour::SkyBlue},
                                       {0, "blau", {0, 0, 0}, Height::Automatic, {}, {}, {}},
                                       {0, "機器人", {9, 9, 9}, Height::Free, {}, 0.3, {}}};
         for (const RobotRecord &robot : wanted)
@@ -247,6 +247,7 @@ private Q_SLOTS:
             QVERIFY(read->heightMode == robot.heightMode);
             QVERIFY(read->heightM == robot.heightM && read->lengthM == robot.lengthM &&
                     read->widthM == robot.widthM);
+            QVERIFY(read->drawingColour == robot.drawingColour);
         }
         const auto unknown = m_project->robots().find("x");
         QCOMPARE(unknown.error().code, ErrorCode::NotFound);
@@ -264,6 +265,38 @@ private Q_SLOTS:
         QCOMPARE(m_project->teams().find("Dynamo")->className, std::string("8b"));
         QCOMPARE(m_project->teams().find("Alone")->className, std::string());
         QCOMPARE(m_project->teams().all()->size(), std::size_t(2));
+    }
+
+    void teamsHaveMembersAndRobots()
+    {
+        const RecordId red = m_project->robots().add(robotNamed("red"))->id, blue = m_project->robots().add(robotNamed("blue"))->id;
+        QVERIFY(m_project->teams().add({0, "Dynamo", "8b", "", {"Zoë", "Anna", "Ben"}, {blue, red}}).has_value());
+        QVERIFY(m_project->teams().add({0, "Other", "8b", "", {"Anna"}, {red}}).has_value());
+        reopen();
+        TeamRecord team = *m_project->teams().find("Dynamo");
+        QCOMPARE(team.members, (std::vector<std::string>{"Zoë", "Anna", "Ben"}));
+        QCOMPARE(team.robots, (std::vector<RecordId>{blue, red}));
+        QCOMPARE(m_project->teams().all()->at(1).members, std::vector<std::string>{"Anna"});
+        team.members = {"Ben"};
+        QVERIFY(m_project->teams().set(team));
+        QCOMPARE(m_project->teams().find("Dynamo")->members, std::vector<std::string>{"Ben"});
+        QCOMPARE(m_project->teams().find("Other")->members, std::vector<std::string>{"Anna"});
+        team.members = {"Ben", "two\nlines"};
+        QCOMPARE(m_project->teams().set(team).error().message(),
+                 std::string("name of a member: it holds a line break or another control character; use a name of one line"));
+        team.members = {};
+        team.robots = {red, red};
+        QCOMPARE(m_project->teams().set(team).error().message(),
+                 std::string("team 'Dynamo': a robot belongs to it twice; name each of its robots once"));
+        team.robots = {999};
+        QCOMPARE(m_project->teams().set(team).error().code, ErrorCode::NotFound);
+        // What is refused leaves it as it was, and a robot or a team that goes takes only its own rows along.
+        QCOMPARE(m_project->teams().find("Dynamo")->robots, (std::vector<RecordId>{blue, red}));
+        QVERIFY(m_project->robots().remove(red));
+        QCOMPARE(m_project->teams().find("Dynamo")->robots, std::vector<RecordId>{blue});
+        QVERIFY(m_project->teams().find("Other")->robots.empty());
+        QVERIFY(m_project->teams().remove(m_project->teams().find("Other")->id));
+        QCOMPARE(m_project->teams().find("Dynamo")->members, std::vector<std::string>{"Ben"});
     }
 
     void trialsRoundTrip()
@@ -334,6 +367,10 @@ private Q_SLOTS:
             const Gate &a = read.gates[i], &b = wanted.gates[i];
             QVERIFY(a.name == b.name && a.role == b.role && sameMatrix(a.from, b.from) && sameMatrix(a.to, b.to));
         }
+        QCOMPARE(read.zones.size(), wanted.zones.size());
+        for (std::size_t i = 0; i < wanted.zones.size(); ++i)
+            QVERIFY(read.zones[i].name == wanted.zones[i].name && read.zones[i].rule == wanted.zones[i].rule &&
+                    read.zones[i].corners == wanted.zones[i].corners);
         const Task empty = m_project->tasks().get(m_project->tasks().find("empty")->id)->task;
         QVERIFY(empty.gates.empty() && empty.path.points.empty() && !empty.limits.maxAccelMps2);
         QCOMPARE(m_project->tasks().add({0, "empty", {}}).error().code, ErrorCode::AlreadyExists);
@@ -348,6 +385,11 @@ private Q_SLOTS:
         task.gates[2].name = "half";
         QCOMPARE(m_project->tasks().add({0, "t", task}).error().message(),
                  std::string("gate 'half': the name is there twice; give each gate a name of its own"));
+        task = m_source.task();
+        task.zones[0].corners.pop_back();
+        task.zones[0].corners.pop_back();
+        QCOMPARE(m_project->tasks().add({0, "t", task}).error().message(),
+                 std::string("zone 'поле': it has less than three corners; give the corners of its outline, all the way round"));
         task = m_source.task();
         task.gates[1].name = "a\nb";
         QCOMPARE(m_project->tasks().add({0, "t", task}).error().code, ErrorCode::InvalidInput);
@@ -507,6 +549,45 @@ private Q_SLOTS:
         QVERIFY(said().empty());
         QVERIFY(!m_project->trials().setOverrules(filled->trial + 99, filled->robot, {{1, true}}));
     }
+    void importedTracksRoundTripAndTheNewestIsCurrent()
+    {
+        const RecordId robot = m_project->robots().add(robotNamed("red"))->id;
+        TrialRecord trial; // nothing was recorded of it
+        trial.name = "from elsewhere";
+        trial.robots = {robot};
+        trial.id = m_project->trials().add(trial, {})->id;
+        QVERIFY(!m_project->trials().currentImportedTrack(trial.id, robot)->has_value());
+        ImportedTrack wanted{trial.id, robot, m_source.instant(), "lauf ß.txt", "00ff", 123, "tum", "metres, σ 5 mm", {}};
+        for (int i = 0; i < 77; ++i) {
+            Sample sample;
+            sample.time = Nanoseconds(i * 10);
+            sample.frame = i;
+            if (i != 5)
+                sample.position = m_source.vector();
+            sample.covariance = m_source.covariance();
+            sample.flags = i == 5 ? flagBit(SampleFlag::Lost) : 0;
+            wanted.samples.push_back(sample);
+        }
+        QVERIFY(m_project->trials().addImportedTrack(wanted).has_value());
+        wanted.format = "csv";
+        QVERIFY(m_project->trials().addImportedTrack(wanted).has_value());
+        reopen();
+        const auto read = m_project->trials().currentImportedTrack(trial.id, robot);
+        QVERIFY(read && *read);
+        const ImportedTrack &track = **read;
+        QVERIFY(track.imported == wanted.imported && track.file == wanted.file && track.sha256 == wanted.sha256);
+        QVERIFY(track.bytes == wanted.bytes && track.format == "csv" && track.reading == wanted.reading);
+        QVERIFY(std::equal(track.samples.begin(), track.samples.end(), wanted.samples.begin(), wanted.samples.end(), sameSample));
+        QCOMPARE(m_project->robots().remove(robot).error().why, std::string("it drove in a trial"));
+        QVERIFY(m_project->check(false)->empty());
+
+        std::swap(wanted.samples[3], wanted.samples[4]);
+        QCOMPARE(m_project->trials().addImportedTrack(wanted).error().message(),
+                 std::string("track 'lauf ß.txt': its times do not rise; import another file"));
+        wanted.samples.clear();
+        QCOMPARE(m_project->trials().addImportedTrack(wanted).error().why, std::string("it has no samples"));
+    }
+
     void truthRoundTripsAndIsReplaced()
     {
         const auto filled = fill(*m_project, m_source);

@@ -33,6 +33,8 @@ private Q_SLOTS:
     void whatWasMeasuredKeepsTheTaskItWasMeasuredBy();
     void aLongNameStillHasAVersion();
     void changesAreTakenBack();
+    void aTaskIsArchivedAndRestored();
+    void zonesBelongToTheCourse();
     void whatIsUsedIsNotRemoved();
     void aScoringIsStored();
     void figuresOfScoredRunsAreRead();
@@ -146,6 +148,44 @@ void TestTaskChanges::changesAreTakenBack()
     QCOMPARE(tasks().all()->size(), m_count);
     QVERIFY(m_project->redo());
     QCOMPARE(task("Line").task.path.points[1].x(), 3.0);
+}
+
+void TestTaskChanges::aTaskIsArchivedAndRestored()
+{
+    const RecordId id = task("Line").id;
+    QVERIFY(m_project->change("archive task Line", [&] { return tasks().setArchived(id, true); }));
+    QVERIFY(task("Line").archived.has_value());
+    QCOMPARE(tasks().current()->size(), m_count - 1); // not among those to choose from
+    QCOMPARE(m_project->trials().get(m_filled.trial)->task, std::string("Line"));
+    QVERIFY(tasks().change({id, "Line", line(3)}));
+    QVERIFY(task("Line").archived.has_value()); // another course leaves it where it is
+    QVERIFY(m_project->change("take it out", [&] { return tasks().setArchived(task("Line").id, false); }));
+    QCOMPARE(tasks().current()->size(), m_count);
+    QVERIFY(m_project->undo());
+    QVERIFY(task("Line").archived.has_value());
+    QVERIFY(m_project->redo());
+    QCOMPARE(tasks().setArchived(999, true).error().code, ErrorCode::NotFound);
+}
+
+void TestTaskChanges::zonesBelongToTheCourse()
+{
+    TaskRecord changed = task("Line");
+    changed.task = {};
+    const RecordId bare = tasks().change(changed)->id;
+    measure(bare);
+    changed = task("Line");
+    changed.task.zones = {rectangularZone("Field", ZoneRule::StayInside, {0, 0}, {3, 2})};
+    const auto fenced = tasks().change(changed);
+    QVERIFY(fenced && fenced->id != bare);
+    QVERIFY(hasCourse(fenced->task));
+    QCOMPARE(m_project->analyses().trialsMeasuredOtherwise().value(), std::vector<RecordId>{m_filled.trial});
+    changed = *fenced;
+    changed.task.zones[0].rule = ZoneRule::StayOutside;
+    QVERIFY(tasks().change(changed)->id != fenced->id);
+    changed = task("Line");
+    changed.task.zones.push_back(changed.task.zones[0]);
+    QCOMPARE(tasks().change(changed).error().message(),
+             std::string("zone 'Field': the name is there twice; give each zone a name of its own"));
 }
 
 void TestTaskChanges::whatIsUsedIsNotRemoved()

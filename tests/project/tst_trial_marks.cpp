@@ -71,6 +71,9 @@ private Q_SLOTS:
         QVERIFY(trials.currentObservations(m_filled.recordings.front(), m_filled.robot)->has_value());
 
         std::vector<std::string> paths;
+        ImportedTrack track{m_filled.trial, m_filled.robot, {}, "run.tum", "00ff", 9, "tum", "metres", {}};
+        track.samples.emplace_back();
+        QVERIFY(trials.addImportedTrack(track));
         const auto recordings = trials.recordings(m_filled.trial).value();
         for (const RecordingRecord &recording : recordings)
             paths.push_back(recording.path);
@@ -85,7 +88,7 @@ private Q_SLOTS:
         const auto connection = ProjectConnection::open(m_file, DatabaseAccess::ReadOnly);
         for (const char *table :
              {"observation_series", "observation_chunk", "raw_time_chunk", "frame_time_chunk", "recording",
-              "analysis", "analysis_series", "metric", "spike", "truth"}) {
+              "analysis", "analysis_series", "metric", "spike", "truth", "imported_track"}) {
             const QString count = QStringLiteral("SELECT COUNT(*) FROM %1").arg(QLatin1String(table));
             QVERIFY2((*connection)->number(count).value() == 0, table);
         }
@@ -94,9 +97,13 @@ private Q_SLOTS:
     /// Nobody deletes raw measurements by a statement of his own, not even of a trial in the bin.
     void rawMeasurementsOfATrialInTheBinAreKept()
     {
+        ImportedTrack track{m_filled.trial, m_filled.robot, {}, "run.tum", "00ff", 9, "tum", "metres", {}};
+        track.samples.emplace_back();
+        QVERIFY(m_project->trials().addImportedTrack(track));
         QVERIFY(m_project->trials().setBinned(m_filled.trial, true));
         const auto connection = ProjectConnection::open(m_file, DatabaseAccess::ReadWrite);
-        for (const char *table : {"observation_series", "observation_chunk"})
+        QVERIFY(!(*connection)->execute(QStringLiteral("UPDATE imported_track SET file='other'")));
+        for (const char *table : {"observation_series", "observation_chunk", "imported_track"})
             QVERIFY(!(*connection)->execute(QStringLiteral("DELETE FROM %1").arg(QLatin1String(table))));
     }
 
