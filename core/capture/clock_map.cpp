@@ -13,8 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Nanoseconds memory = 30s, oneArrivalEach = 250ms, largestJump = 50ms;
-constexpr double largestRate = 500e-6;
+constexpr Nanoseconds memory = 30s, oneArrivalEach = 250ms;
 constexpr std::size_t fewestLatches = 3;
 constexpr Nanoseconds shortestRoundTrip = 1us; // none is better known than that
 // Between the two halves of a round trip there may be this share of it.
@@ -84,7 +83,7 @@ void ClockMap::startAnewIfSet(std::optional<Nanoseconds> &last, Nanoseconds devi
 {
     const bool backwards = last && device < *last;
     // A picture may be late by any time, but is never early.
-    const bool jumped = m_fit && m_fit->hostTime(device) - host > largestJump;
+    const bool jumped = m_fit && m_fit->hostTime(device) - host > largestClockJump;
     if (backwards || jumped) {
         m_arrivals.clear();
         m_latches.clear();
@@ -136,7 +135,8 @@ ClockFit ClockMap::fitArrivals() const
 {
     const std::vector<Point> points = pointsOf(m_arrivals);
     ClockFit fit;
-    fit.rate = std::clamp(slopeOver(lowerHull(points), meanDevice(points)), -largestRate, largestRate);
+    fit.rate =
+        std::clamp(slopeOver(lowerHull(points), meanDevice(points)), -fastestClockRate, fastestClockRate);
     double lowest = 0; // of host − device at the newest point, for a line of this slope below all points
     for (const Point &point : points)
         lowest = std::min(lowest, point.behindS - fit.rate * point.deviceS);
@@ -175,7 +175,7 @@ std::optional<ClockFit> ClockMap::fitLatches() const
     }
     ClockFit fit;
     fit.source = ClockFit::Source::Latch;
-    fit.rate = spread > 0 ? std::clamp(product / spread, -largestRate, largestRate) : 0;
+    fit.rate = spread > 0 ? std::clamp(product / spread, -fastestClockRate, fastestClockRate) : 0;
     for (std::size_t i = 0; i < points.size(); ++i)
         squares += weights[i] * std::pow(points[i].behindS - behind - fit.rate * (points[i].deviceS - middle), 2);
     const double scatter = std::max(1.0, squares / static_cast<double>(points.size() - 2));

@@ -8,6 +8,11 @@
 
 namespace odo {
 
+/// No clock runs faster or slower than this.
+inline constexpr double fastestClockRate = 500e-6;
+/// A clock that is further than this from where it is expected, but for its rate, was set anew.
+inline constexpr Nanoseconds largestClockJump = std::chrono::milliseconds(50);
+
 /// How a camera's clock goes against this machine's.
 struct ClockFit
 {
@@ -26,18 +31,18 @@ struct ClockFit
 /// Learns, while pictures come in, how the time stamps of a camera's own clock translate into this machine's
 /// steady clock.
 ///
-/// From arrivals: a picture cannot arrive before it was taken and often arrives late, so the truth lies at the
-/// lower edge of host − device over device. The line is the one below all points with the least sum of
-/// distances to them, which is the edge of their lower convex hull at their mean device time (Moon, Skelly and
-/// Towsley 1999, "Estimation and removal of clock skew from network delay measurements"). A least-squares
+/// From arrivals: a picture cannot arrive before it was taken and often arrives late, so the truth lies at
+/// the lower edge of host − device over device. The line is the one below all points with the least sum of
+/// distances to them, which is the edge of their lower convex hull at their mean device time (Moon, Skelly
+/// and Towsley 1999, "Estimation and removal of clock skew from network delay measurements"). A least-squares
 /// line would be dragged by every delay: 50 to 75 ppm.
 ///
 /// From latches, which are preferred as soon as three are there: the camera's clock is read and lies between
 /// two readings of ours; by least squares, each weighed by how short its round trip was.
 ///
 /// Both forget what is older than 30 s, so that a quartz that warms up is followed. A device time that goes
-/// backwards, or that jumps against ours by more than 50 ms, is a clock that was set anew: all is forgotten
-/// and a new epoch begins. Rates beyond ±500 ppm are no clock's: the rate is held there. Not thread-safe.
+/// backwards, or that jumps against ours by more than largestClockJump, is a clock that was set anew: all is
+/// forgotten and a new epoch begins. The rate is held at fastestClockRate. Not thread-safe.
 class ClockMap
 {
 public:

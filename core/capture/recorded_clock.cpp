@@ -15,9 +15,6 @@ using namespace std::chrono_literals;
 
 // ClockMap remembers 30 s: what it knows 15 s later has a picture in its middle.
 constexpr Nanoseconds lookAhead = 15s, knotEach = 10s, shortestStep = 1us;
-// What two readings must contradict one another by, beside the fastest clock's drift, for a clock set anew.
-constexpr Nanoseconds largestJump = 50ms;
-constexpr double fastestClock = 500e-6;
 
 /// The clock as it was known around a device time.
 struct Knot
@@ -72,7 +69,7 @@ Nanoseconds hostTime(const std::vector<Knot> &knots, Nanoseconds device)
 bool isSetAnewBetween(const ClockReading &a, const ClockReading &b)
 {
     const Nanoseconds step = b.device - a.device;
-    const Nanoseconds bound = largestJump + fromSeconds(fastestClock * std::abs(toSeconds(step)));
+    const Nanoseconds bound = largestClockJump + fromSeconds(fastestClockRate * std::abs(toSeconds(step)));
     return (b.before - a.after) - step > bound || step - (b.after - a.before) > bound;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/camera_time_scale.h"
 
+#include "core/capture/clock_map.h"
+
 #include <algorithm>
 
 namespace odo {
@@ -10,9 +12,8 @@ namespace {
 using namespace std::chrono_literals;
 
 // How far a clock that goes on may be from where it is expected, but for how fast it runs.
-constexpr Nanoseconds earliest = 1s, earliestAfterInterruption = 50ms;
+constexpr Nanoseconds earliest = 1s, earliestAfterInterruption = largestClockJump;
 constexpr Nanoseconds usuallyLatest = 1s, latestBesideReading = 10s;
-constexpr double fastestClock = 500e-6;
 constexpr std::uint64_t lastOf16Bits = 0xffff;
 constexpr std::uint64_t largestGap = 30000; // of numbers of 16 bits; more is a count that began anew
 
@@ -23,7 +24,7 @@ bool CameraTimeScale::follows(const Picture &picture) const
     const Nanoseconds step = picture.stamp - m_last->stamp, passed = picture.taken - m_last->taken;
     if (step <= 0ns)
         return false;
-    const Nanoseconds drift = fromSeconds(fastestClock * toSeconds(step)), early = step - passed;
+    const Nanoseconds drift = fromSeconds(fastestClockRate * toSeconds(step)), early = step - passed;
     const Nanoseconds tolerance = m_interrupted ? earliestAfterInterruption : earliest;
     // A clock that began anew shows some late picture's time by chance only.
     const Nanoseconds latest = picture.isRead  ? tolerance
@@ -56,7 +57,8 @@ Nanoseconds CameraTimeScale::place(Nanoseconds stamp, Nanoseconds arrival,
         m_zero = stamp - (onScale(m_last->stamp) + std::max(picture.taken - m_last->taken, Nanoseconds(1)));
     } else if (!picture.isRead) {
         const Nanoseconds step = stamp - m_last->stamp;
-        picture.taken = std::min(arrival, m_last->taken + step + fromSeconds(fastestClock * toSeconds(step)));
+        picture.taken =
+            std::min(arrival, m_last->taken + step + fromSeconds(fastestClockRate * toSeconds(step)));
     }
     m_last = picture;
     m_interrupted = false;
