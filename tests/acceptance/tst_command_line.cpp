@@ -2,7 +2,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
-#include "tests/support/program.h"
+#include "tests/support/calling_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -15,38 +15,9 @@ using namespace odo::test;
 
 /// Every subcommand with a good call and with bad ones: the answer, the exit status, the one-line error, and that a
 /// failed call leaves the project's file as it was.
-class TestCommandLine : public QObject
+class TestCommandLine : public QObject, CallingTest
 {
     Q_OBJECT
-
-    QTemporaryDir m_folder;
-    QString m_project;
-
-    QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
-
-    void write(const char *name, const QByteArray &content) const
-    {
-        QFile file(path(name));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(content);
-    }
-
-    /// "%/" in an argument stands for the test's folder, "%P" for the project.
-    QStringList filled(const QString &line) const
-    {
-        QStringList arguments = line.split(u' ', Qt::SkipEmptyParts);
-        for (QString &argument : arguments)
-            argument.replace(QStringLiteral("%P"), m_project).replace(QStringLiteral("%/"), m_folder.path() + u'/');
-        return arguments;
-    }
-
-    ProgramRun good(const char *line) const
-    {
-        const ProgramRun run = runProgram(filled(QString::fromLatin1(line)));
-        if (run.exitStatus != 0)
-            qWarning("%s: %s", line, run.err.constData());
-        return run;
-    }
 
     void renderTestVideos() const
     {
@@ -113,7 +84,6 @@ class TestCommandLine : public QObject
 private Q_SLOTS:
     void initTestCase()
     {
-        m_project = path("class.odo");
         renderTestVideos();
         write("layout.csv", "label,x_mm,y_mm\nO,0,0\nU,3000,0\nV,0,2200\nD,3000,2200\n");
         write("three.csv", "label,u,v\nO,100,600\nU,1100,650\nV,300,200\n");
@@ -216,12 +186,8 @@ private Q_SLOTS:
 
     void badCallsFailInOneLine_data()
     {
-        QTest::addColumn<QString>("line");
-        QTest::addColumn<int>("status");
-        QTest::addColumn<QString>("words");
-        const auto row = [](const char *line, int status, const char *words) {
-            QTest::newRow(line) << QString::fromLatin1(line) << status << QString::fromUtf8(words);
-        };
+        beginBadCalls();
+        const auto row = addBadCall;
         row("nonsense", 2, "neither a command nor a project");
         row("new", 2, "something is missing");
         row("new %P", 1, "there already");
@@ -318,23 +284,7 @@ private Q_SLOTS:
         row("check %/foreign.odo", 1, "foreign.odo");
     }
 
-    void badCallsFailInOneLine()
-    {
-        QFETCH(QString, line);
-        QFETCH(int, status);
-        QFETCH(QString, words);
-        const QByteArray before = fileHash(m_project);
-        const QStringList filesBefore = QDir(m_folder.path()).entryList();
-        const ProgramRun run = runProgram(filled(line));
-        QVERIFY2(run.exitStatus == status, qPrintable(QString::number(run.exitStatus) + QString::fromUtf8(run.err)));
-        QVERIFY2(run.err.startsWith("odograph: "), run.err);
-        QCOMPARE(run.err.count('\n'), 1);
-        QVERIFY2(run.err.contains("; "), run.err); // it says what to do
-        QVERIFY2(run.err.contains(words.toUtf8()), run.err);
-        QVERIFY(run.out.isEmpty());
-        QCOMPARE(fileHash(m_project), before);
-        QCOMPARE(QDir(m_folder.path()).entryList(), filesBefore);
-    }
+    void badCallsFailInOneLine() { badCallFailsInOneLine(); }
 
     void aRobotThatIsNotThereIsNotFound()
     {

@@ -3,7 +3,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
-#include "tests/support/program.h"
+#include "tests/support/calling_test.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -15,31 +15,14 @@ using namespace odo;
 using namespace odo::test;
 
 /// Layouts, registration by rings, all cameras together, and the alarm, by the command line alone.
-class TestFloorCommands : public QObject
+class TestFloorCommands : public QObject, CallingTest
 {
     Q_OBJECT
 
-    QTemporaryDir m_folder;
-
-    QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
     QByteArray read(const char *name) const
     {
         QFile file(path(name));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    }
-    void write(const char *name, const QByteArray &content) const
-    {
-        QFile file(path(name));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(content);
-    }
-    /// "%/" stands for the folder.
-    ProgramRun run(const char *line) const
-    {
-        QStringList arguments = QString::fromLatin1(line).split(u' ', Qt::SkipEmptyParts);
-        for (QString &argument : arguments)
-            argument.replace(QStringLiteral("%/"), m_folder.path() + u'/');
-        return runProgram(arguments);
     }
     void draw(const SimulatedScene &scene, int camera, const char *name) const
     {
@@ -73,33 +56,35 @@ private Q_SLOTS:
         kicked.floor.markers.markers[4].pointInWorld.x() += 0.03;
         draw(kicked, 1, "kicked.png");
         write("layout.csv", layoutCsv);
-        QCOMPARE(run("new %/p.odo").exitStatus, 0);
-        QCOMPARE(run("layout add %/p.odo floor %/layout.csv").exitStatus, 0);
-        QCOMPARE(run("intrinsics import %/p.odo A %/a.yaml").exitStatus, 0);
-        QCOMPARE(run("intrinsics import %/p.odo B %/b.yaml").exitStatus, 0);
+        QCOMPARE(run("new %P").exitStatus, 0);
+        QCOMPARE(run("layout add %P floor %/layout.csv").exitStatus, 0);
+        QCOMPARE(run("intrinsics import %P A %/a.yaml").exitStatus, 0);
+        QCOMPARE(run("intrinsics import %P B %/b.yaml").exitStatus, 0);
     }
     void aLayoutComesOutAsItWentIn()
     {
-        QCOMPARE(run("layout export %/p.odo floor %/out.csv").exitStatus, 0);
+        QCOMPARE(run("layout export %P floor %/out.csv").exitStatus, 0);
         QCOMPARE(read("out.csv"), QByteArray(layoutCsv));
     }
     void registersByRingsAndListsThem()
     {
-        for (const char *line : {"register %/p.odo --camera A --layout floor --image %/a.png --json",
-                                 "register %/p.odo --camera B --layout floor --image %/b.png --json"}) {
+        for (const char *line : {"register %P --camera A --layout floor --image %/a.png --json",
+                                 "register %P --camera B --layout floor --image %/b.png --json"}) {
             const ProgramRun registered = run(line);
             QVERIFY2(registered.exitStatus == 0, registered.err);
             QVERIFY(registered.json().value(QStringLiteral("rms_px")).toDouble() < 0.2);
             QCOMPARE(registered.json().value(QStringLiteral("markers")).toArray().size(), 5);
         }
-        const QJsonArray layouts = run("layout list %/p.odo --json").json().value(QStringLiteral("layouts")).toArray();
+        const QJsonArray layouts =
+            run("layout list %P --json").json().value(QStringLiteral("layouts")).toArray();
         QCOMPARE(layouts.size(), 1);
         QCOMPARE(layouts[0].toObject().value(QStringLiteral("cameras")).toArray().size(), 2);
-        QCOMPARE(run("layout show %/p.odo floor --json").json().value(QStringLiteral("markers")).toArray().size(), 5);
+        QCOMPARE(run("layout show %P floor --json").json().value(QStringLiteral("markers")).toArray().size(),
+                 5);
     }
     void allCamerasTogether()
     {
-        const ProgramRun joint = run("register %/p.odo --joint --layout floor --tape 1mm --json");
+        const ProgramRun joint = run("register %P --joint --layout floor --tape 1mm --json");
         QVERIFY2(joint.exitStatus == 0, joint.err);
         QCOMPARE(joint.json().value(QStringLiteral("cameras")).toArray().size(), 2);
         QCOMPARE(joint.json().value(QStringLiteral("markers")).toArray().size(), 5);
@@ -107,13 +92,13 @@ private Q_SLOTS:
     }
     void theAlarmTellsACameraFromAMarker()
     {
-        const ProgramRun still = run("moved %/p.odo --camera B --image %/b.png --json");
+        const ProgramRun still = run("moved %P --camera B --image %/b.png --json");
         QVERIFY2(still.exitStatus == 0, still.err);
         QCOMPARE(still.json().value(QStringLiteral("moved")).toString(), QStringLiteral("nothing"));
-        const ProgramRun bumped = run("moved %/p.odo --camera B --image %/bumped.png --json");
+        const ProgramRun bumped = run("moved %P --camera B --image %/bumped.png --json");
         QCOMPARE(bumped.exitStatus, 1);
         QCOMPARE(bumped.json().value(QStringLiteral("moved")).toString(), QStringLiteral("camera"));
-        const ProgramRun kicked = run("moved %/p.odo --camera B --image %/kicked.png --json");
+        const ProgramRun kicked = run("moved %P --camera B --image %/kicked.png --json");
         QCOMPARE(kicked.exitStatus, 1);
         QCOMPARE(kicked.json().value(QStringLiteral("moved")).toString(), QStringLiteral("markers"));
         QVERIFY(kicked.json().value(QStringLiteral("verdict")).toString().contains(QStringLiteral("Marker E has moved")));
@@ -121,30 +106,33 @@ private Q_SLOTS:
     void anOlderRegistrationIsUsedAgain()
     {
         // The first registration is put in force again, and the list says so.
-        const QJsonArray revisions = run("revisions %/p.odo B --json").json().value(QStringLiteral("revisions")).toArray();
+        const QJsonArray revisions =
+            run("revisions %P B --json").json().value(QStringLiteral("revisions")).toArray();
         QVERIFY(revisions.size() >= 2);
         const QJsonObject oldest = revisions.last().toObject();
         QCOMPARE(oldest.value(QStringLiteral("kind")).toString(), QStringLiteral("registration"));
-        const QByteArray use = "revisions %/p.odo B --json --use registration:" + QByteArray::number(oldest.value(QStringLiteral("id")).toInt());
+        const QByteArray use = "revisions %P B --json --use registration:" +
+                               QByteArray::number(oldest.value(QStringLiteral("id")).toInt());
         const ProgramRun chosen = run(use.constData());
         QVERIFY2(chosen.exitStatus == 0, chosen.err);
         QVERIFY(chosen.json().value(QStringLiteral("revisions")).toArray().last().toObject().value(QStringLiteral("in_force")).toBool());
-        QCOMPARE(run("revisions %/p.odo B --use registration:99").exitStatus, 1);
-        QCOMPARE(run("revisions %/p.odo B --use 7").exitStatus, 2);
-        QCOMPARE(run("reprocess %/p.odo nothing").exitStatus, 1);
-        const ProgramRun same = run("register %/p.odo --camera B --again");
+        QCOMPARE(run("revisions %P B --use registration:99").exitStatus, 1);
+        QCOMPARE(run("revisions %P B --use 7").exitStatus, 2);
+        QCOMPARE(run("reprocess %P nothing").exitStatus, 1);
+        const ProgramRun same = run("register %P --camera B --again");
         QCOMPARE(same.exitStatus, 1);
         QVERIFY2(same.err.contains("it was made with it already"), same.err);
-        QCOMPARE(run("register %/p.odo --camera B --again --joint --layout floor").exitStatus, 2);
-        const QByteArray back = "revisions %/p.odo B --use registration:" +
-                                QByteArray::number(revisions.first().toObject().value(QStringLiteral("id")).toInt());
+        QCOMPARE(run("register %P --camera B --again --joint --layout floor").exitStatus, 2);
+        const QByteArray back =
+            "revisions %P B --use registration:" +
+            QByteArray::number(revisions.first().toObject().value(QStringLiteral("id")).toInt());
         QCOMPARE(run(back.constData()).exitStatus, 0);
     }
     void theAxesMoveWithTheCameras()
     {
         write("task.json", R"({"template": "free", "gates": [{"name": "start", "role": "start", "from_mm": [0, 0], "to_mm": [0, 500]}]})");
-        QCOMPARE(run("task add %/p.odo dash %/task.json").exitStatus, 0);
-        const ProgramRun moved = run("layout transform %/p.odo floor --origin U --turn 90 --json");
+        QCOMPARE(run("task add %P dash %/task.json").exitStatus, 0);
+        const ProgramRun moved = run("layout transform %P floor --origin U --turn 90 --json");
         QVERIFY2(moved.exitStatus == 0, moved.err);
         QVERIFY2(moved.err.contains("the gates and paths of tasks stay where they are in the axes that were") && moved.err.contains("make dash anew"),
                  moved.err);
@@ -152,8 +140,8 @@ private Q_SLOTS:
         const QJsonObject second = moved.json().value(QStringLiteral("markers")).toArray()[1].toObject();
         QVERIFY(std::abs(second.value(QStringLiteral("x_mm")).toDouble()) < 1e-6);
         // What was carried along is still true: the markers lie where the camera has them.
-        QCOMPARE(run("moved %/p.odo --camera B --image %/b.png --json").exitStatus, 0);
-        const ProgramRun joint = run("register %/p.odo --joint --layout floor --json");
+        QCOMPARE(run("moved %P --camera B --image %/b.png --json").exitStatus, 0);
+        const ProgramRun joint = run("register %P --joint --layout floor --json");
         QVERIFY2(joint.exitStatus == 0, joint.err);
         QVERIFY(joint.json().value(QStringLiteral("rms_px")).toDouble() < 0.2);
     }
@@ -164,13 +152,14 @@ private Q_SLOTS:
         SimulatedScene scene = demoTestbed(4);
         scene.floor.markerFigure = MarkerFigure::Ring;
         draw(scene, 0, "four.png");
-        QCOMPARE(run("layout add %/p.odo four %/four.csv").exitStatus, 0);
-        const ProgramRun asked = run("register %/p.odo --camera A --layout four --image %/four.png");
+        QCOMPARE(run("layout add %P four %/four.csv").exitStatus, 0);
+        const ProgramRun asked = run("register %P --camera A --layout four --image %/four.png");
         QCOMPARE(asked.exitStatus, 1);
         QVERIFY2(asked.err.contains("--hint") || asked.err.contains("by hand"), asked.err);
         const Eigen::Vector2d o = *scene.cameras[0].view.pixelFromWorld({0, 0, 0});
-        const QByteArray hinted = "register %/p.odo --camera A --layout four --image %/four.png --json --hint O=" +
-                                  QByteArray::number(std::round(o.x())) + ',' + QByteArray::number(std::round(o.y()));
+        const QByteArray hinted = "register %P --camera A --layout four --image %/four.png --json --hint O=" +
+                                  QByteArray::number(std::round(o.x())) + ',' +
+                                  QByteArray::number(std::round(o.y()));
         const ProgramRun told = run(hinted.constData());
         QVERIFY2(told.exitStatus == 0, told.err);
         const QJsonArray place = told.json().value(QStringLiteral("camera_position_m")).toArray();
@@ -180,34 +169,25 @@ private Q_SLOTS:
     }
     void badCallsFailInOneLine_data()
     {
-        QTest::addColumn<int>("status");
-        QTest::addColumn<QByteArray>("words");
-        const auto row = [](const char *line, int status, const char *words) { QTest::newRow(line) << status << QByteArray(words); };
-        row("layout drop %/p.odo", 2, "'drop' is not known");
-        row("layout show %/p.odo", 2, "'show' takes 2 arguments");
-        row("layout show %/p.odo nowhere", 1, "nowhere");
-        row("layout transform %/p.odo floor --reverse x", 1, "reversing X alone would mirror the floor");
-        row("layout transform %/p.odo floor --reverse z", 2, "--reverse takes x, y or xy");
-        row("layout transform %/p.odo floor --origin Q", 1, "it has no marker Q; name one of O, U, V, D and E");
-        row("layout transform %/p.odo floor --unit ell", 1, "use mm, cm, m or inch");
-        row("layout transform %/p.odo floor --x-axis O", 2, "takes two");
-        row("register %/p.odo --joint", 2, "--joint needs --layout");
-        row("register %/p.odo --joint --layout floor --camera A", 2, "exclude each other");
-        row("register %/p.odo --joint --layout floor --tape 0mm", 2, "--tape");
-        row("register %/p.odo --camera A --layout floor --image %/a.png --hint O=5", 2, "--hint takes LABEL=U,V");
-        row("moved %/p.odo --camera B", 2, "--camera and --image are needed");
-        row("moved %/p.odo --camera C --image %/b.png", 1, "C");
-        row("moved %/p.odo --camera B --image %/nofile.png", 1, "nofile.png");
+        beginBadCalls();
+        const auto row = addBadCall;
+        row("layout drop %P", 2, "'drop' is not known");
+        row("layout show %P", 2, "'show' takes 2 arguments");
+        row("layout show %P nowhere", 1, "nowhere");
+        row("layout transform %P floor --reverse x", 1, "reversing X alone would mirror the floor");
+        row("layout transform %P floor --reverse z", 2, "--reverse takes x, y or xy");
+        row("layout transform %P floor --origin Q", 1, "it has no marker Q; name one of O, U, V, D and E");
+        row("layout transform %P floor --unit ell", 1, "use mm, cm, m or inch");
+        row("layout transform %P floor --x-axis O", 2, "takes two");
+        row("register %P --joint", 2, "--joint needs --layout");
+        row("register %P --joint --layout floor --camera A", 2, "exclude each other");
+        row("register %P --joint --layout floor --tape 0mm", 2, "--tape");
+        row("register %P --camera A --layout floor --image %/a.png --hint O=5", 2, "--hint takes LABEL=U,V");
+        row("moved %P --camera B", 2, "--camera and --image are needed");
+        row("moved %P --camera C --image %/b.png", 1, "C");
+        row("moved %P --camera B --image %/nofile.png", 1, "nofile.png");
     }
-    void badCallsFailInOneLine()
-    {
-        QFETCH(int, status);
-        QFETCH(QByteArray, words);
-        const ProgramRun failed = run(QTest::currentDataTag());
-        QCOMPARE(failed.exitStatus, status);
-        QCOMPARE(failed.err.count('\n'), 1);
-        QVERIFY2(failed.err.contains(words), failed.err);
-    }
+    void badCallsFailInOneLine() { badCallFailsInOneLine(); }
 };
 
 QTEST_GUILESS_MAIN(TestFloorCommands)

@@ -3,7 +3,7 @@
 #include "core/project/project.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "tests/support/program.h"
+#include "tests/support/calling_test.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -15,34 +15,10 @@ using namespace odo;
 using namespace odo::test;
 
 /// Tasks on the command line: added, listed, given to trials, and what they measure, against a known circle.
-class TestTasks : public QObject
+class TestTasks : public QObject, CallingTest
 {
     Q_OBJECT
 
-    QTemporaryDir m_folder;
-    QString m_project;
-
-    void write(const char *name, const QByteArray &content) const
-    {
-        QFile file(m_folder.filePath(QString::fromLatin1(name)));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(content);
-    }
-
-    ProgramRun run(const QString &line) const
-    {
-        QStringList arguments = line.split(u' ', Qt::SkipEmptyParts);
-        for (QString &argument : arguments)
-            argument.replace(QStringLiteral("%P"), m_project).replace(QStringLiteral("%/"), m_folder.path() + u'/');
-        return runProgram(arguments);
-    }
-    ProgramRun good(const char *line) const
-    {
-        const ProgramRun done = run(QString::fromLatin1(line));
-        if (done.exitStatus != 0)
-            qWarning("%s: %s", line, done.err.constData());
-        return done;
-    }
     static QJsonObject robotOf(const ProgramRun &run)
     {
         return run.json().value(QStringLiteral("robots")).toObject().value(QStringLiteral("red")).toObject();
@@ -55,7 +31,6 @@ class TestTasks : public QObject
 private Q_SLOTS:
     void initTestCase()
     {
-        m_project = m_folder.filePath(QStringLiteral("class.odo"));
         // Anticlockwise round (1.5 m, 1.1 m) with 0.5 m at 1 m/s, after a ramp of 0.5 s: 2·(t − 0.25 s) rad.
         SimulatedScene scene = demoTestbed(3);
         scene.durationS = 2.0;
@@ -191,13 +166,9 @@ private Q_SLOTS:
 
     void badCallsFailInOneLine_data()
     {
-        QTest::addColumn<QString>("line");
-        QTest::addColumn<int>("status");
-        QTest::addColumn<QString>("words");
-        const auto row = [](const char *line, int status, const char *words) {
-            QTest::newRow(line) << QString::fromLatin1(line) << status << QString::fromUtf8(words);
-        };
-        row("task", 2, "usage");
+        beginBadCalls();
+        const auto row = addBadCall;
+        row("task", 2, "something is missing");
         row("task paint %P", 2, "give add P.odo NAME task.json, list P.odo, or set P.odo TRIAL NAME");
         row("task add %P name", 2, "give add P.odo NAME task.json");
         row("task add %P quarter %/quarter.json", 1, "task 'quarter': the project has a task of that name already");
@@ -207,19 +178,7 @@ private Q_SLOTS:
         row("task set %P nowhere quarter", 1, "trial 'nowhere': there is no such trial");
         row("import %P --trial new --video A=%/a.mkv --task unknown", 1, "task 'unknown': there is no such task");
     }
-    void badCallsFailInOneLine()
-    {
-        QFETCH(QString, line);
-        QFETCH(int, status);
-        QFETCH(QString, words);
-        const QByteArray before = fileHash(m_project);
-        const ProgramRun failed = run(line);
-        QCOMPARE(failed.exitStatus, status);
-        QVERIFY2(failed.err.startsWith("odograph: ") && failed.err.count('\n') == 1, failed.err);
-        if (words != QStringLiteral("usage"))
-            QVERIFY2(failed.err.contains(words.toUtf8()), failed.err);
-        QCOMPARE(fileHash(m_project), before);
-    }
+    void badCallsFailInOneLine() { badCallFailsInOneLine(); }
 };
 
 QTEST_GUILESS_MAIN(TestTasks)

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/video/video_reader.h"
+#include "tests/capture/two_cameras.h"
+
+#include <atomic>
+#include <csignal>
+#include <future>
+#include <sys/resource.h>
+
+using namespace odo;
+using namespace odo::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+using State = ViewHealth::State;
+
+const Error gone{ErrorCode::Unavailable, "camera play:", "it was unplugged", "plug it in"};
+const Error over{ErrorCode::Io, "camera play:", "the video has ended", "nothing is to be done"};
+
+} // namespace
+
+/// Cameras that go, end, hang or slow down, and disks that fail, fill up or are too slow.
+class TestCaptureFaults : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void aCameraThatIsGoneIsWaitedFor();
+    void aCameraThatEndsKeepsWhatThereIs();
+    void aDiskThatFailsIsTold();
+    void itEndsBeforeTheDiskIsFull();
+    void littleIsReservedOnASmallDisk();
+    void aFileThatMayNotGrowKeepsWhatThereIs();
+    void aSlowDiskIsToldBeforeAnythingIsLost();
+    void aCameraThatHangsHoldsNothingUp();
+    void aCameraThatTakesFewerPicturesIsTold();
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestCaptureFaults::aCameraThatIsGoneIsWaitedFor()
+{
+    TwoCameras cameras;
+    cameras.session->startRecording(filesIn(*m_folder));
+    cameras.b->pictures(10);
+    cameras.b->error(gone);
+    cameras.a->pictures(lot);
+    QTRY_COMPARE(cameras.health(1).state, State::Waiting);
+    QVERIFY(cameras.health(1).trouble);
+    QCOMPARE(healthWords(cameras.health(1)), gone.message());
+    QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(lot)); // the other one loses nothing
+    QVERIFY(!cameras.health(0).trouble);
+    cameras.b->lose(5);
+    cameras.b->pictures(10);
+    QTRY_COMPARE(cameras.health(1).delivered, 20u);
+    QCOMPARE(cameras.health(1).state, State::Delivering);
+    QVERIFY(!cameras.health(1).trouble);
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
+    QVERIFY(outcome.views[0].gaps.empty());
+    const ViewRecording &view = outcome.views[1];
+    QVERIFY(!view.problem);
+    QCOMPARE(view.taken.size(), std::size_t(20));
+    QCOMPARE(view.gaps.size(), std::size_t(1));
+    QCOMPARE(view.gaps.front().before, std::size_t(10));
+    QCOMPARE(view.gaps.front().length, 6 * PlayedCamera::interval);
+    QCOMPARE(view.gaps.front().why.why, gone.why);
+    QCOMPARE(view.taken[10] - view.taken[9], 6 * PlayedCamera::interval); // the time goes on
+}
+
+void TestCaptureFaults::aCameraThatEndsKeepsWhatThereIs()
+{
+    TwoCameras cameras;
+    cameras.session->startRecording(filesIn(*m_folder));
+    cameras.b->pictures(20);
+    cameras.b->error(over);
+    QTRY_COMPARE(cameras.health(1).state, State::Ended);
+    cameras.a->pictures(lot);
+    QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(lot));
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    QVERIFY(!outcome.views[0].problem);
+    QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
+    QVERIFY(outcome.views[1].problem);
+    QCOMPARE(outcome.views[1].problem->why, over.why);
+    QCOMPARE(outcome.views[1].taken.size(), std::size_t(20));
+    QVERIFY(VideoReader::open(outcome.views[1].file));
+}
+
+void TestCaptureFaults::aDiskThatFailsIsTold()
+{
+    TwoCameras cameras;
+    cameras.session->startRecording(filesIn(*m_folder, "a.mkv", "no/folder/b.mkv"));
+    cameras.pictures(lot);
+    QTRY_VERIFY(cameras.session->health().disk.trouble);
+    QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
+    QVERIFY(cameras.session->health().disk.recording);
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    QVERIFY(outcome.views[1].problem);
+    QCOMPARE(outcome.views[1].problem->code, ErrorCode::Io);
+    QVERIFY(outcome.views[1].taken.empty());
+    QVERIFY(!outcome.views[0].problem);
+    QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
+    QVERIFY(!cameras.session->health().disk.trouble);
+}
+
+void TestCaptureFaults::itEndsBeforeTheDiskIsFull()
+{
+    std::atomic<std::uint64_t> left = 1'000'000'000;
+    TwoCameras cameras(0s, 20s, {}, {.mostReserved = 100'000'000, .room = [&left](const auto &) {
+                                         return DiskRoom{left, 4'000'000'000};
+                                     }});
+    cameras.session->startRecording(filesIn(*m_folder));
+    record(cameras, 2);
+    const DiskHealth disk = cameras.session->health().disk;
+    QVERIFY(!disk.trouble && !disk.ended);
+    // What may still be written at the rate so far, of both views together.
+    QVERIFY(disk.secondsLeft);
+    const double expectedS = 900e6 / (double(disk.bytes) / (59 * 0.033));
+    QVERIFY2(std::abs(*disk.secondsLeft - expectedS) < 0.01 * expectedS,
+             qPrintable(QString::number(*disk.secondsLeft)));
+    left = 99'000'000;
+    QTRY_VERIFY((cameras.pictures(1), cameras.session->health().disk.ended)); // it looks once a second
+    QCOMPARE(cameras.session->health().disk.trouble->error.why,
+             std::string("its disk has only 99 MB left, of which 100 are kept free"));
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    for (const ViewRecording &view : outcome.views) {
+        if (!view.problem)
+            continue;
+        const auto reader = VideoReader::open(view.file);
+        QVERIFY(reader && view.taken.size() >= 60);
+        QCOMPARE((*reader)->info().frameTimes.size(), view.taken.size());
+    }
+}
+
+void TestCaptureFaults::littleIsReservedOnASmallDisk()
+{
+    const DiskWatch watch;
+    QCOMPARE(watch.left({1'000'000'000, 1'000'000'000'000}), std::uint64_t(800'000'000));
+    QCOMPARE(watch.left({50'000'000, 60'000'000}), std::uint64_t(47'000'000));
+    QCOMPARE(watch.left({2'000'000, 60'000'000}), std::uint64_t(0));
+    QVERIFY(!diskRoomOf("/no/such/folder"));
+    QVERIFY(diskRoomOf(m_folder->path().toStdString())->size > 0);
+}
+
+void TestCaptureFaults::aFileThatMayNotGrowKeepsWhatThereIs()
+{
+    // As a full disk: what the system refuses to write.
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    rlimit small = before;
+    small.rlim_cur = 30'000;
+    TwoCameras cameras;
+    cameras.session->startRecording(filesIn(*m_folder));
+    setrlimit(RLIMIT_FSIZE, &small);
+    QTRY_VERIFY((cameras.pictures(1), cameras.session->health().disk.ended));
+    setrlimit(RLIMIT_FSIZE, &before);
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    const auto cut = std::ranges::find_if(outcome.views,
+                                          [](const ViewRecording &view) { return view.problem.has_value(); });
+    QVERIFY(cut != outcome.views.end());
+    QVERIFY2(cut->problem->message().find("File too large") != std::string::npos,
+             cut->problem->message().c_str());
+    QVERIFY(cut->taken.size() > 5);
+    const auto reader = VideoReader::open(cut->file);
+    QVERIFY(reader);
+    QCOMPARE((*reader)->info().frameTimes.size(), cut->taken.size());
+    for (std::size_t i = 0; i < cut->taken.size(); ++i)
+        QVERIFY((*reader)->next().value().has_value());
+}
+
+void TestCaptureFaults::aSlowDiskIsToldBeforeAnythingIsLost()
+{
+    std::promise<void> goesOn;
+    const auto disk = [went = goesOn.get_future().share()](const auto &) {
+        went.wait(); // as a disk that does not answer
+        return std::optional<DiskRoom>();
+    };
+    TwoCameras cameras(0s, 20s, {}, {.room = disk});
+    cameras.session->startRecording(filesIn(*m_folder));
+    cameras.pictures(lot);
+    QTRY_VERIFY(cameras.session->health().disk.trouble);
+    const DiskHealth slow = cameras.session->health().disk;
+    QVERIFY(!slow.ended);
+    QVERIFY2(slow.trouble->error.why.starts_with("it is too slow: a picture has waited 1."),
+             slow.trouble->error.why.c_str());
+    QCOMPARE(slow.trouble->error.advice, std::string("nothing is lost yet; end what else writes to it"));
+    QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
+    goesOn.set_value();
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    for (const ViewRecording &view : outcome.views) {
+        QCOMPARE(view.taken.size(), std::size_t(lot));
+        QCOMPARE(view.lostByUs, 0u);
+        QVERIFY(view.longestWaitS > 1);
+    }
+}
+
+void TestCaptureFaults::aCameraThatHangsHoldsNothingUp()
+{
+    TwoCameras cameras;
+    cameras.session->startRecording(filesIn(*m_folder));
+    cameras.a->pictures(lot);
+    cameras.b->pictures(5);
+    cameras.b->hang();
+    QTRY_COMPARE(cameras.health(1).delivered, 5u);
+    QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(lot));
+    QTRY_VERIFY(cameras.health(1).trouble); // nobody says why: it is silent for a second
+    QCOMPARE(cameras.health(1).state, State::Waiting);
+    QVERIFY(cameras.health(1).trouble->error.why.starts_with("no picture has come for "));
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
+    QCOMPARE(outcome.views[1].taken.size(), std::size_t(5));
+    cameras.session.reset(); // returns
+    cameras.b->giveUp();
+}
+
+/// As webcams do in dim light. What is lost on its way has another cause, and another word.
+void TestCaptureFaults::aCameraThatTakesFewerPicturesIsTold()
+{
+    TwoCameras cameras;
+    for (int i = 1; i <= 2; ++i) {
+        cameras.a->pictures(lot);
+        for (int j = 0; j < lot / 2; ++j) {
+            cameras.b->lose(1);
+            cameras.b->pictures(1);
+        }
+        QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(i * lot));
+    }
+    QVERIFY(!cameras.health(0).slow && !cameras.health(1).slow);
+    cameras.a->pace(83ms);
+    cameras.a->pictures(12); // in a second
+    QTRY_COMPARE(cameras.health(0).delivered, 72u);
+    QVERIFY(cameras.health(0).slow);
+    cameras.a->pictures(20);
+    QTRY_COMPARE(cameras.health(0).delivered, 92u);
+    QCOMPARE(cameras.health(0).slow->error.message(),
+             std::string(
+                 "camera play:: it takes only 12 pictures a second of the 30 it was asked for; give it more "
+                 "light or a shorter exposure, or ask for a lower rate"));
+    QCOMPARE(cameras.health(0).state, State::Delivering);
+    QVERIFY2(healthWords(cameras.health(0)).ends_with(" frames/s (too slow), none lost"),
+             healthWords(cameras.health(0)).c_str());
+    cameras.a->error(gone); // whatever is worse is told instead
+    QTRY_VERIFY(cameras.health(0).trouble);
+    QVERIFY(!cameras.health(0).slow);
+    cameras.a->pictures(24); // two seconds
+    QTRY_VERIFY(cameras.health(0).slow);
+    cameras.a->pace(PlayedCamera::interval);
+    cameras.a->pictures(lot);
+    QTRY_COMPARE(cameras.health(0).delivered, 146u);
+    cameras.a->pictures(lot);
+    QTRY_COMPARE(cameras.health(0).delivered, 176u);
+    QVERIFY(!cameras.health(0).slow);
+}
+
+QTEST_GUILESS_MAIN(TestCaptureFaults)
+#include "tst_capture_faults.moc"
