@@ -2,11 +2,13 @@
 #include "core/calibration/accuracy_words.h"
 #include "core/calibration/best_place.h"
 #include "tests/calibration/floor_views.h"
+#include "tests/support/contains.h"
 
 #include <QTest>
 #include <limits>
 
 using namespace odo;
+using namespace odo::test;
 using Eigen::Vector2d;
 
 namespace {
@@ -16,14 +18,6 @@ constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
 MarkerLayout layout()
 {
     return {"floor", {{"O", {0, 0}}, {"U", {3, 0}}, {"V", {0, 2}}, {"D", {3, 2}}}};
-}
-
-bool contains(const std::string &text, const char *words)
-{
-    const bool found = text.find(words) != std::string::npos;
-    if (!found)
-        qWarning("told instead: %s", text.c_str());
-    return found;
 }
 
 /// σ of each place of a grid by a function of it.

@@ -5,6 +5,7 @@
 #include "core/calibration/moved_check.h"
 #include "core/calibration/world_axes.h"
 #include "tests/calibration/floor_views.h"
+#include "tests/support/contains.h"
 
 #include <Eigen/Eigenvalues>
 #include <QTest>
@@ -39,14 +40,6 @@ FloorView registered(const FloorView &truth, std::mt19937 &random)
 {
     const auto pixels = noisy(truth, 0.3, random);
     return floorViewOf(*registerFloor(layout(), pixels, truth.camera(), true), truth.camera(), pixels);
-}
-
-bool contains(const std::string &text, const char *words)
-{
-    const bool found = text.find(words) != std::string::npos;
-    if (!found)
-        qWarning("told instead: %s", text.c_str());
-    return found;
 }
 
 } // namespace

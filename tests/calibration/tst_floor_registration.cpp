@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/floor_registration.h"
+#include "tests/support/contains.h"
 
 #include <QTest>
 #include <random>
 
 using namespace odo;
+using namespace odo::test;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -70,14 +72,6 @@ std::vector<MarkerPixel> seenBy(const CameraModel &camera, const MarkerLayout &l
             {marker.label,
              view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0}).value()});
     return pixels;
-}
-
-bool contains(const std::string &text, const char *words)
-{
-    const bool found = text.find(words) != std::string::npos;
-    if (!found)
-        qWarning("told instead: %s", text.c_str());
-    return found;
 }
 
 bool refusedWith(const MarkerLayout &layout, const std::vector<MarkerPixel> &pixels, const char *words,

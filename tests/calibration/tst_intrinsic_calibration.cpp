@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/intrinsic_calibration.h"
 #include "tests/calibration/seen_boards.h"
+#include "tests/support/contains.h"
 
 #include <QElapsedTimer>
 #include <QTest>
 #include <random>
 
 using namespace odo;
+using namespace odo::test;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -17,14 +19,6 @@ constexpr int widthPx = 1280, heightPx = 720;
 Intrinsics lens(LensModel model, std::vector<double> distortion)
 {
     return {widthPx, heightPx, 902.5, 905.5, 651.25, 348.5, model, std::move(distortion), {}};
-}
-
-bool contains(const std::string &text, const char *words)
-{
-    const bool found = text.find(words) != std::string::npos;
-    if (!found)
-        qWarning("told instead: %s", text.c_str());
-    return found;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/joint_registration.h"
 #include "tests/calibration/floor_views.h"
+#include "tests/support/contains.h"
 
 #include <QTest>
 
@@ -61,14 +62,6 @@ void measure(const FloorRegistration &registration, const FloorView &view, doubl
             stated += seen->calibrationCovariance.trace();
         }
     }
-}
-
-bool contains(const std::string &text, const char *words)
-{
-    const bool found = text.find(words) != std::string::npos;
-    if (!found)
-        qWarning("told instead: %s", text.c_str());
-    return found;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/intrinsic_calibration.h"
 #include "tests/calibration/seen_boards.h"
+#include "tests/support/contains.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -8,6 +9,7 @@
 #include <random>
 
 using namespace odo;
+using namespace odo::test;
 using Eigen::Vector2d;
 
 namespace {
@@ -45,14 +47,6 @@ std::vector<std::size_t> misread(std::vector<BoardView> &views, std::size_t coun
     }
     std::ranges::sort(all);
     return all;
-}
-
-bool contains(const std::string &text, const std::string &words)
-{
-    const bool found = text.find(words) != std::string::npos;
-    if (!found)
-        qWarning("told instead: %s", text.c_str());
-    return found;
 }
 
 } // namespace

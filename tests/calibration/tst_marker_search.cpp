@@ -6,6 +6,7 @@
 #include "core/calibration/round_markers.h"
 #include "core/calibration/tag_foretelling.h"
 #include "tests/calibration/floor_views.h"
+#include "tests/support/contains.h"
 
 #include <QTest>
 
@@ -62,14 +63,6 @@ const FloorView &view()
 {
     static const FloorView floor = simulatedView({-0.9, -1.55, 2.0}, {1.2, 0.8, 0.0}, 1280, 720, 860);
     return floor;
-}
-
-bool contains(const std::string &text, const char *words)
-{
-    const bool found = text.find(words) != std::string::npos;
-    if (!found)
-        qWarning("told instead: %s", text.c_str());
-    return found;
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "core/workflow/register_job.h"
 #include "core/workflow/reprocess_job.h"
 #include "core/workflow/revisions.h"
+#include "tests/support/contains.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QDir>
@@ -14,16 +15,9 @@
 #include <QTest>
 
 using namespace odo;
+using namespace odo::test;
 
 namespace {
-
-bool contains(const std::string &text, const char *words)
-{
-    const bool found = text.find(words) != std::string::npos;
-    if (!found)
-        qWarning("told instead: %s", text.c_str());
-    return found;
-}
 
 ProfilePoint pointAt(double x, double y)
 {
