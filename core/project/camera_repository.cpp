@@ -4,6 +4,7 @@
 #include "core/project/lens_rows.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
+#include "core/project/revision_rows.h"
 #include "core/project/stored_words.h"
 
 namespace odo {
@@ -164,34 +165,12 @@ Result<IntrinsicsRecord> CameraRepository::addIntrinsics(const IntrinsicsRecord 
 
 Result<std::optional<IntrinsicsRecord>> CameraRepository::currentIntrinsics(RecordId camera) const
 {
-    Statement select(m_connection,
-                     intrinsicsColumns + QStringLiteral("WHERE id=COALESCE((SELECT intrinsics_id FROM camera WHERE id=?), "
-                                                        "(SELECT MAX(id) FROM intrinsics WHERE camera_id=?))"));
-    const auto found = select.bind(camera).bind(camera).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
-        return std::nullopt;
-    auto record = readIntrinsics(m_connection, select);
-    if (!record)
-        return tl::unexpected(record.error());
-    return std::optional(std::move(*record));
+    return currentRevision(m_connection, intrinsicsColumns, "intrinsics", camera, readIntrinsics);
 }
 
 Result<std::vector<IntrinsicsRecord>> CameraRepository::allIntrinsics(RecordId camera) const
 {
-    std::vector<IntrinsicsRecord> all;
-    Statement select(m_connection, intrinsicsColumns + QStringLiteral("WHERE camera_id=? ORDER BY id DESC"));
-    auto read = select.bind(camera).eachRow([&](const Statement &row) -> Result<void> {
-        auto record = readIntrinsics(m_connection, row);
-        if (!record)
-            return tl::unexpected(record.error());
-        all.push_back(std::move(*record));
-        return {};
-    });
-    if (!read)
-        return tl::unexpected(read.error());
-    return all;
+    return allRevisions(m_connection, intrinsicsColumns, camera, readIntrinsics);
 }
 
 Result<void> CameraRepository::chooseIntrinsics(RecordId intrinsics)

@@ -6,6 +6,7 @@
 #include "core/project/names.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
+#include "core/project/revision_rows.h"
 #include "core/project/series_blobs.h"
 #include "core/project/stored_words.h"
 
@@ -183,34 +184,12 @@ Result<RegistrationRecord> CameraRepository::addRegistration(const RegistrationR
 
 Result<std::optional<RegistrationRecord>> CameraRepository::currentRegistration(RecordId camera) const
 {
-    Statement select(m_connection,
-                     registrationColumns + QStringLiteral("WHERE id=COALESCE((SELECT registration_id FROM camera WHERE id=?), "
-                                                          "(SELECT MAX(id) FROM registration WHERE camera_id=?))"));
-    const auto found = select.bind(camera).bind(camera).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
-        return std::nullopt;
-    auto record = readRegistration(m_connection, select);
-    if (!record)
-        return tl::unexpected(record.error());
-    return std::optional(std::move(*record));
+    return currentRevision(m_connection, registrationColumns, "registration", camera, readRegistration);
 }
 
 Result<std::vector<RegistrationRecord>> CameraRepository::allRegistrations(RecordId camera) const
 {
-    std::vector<RegistrationRecord> all;
-    Statement select(m_connection, registrationColumns + QStringLiteral("WHERE camera_id=? ORDER BY id DESC"));
-    auto read = select.bind(camera).eachRow([&](const Statement &row) -> Result<void> {
-        auto record = readRegistration(m_connection, row);
-        if (!record)
-            return tl::unexpected(record.error());
-        all.push_back(std::move(*record));
-        return {};
-    });
-    if (!read)
-        return tl::unexpected(read.error());
-    return all;
+    return allRevisions(m_connection, registrationColumns, camera, readRegistration);
 }
 
 Result<void> CameraRepository::chooseRegistration(RecordId registration)
