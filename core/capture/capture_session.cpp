@@ -54,7 +54,6 @@ CaptureSession::~CaptureSession()
     const auto deadline = std::chrono::steady_clock::now() + longestEnd;
     for (const auto &view : m_views)
         view->join(deadline);
-    m_pairing->close();
 }
 
 const CameraDescription &CaptureSession::description(std::size_t view) const
@@ -70,11 +69,6 @@ Result<std::vector<CameraControl>> CaptureSession::controls(std::size_t view) co
 std::shared_ptr<FrameFeed> CaptureSession::subscribeFrames(std::size_t view, std::size_t capacity)
 {
     return m_views[view]->subscribe(capacity);
-}
-
-std::shared_ptr<SetFeed> CaptureSession::subscribeSets(std::size_t capacity)
-{
-    return m_pairing->subscribe(capacity);
 }
 
 CaptureHealth CaptureSession::health() const

@@ -22,7 +22,6 @@ class ViewWriter;
 /// What a subscriber takes pictures from: pop() waits for the next and gives nullopt once the session has
 /// ended; dropped() says how many he was too slow for. close() ends the subscription.
 using FrameFeed = BoundedQueue<TimedFrame>;
-using SetFeed = BoundedQueue<FrameSet>;
 
 struct CaptureSettings
 {
@@ -65,9 +64,6 @@ public:
 
     /// Every picture of a view, as it arrives, its time as it is known by then. capacity: how many may wait.
     std::shared_ptr<FrameFeed> subscribeFrames(std::size_t view, std::size_t capacity = 1);
-    /// Pictures that were taken together, in the order of the first view, some 50 ms after they were taken;
-    /// none while the first view delivers nothing.
-    std::shared_ptr<SetFeed> subscribeSets(std::size_t capacity = 1);
 
     /// A value that was true just now; cheap, never waits for a camera or the disk.
     CaptureHealth health() const;

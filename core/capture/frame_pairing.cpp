@@ -37,8 +37,7 @@ void FramePairing::add(std::size_t view, TimedFrame frame, Nanoseconds now)
 {
     const std::lock_guard lock(m_mutex);
     m_synchroniser.add(view, std::move(frame));
-    for (FrameSet &set : m_synchroniser.take(now))
-        giveOut(std::move(set));
+    m_synchroniser.take(now);
     const PairFigures fresh = m_synchroniser.takeFigures();
     m_pairs += fresh.pairs;
     m_unpaired += fresh.unpaired;
@@ -46,23 +45,6 @@ void FramePairing::add(std::size_t view, TimedFrame frame, Nanoseconds now)
         m_recent.push_back({now, errorS});
     while (!m_recent.empty() && m_recent.front().at < now - remembered)
         m_recent.pop_front();
-}
-
-/// Who has closed his feed has had enough.
-void FramePairing::giveOut(FrameSet set)
-{
-    std::erase_if(m_feeds, [&set](const auto &feed) { return !feed->pushOrDrop(set); });
-}
-
-std::shared_ptr<BoundedQueue<FrameSet>> FramePairing::subscribe(std::size_t capacity)
-{
-    const auto feed = std::make_shared<BoundedQueue<FrameSet>>(capacity);
-    const std::lock_guard lock(m_mutex);
-    if (m_closed)
-        feed->close();
-    else
-        m_feeds.push_back(feed);
-    return feed;
 }
 
 PairHealth FramePairing::health(Nanoseconds now) const
@@ -86,15 +68,6 @@ PairHealth FramePairing::health(Nanoseconds now) const
     health.p95S = percentile(errorsS, 95);
     health.largestS = percentile(std::move(errorsS), 100);
     return health;
-}
-
-void FramePairing::close()
-{
-    const std::lock_guard lock(m_mutex);
-    m_closed = true;
-    for (const auto &feed : m_feeds)
-        feed->close();
-    m_feeds.clear();
 }
 
 PairFigures pairFigures(const std::vector<std::vector<Nanoseconds>> &takenOfViews, Nanoseconds tolerance)

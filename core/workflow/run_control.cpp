@@ -9,12 +9,12 @@ namespace odo {
 
 namespace {
 
-const Gate *gateOf(const std::optional<Task> &task, GateRole role)
+const Gate *startGateOf(const std::optional<Task> &task)
 {
     if (!task)
         return nullptr;
-    const auto found = std::ranges::find_if(task->gates, [role](const Gate &gate) {
-        return gate.role == role || gate.role == GateRole::StartFinish;
+    const auto found = std::ranges::find_if(task->gates, [](const Gate &gate) {
+        return gate.role == GateRole::Start || gate.role == GateRole::StartFinish;
     });
     return found == task->gates.end() ? nullptr : &*found;
 }
@@ -32,17 +32,12 @@ void RunControl::prepare(const RunSettings &settings, const std::optional<Task> 
 
 bool RunControl::startsByGate() const
 {
-    return m_settings.byGates && !m_gates.empty() && gateOf(m_task, GateRole::Start);
-}
-
-bool RunControl::endsByGate() const
-{
-    return startsByGate() && gateOf(m_task, GateRole::Finish);
+    return m_settings.byGates && !m_gates.empty() && startGateOf(m_task);
 }
 
 std::string RunControl::startGate() const
 {
-    const Gate *gate = startsByGate() ? gateOf(m_task, GateRole::Start) : nullptr;
+    const Gate *gate = startsByGate() ? startGateOf(m_task) : nullptr;
     return gate ? gate->name : std::string();
 }
 

@@ -54,7 +54,6 @@ public:
 
     RunPhase phase() const { return m_phase; }
     bool startsByGate() const;
-    bool endsByGate() const;
     /// The name of the gate that begins it; empty without one.
     std::string startGate() const;
     Nanoseconds countdownLeft() const; ///< 0 unless counting down

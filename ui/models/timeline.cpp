@@ -278,7 +278,6 @@ void Timeline::setLooping(bool looping)
         return;
     m_looping = looping;
     action(Command::Loop)->setChecked(looping);
-    Q_EMIT loopingChanged(looping);
 }
 
 void Timeline::shuttle(double direction)

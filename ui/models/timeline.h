@@ -74,7 +74,6 @@ public:
     /// Times of real time; negative: backwards. The magnitude is kept within slowestRate and fastestRate.
     double rate() const { return m_rate; }
     void setRate(double rate);
-    bool isLooping() const { return m_looping; }
     void setLooping(bool looping);
 
     /// The range that is selected; nullopt: none.
@@ -94,7 +93,6 @@ Q_SIGNALS:
     void rangeChanged();
     void playingChanged(bool playing);
     void rateChanged(double rate);
-    void loopingChanged(bool looping);
     void selectionChanged();
 
 private:
