@@ -3,6 +3,31 @@
 <!-- Plural forms of the English words alone: every tr("%n …") of the program has its two here. -->
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>odo::ReportActions</name>
+    <message numerus="yes">
+        <source>%n trial(s), a page each</source>
+        <translation><numerusform>%n trial</numerusform><numerusform>%n trials, a page each</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportDialog</name>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation><numerusform>%n page</numerusform><numerusform>%n pages</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>The first %n page(s); the file has all of them.</source>
+        <translation><numerusform>The first page; the file has all of them.</numerusform><numerusform>The first %n pages; the file has all of them.</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportPreview</name>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation><numerusform>%n page</numerusform><numerusform>%n pages</numerusform></translation>
+    </message>
+</context>
+<context>
     <name>ClassReport</name>
     <message numerus="yes">
         <source>of %n team(s)</source>

@@ -3,6 +3,7 @@
 #include "app/commands/commands.h"
 #include "app/report_options.h"
 #include "ui/main_window/plural_forms.h"
+#include "ui/report/pdf_file.h"
 #include "ui/report/report_job.h"
 
 #include <QCoreApplication>
@@ -58,7 +59,7 @@ Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
         makers.push_back(trialReports(std::move(trials), *options));
     }
     installPluralForms(*qApp);
-    ReportJob job(inTurn(std::move(makers)), call.value(output), QStringLiteral("Odograph report"));
+    ReportJob job(inTurn(std::move(makers)), std::make_unique<PdfFile>(call.value(output), QStringLiteral("Odograph report")));
     if (auto made = runToEnd(job, **project, call.control()); !made)
         return made;
     const QString file = QString::fromStdString(call.value(output));

@@ -157,7 +157,9 @@ void HistoryPage::addTrialActions()
     connect(measureAgain, &QAction::triggered, this, [this] { Q_EMIT reprocessRequested(selectedTrials()); });
     auto *exportAll = new QAction(themeIcon(QStringLiteral("export")), tr("E&xport…"), m_table);
     connect(exportAll, &QAction::triggered, this, [this] { Q_EMIT exportRequested(selectedTrials()); });
-    m_table->addActions({measureAgain, exportAll});
+    auto *report = new QAction(themeIcon(QStringLiteral("print")), tr("&Report…"), m_table);
+    connect(report, &QAction::triggered, this, [this] { Q_EMIT reportRequested(selectedTrials()); });
+    m_table->addActions({measureAgain, exportAll, report});
     m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 

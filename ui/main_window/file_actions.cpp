@@ -69,7 +69,7 @@ FileActions::FileActions(Workspace &workspace, RecentProjects &recent, QWidget &
     connect(m_transfer, &TransferActions::unpacked, &m_recent, &RecentProjects::add);
 }
 
-void FileActions::fillMenu(QMenu &menu)
+void FileActions::fillMenu(QMenu &menu, const QList<QAction *> &further)
 {
     menu.addAction(m_new);
     menu.addAction(m_open);
@@ -80,6 +80,8 @@ void FileActions::fillMenu(QMenu &menu)
     menu.addSeparator();
     menu.addAction(m_copy);
     m_transfer->fillMenu(menu);
+    menu.addSeparator();
+    menu.addActions(further);
     menu.addSeparator();
     menu.addAction(m_quit);
 }

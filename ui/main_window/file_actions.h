@@ -25,7 +25,8 @@ public:
     /// window: parent of the dialogs.
     FileActions(Workspace &workspace, RecentProjects &recent, QWidget &window);
 
-    void fillMenu(QMenu &menu);
+    /// further: what others offer, before the end.
+    void fillMenu(QMenu &menu, const QList<QAction *> &further);
     QAction *newProject() const { return m_new; }
     QAction *openProject() const { return m_open; }
     QAction *demo() const { return m_demo; }

@@ -15,8 +15,8 @@
 #include "ui/main_window/mode_bar.h"
 #include "ui/main_window/preferences/command_keys.h"
 #include "ui/main_window/preferences/general_page.h"
-#include "ui/main_window/preferences/preferences_dialog.h"
 #include "ui/main_window/recent_projects.h"
+#include "ui/main_window/report_actions.h"
 #include "ui/main_window/transfer_actions.h"
 #include "ui/main_window/trial_actions.h"
 #include "ui/main_window/undo_actions.h"
@@ -56,7 +56,7 @@ MainWindow::MainWindow()
     : m_recent(new RecentProjects(this)), m_workspace(new Workspace(this)),
       m_files(new FileActions(*m_workspace, *m_recent, *this)),
       m_trials(new TrialActions(*m_workspace, *this)), m_many(new HistoryActions(*m_workspace, *this)),
-      m_class(new ClassActions(*m_workspace, *this)),
+      m_class(new ClassActions(*m_workspace, *this)), m_reports(new ReportActions(*m_workspace, *this)),
       m_undo(new UndoActions(*m_workspace, this)), m_views(new ViewActions(*this)), m_keys(new CommandKeys(this)),
       m_helpPanel(new HelpPanel), m_help(new HelpActions(*m_keys, *m_helpPanel, *this)),
       m_modeBar(new ModeBar), m_messages(new MessageBar), m_stack(new QStackedWidget),
@@ -108,7 +108,7 @@ void MainWindow::makeCentre()
 
 void MainWindow::makeMenus()
 {
-    m_files->fillMenu(*menuBar()->addMenu(tr("&File")));
+    m_files->fillMenu(*menuBar()->addMenu(tr("&File")), {m_reports->report()});
     QMenu *edit = menuBar()->addMenu(tr("&Edit"));
     m_undo->fillMenu(*edit);
     edit->addSeparator();
@@ -116,7 +116,7 @@ void MainWindow::makeMenus()
     edit->addSeparator();
     m_many->fillMenu(*edit);
     edit->addSeparator();
-    QAction *preferences = edit->addAction(tr("Pr&eferences…"), this, &MainWindow::showPreferences);
+    QAction *preferences = edit->addAction(tr("Pr&eferences…"), this, [this] { showPreferences(PreferencesDialog::General); });
     preferences->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Comma));
     preferences->setMenuRole(QAction::PreferencesRole);
     nameCommands({{preferences, "preferences"}});
@@ -172,6 +172,10 @@ void MainWindow::connectActions()
     connect(m_files, &FileActions::done, m_messages, &MessageBar::showDone);
     connect(m_trials, &TrialActions::failed, this, &MainWindow::tellFailure);
     connect(m_trials, &TrialActions::done, m_messages, &MessageBar::showDone);
+    connect(m_reports, &ReportActions::failed, this, &MainWindow::tellFailure);
+    connect(m_reports, &ReportActions::done, m_messages, &MessageBar::showDone);
+    connect(m_reports, &ReportActions::letterheadRequested, this,
+            [this] { showPreferences(PreferencesDialog::Reports); });
     connect(m_many, &HistoryActions::failed, this, &MainWindow::tellFailure);
     connect(m_many, &HistoryActions::changed, this, [this](const QString &words) {
         refreshPages();
@@ -217,6 +221,7 @@ void MainWindow::closePages()
         return;
     m_views->setDesk(nullptr);
     m_help->setPages(nullptr);
+    m_reports->setPages(nullptr);
     m_spikeMenu->clear();
     m_playMenu->clear();
     m_recordMenu->clear();
@@ -229,6 +234,7 @@ void MainWindow::makePages()
 {
     m_pages = std::make_unique<ProjectPages>(*m_workspace, *m_stack);
     connectPages();
+    m_reports->setPages(m_pages.get());
     m_modeBar->setModesEnabled(true);
     m_messages->hide();
     m_pages->review();
@@ -284,6 +290,7 @@ void MainWindow::addPage(Mode mode)
         HistoryPage *history = &m_pages->history();
         connect(history, &HistoryPage::teamNamesChanged, this, &MainWindow::showTitle);
         connect(history, &HistoryPage::emptyBinRequested, m_many, &HistoryActions::emptyBin);
+        connect(history, &HistoryPage::reportRequested, m_reports, &ReportActions::askTrials);
         connect(history, &HistoryPage::exportRequested, m_many, &HistoryActions::exportTrials);
         connect(history, &HistoryPage::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
         m_viewMenu->addAction(history->pseudonyms());
@@ -299,9 +306,10 @@ void MainWindow::refreshPages()
         m_pages->refresh();
 }
 
-void MainWindow::showPreferences()
+void MainWindow::showPreferences(PreferencesDialog::Page page)
 {
     PreferencesDialog dialog(*m_keys, m_views->theme(), this);
+    dialog.turnTo(page);
     connect(&dialog, &PreferencesDialog::themeChosen, m_views, &ViewActions::chooseTheme);
     connect(&dialog, &PreferencesDialog::lookChanged, this, &MainWindow::remakePages);
     dialog.exec();

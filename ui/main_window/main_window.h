@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/main_window/preferences/preferences_dialog.h"
 #include "ui/main_window/project_pages.h"
 
 #include <QMainWindow>
@@ -23,6 +24,7 @@ class JobIndicator;
 class MessageBar;
 class ModeBar;
 class RecentProjects;
+class ReportActions;
 class TrialActions;
 class UndoActions;
 class ViewActions;
@@ -77,7 +79,7 @@ private:
     void connectPages();
     void addPage(Mode mode);
     void refreshPages();
-    void showPreferences();
+    void showPreferences(PreferencesDialog::Page page);
     void remakePages();
     void openTrial(const QString &trial);
     void showTitle();
@@ -90,6 +92,7 @@ private:
     TrialActions *m_trials;
     HistoryActions *m_many;
     ClassActions *m_class;
+    ReportActions *m_reports;
     UndoActions *m_undo;
     ViewActions *m_views;
     CommandKeys *m_keys;

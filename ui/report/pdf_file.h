@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/error.h"
-#include "ui/report/report_page.h"
+#include "ui/report/page_output.h"
 
 #include <QSaveFile>
 #include <filesystem>
@@ -14,16 +13,16 @@ namespace odo {
 
 /// A PDF that is written page by page, with its fonts embedded and its charts as lines. Under its name there is
 /// the old file or the whole new one: what is not finished leaves nothing. One thread.
-class PdfFile
+class PdfFile : public PageOutput
 {
 public:
     PdfFile(const std::filesystem::path &file, const QString &title);
-    ~PdfFile();
+    ~PdfFile() override;
 
     /// Io where the file cannot be written.
-    Result<void> add(const ReportPage &page);
-    /// Io likewise; InvalidInput for a file without a page.
-    Result<void> finish();
+    Result<void> add(const ReportPage &page) override;
+    /// Io likewise.
+    Result<void> finish() override;
 
 private:
     Result<void> begin(const PageFormat &format);

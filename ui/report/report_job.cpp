@@ -2,12 +2,11 @@
 #include "ui/report/report_job.h"
 
 #include "core/project/project.h"
-#include "ui/report/pdf_file.h"
 
 namespace odo {
 
-ReportJob::ReportJob(ReportMaker maker, std::filesystem::path file, QString title)
-    : m_maker(std::move(maker)), m_file(std::move(file)), m_title(std::move(title))
+ReportJob::ReportJob(ReportMaker maker, std::unique_ptr<PageOutput> output)
+    : m_maker(std::move(maker)), m_output(std::move(output))
 {
 }
 
@@ -22,16 +21,16 @@ Result<void> ReportJob::run(const JobControl &control)
     const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
-    PdfFile file(m_file, m_title);
+    const std::unique_ptr<PageOutput> output = std::move(m_output); // gone with what it holds, however this ends
     const auto made = m_maker(**project, control, [&](const ReportPage &page) -> Result<void> {
         ++m_pageCount;
-        return file.add(page);
+        return output->add(page);
     });
     if (!made)
         return made;
     if (control.isCancelled())
         return cancelled("report");
-    return file.finish();
+    return output->finish();
 }
 
 Result<void> ReportJob::commit(Project &)

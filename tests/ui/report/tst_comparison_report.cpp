@@ -4,6 +4,7 @@
 #include "tests/ui/support/printed_text.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/report/comparison_report.h"
+#include "ui/report/pdf_file.h"
 #include "ui/report/report_job.h"
 
 #include <QTemporaryDir>
@@ -82,7 +83,7 @@ private Q_SLOTS:
         CompareSettings settings;
         settings.runs = {{"Trial 1", {}}, {"Trial 3", {}}};
         const QString file = m_folder.filePath(QStringLiteral("none.pdf"));
-        ReportJob job(comparisonReport(settings, {}), file.toStdString(), QStringLiteral("Test"));
+        ReportJob job(comparisonReport(settings, {}), std::make_unique<PdfFile>(file.toStdString(), QStringLiteral("Test")));
         QCOMPARE(runToEnd(job, *m_project, {}).error().code, ErrorCode::NotFound);
         QVERIFY(!QFileInfo::exists(file));
     }

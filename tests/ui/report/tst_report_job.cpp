@@ -25,7 +25,7 @@ class TestReportJob : public QObject
     QString path(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
     Result<void> write(const ReportMaker &maker, const QString &file, const JobControl &control = {})
     {
-        ReportJob job(maker, file.toStdString(), QStringLiteral("Test"));
+        ReportJob job(maker, std::make_unique<PdfFile>(file.toStdString(), QStringLiteral("Test")));
         return runToEnd(job, *m_project, control);
     }
     QStringList filesLike(const QString &pattern) const { return QDir(m_folder.path()).entryList({pattern}); }

@@ -5,6 +5,8 @@
 
 #include <QDialog>
 
+class QTabWidget;
+
 namespace odo {
 
 class CommandKeys;
@@ -14,11 +16,16 @@ class PreferencesDialog : public QDialog
 {
     Q_OBJECT
 public:
+    enum Page { General, Reports, Keys };
     PreferencesDialog(CommandKeys &keys, Theme theme, QWidget *parent = nullptr);
+    void turnTo(Page page);
 
 Q_SIGNALS:
     void themeChosen(odo::Theme theme);
     void lookChanged(); ///< what is on the screen must be made anew
+
+private:
+    QTabWidget *m_tabs;
 };
 
 } // namespace odo

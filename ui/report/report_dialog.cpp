@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/report_dialog.h"
+
+#include "ui/models/figure_text.h"
+#include "ui/report/report_preview.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace odo {
+
+namespace {
+
+constexpr int formWidth = 300;
+
+} // namespace
+
+ReportDialog::ReportDialog(std::filesystem::path projectFile, QList<ReportSubject> subjects, ReportChoices choices,
+                           QWidget *parent)
+    : QDialog(parent), m_subjects(std::move(subjects)), m_choices(std::move(choices)), m_settings(storedReportSettings()),
+      m_teams(new QCheckBox(tr("A page for each &team"))), m_method(new QCheckBox(tr("A second page with the &method"))),
+      m_remark(new QLabel), m_save(new QPushButton(tr("&Save as PDF…"))), m_print(new QPushButton(tr("&Print…"))),
+      m_preview(new ReportPreview(std::move(projectFile)))
+{
+    setWindowTitle(tr("Report"));
+    auto *left = new QVBoxLayout;
+    left->addWidget(makeForm());
+    left->addStretch(1);
+    left->addWidget(makeButtons());
+    auto *layout = new QHBoxLayout(this);
+    layout->addLayout(left);
+    layout->addWidget(m_preview, 1);
+    resize(1080, 820);
+    connect(m_preview, &ReportPreview::made, this, &ReportDialog::tellMade);
+    choose();
+}
+
+QComboBox *ReportDialog::addChoice(QFormLayout &form, const QString &label)
+{
+    auto *box = new QComboBox;
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(14);
+    form.addRow(label, box);
+    box->setAccessibleName(QString(label).remove(u'&'));
+    connect(box, &QComboBox::activated, this, &ReportDialog::choose);
+    return box;
+}
+
+void ReportDialog::addClassChoices(QFormLayout &form)
+{
+    m_class = addChoice(form, tr("&Class"));
+    m_class->addItems(m_choices.classes);
+    m_task = addChoice(form, tr("&Task"));
+    m_task->addItem(tr("The usual one"), QString());
+    for (const QString &task : m_choices.tasks)
+        m_task->addItem(task, task);
+    m_figure = addChoice(form, tr("&Figure"));
+    m_figure->addItem(tr("What tells most"), QString());
+    for (const std::string &figure : m_choices.figures)
+        m_figure->addItem(metricName(figure), QString::fromStdString(figure));
+    form.addRow(m_teams);
+    connect(m_teams, &QCheckBox::clicked, this, &ReportDialog::choose);
+}
+
+QWidget *ReportDialog::makeForm()
+{
+    auto *widget = new QWidget;
+    widget->setFixedWidth(formWidth);
+    m_form = new QFormLayout(widget);
+    m_form->setContentsMargins(0, 0, 0, 0);
+    m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    m_subject = addChoice(*m_form, tr("Report &of"));
+    for (const ReportSubject &each : m_subjects)
+        m_subject->addItem(each.words);
+    addClassChoices(*m_form);
+    m_paper = addChoice(*m_form, tr("P&aper"));
+    m_paper->addItems({tr("A4"), tr("Letter")});
+    m_paper->setCurrentIndex(static_cast<int>(m_settings.paper));
+    m_form->addRow(m_method);
+    m_method->setChecked(m_settings.withMethod);
+    connect(m_method, &QCheckBox::clicked, this, &ReportDialog::choose);
+    auto *letterhead = new QPushButton(tr("School, &logo and wording…"));
+    letterhead->setAutoDefault(false);
+    connect(letterhead, &QPushButton::clicked, this, &ReportDialog::letterheadRequested);
+    m_form->addRow(letterhead);
+    m_remark->setObjectName(QStringLiteral("quiet"));
+    m_remark->setTextFormat(Qt::PlainText);
+    m_remark->setWordWrap(true);
+    m_form->addRow(m_remark);
+    return widget;
+}
+
+QWidget *ReportDialog::makeButtons()
+{
+    auto *widget = new QWidget;
+    auto *layout = new QHBoxLayout(widget);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto *close = new QPushButton(tr("Close"));
+    for (QPushButton *button : {m_save, m_print, close}) {
+        button->setAutoDefault(button == m_save);
+        layout->addWidget(button);
+    }
+    m_save->setDefault(true);
+    connect(m_save, &QPushButton::clicked, this, &ReportDialog::saveRequested);
+    connect(m_print, &QPushButton::clicked, this, &ReportDialog::printRequested);
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+    return widget;
+}
+
+const ReportSubject &ReportDialog::subject() const
+{
+    return m_subjects.at(std::max(0, m_subject->currentIndex()));
+}
+
+void ReportDialog::choose()
+{
+    for (QWidget *ofClass : std::initializer_list<QWidget *>{m_class, m_task, m_figure}) {
+        ofClass->setVisible(subject().isClass);
+        m_form->labelForField(ofClass)->setVisible(subject().isClass);
+    }
+    m_teams->setVisible(subject().isClass);
+    m_method->setVisible(!subject().trials.empty());
+    m_settings.paper = static_cast<Paper>(m_paper->currentIndex());
+    m_settings.withMethod = m_method->isChecked();
+    storeReportSettings(m_settings);
+    m_save->setEnabled(false);
+    m_print->setEnabled(false);
+    m_preview->show(maker());
+}
+
+void ReportDialog::refresh()
+{
+    m_settings = storedReportSettings();
+    choose();
+}
+
+ReportMaker ReportDialog::maker() const
+{
+    const ReportOptions options = optionsOf(m_settings);
+    const ReportSubject &chosen = subject();
+    if (chosen.comparison)
+        return comparisonReport(*chosen.comparison, options);
+    if (!chosen.isClass)
+        return trialReports(chosen.trials, options);
+    return classReport({m_class->currentText().toStdString(), m_task->currentData().toString().toStdString(),
+                        m_figure->currentData().toString().toStdString(), m_teams->isChecked()},
+                       options);
+}
+
+QString ReportDialog::proposedName() const
+{
+    return subject().isClass ? m_class->currentText() : subject().fileName;
+}
+
+void ReportDialog::tellMade(const QString &failure, bool isAll)
+{
+    m_save->setEnabled(failure.isEmpty());
+    m_print->setEnabled(failure.isEmpty());
+    if (!failure.isEmpty())
+        m_remark->setText(tr("There is nothing to print yet."));
+    else if (isAll)
+        m_remark->setText(tr("%n page(s)", "", int(m_preview->pictures().size())));
+    else
+        m_remark->setText(tr("The first %n page(s); the file has all of them.", "", int(m_preview->pictures().size())));
+}
+
+} // namespace odo
