@@ -25,7 +25,8 @@ ReportMaker trialReports(std::vector<std::string> trials, const ReportOptions &o
 {
     return [trials = std::move(trials), options](Project &project, const JobControl &control,
                                                  const PageSink &sink) -> Result<void> {
-        TrialContentReader reader(project);
+        constexpr std::size_t few = 12;
+        TrialContentReader reader(project, trials.size() > few ? StillMoment::KeyFrame : StillMoment::TopSpeed);
         for (std::size_t i = 0; i < trials.size(); ++i) {
             if (control.isCancelled())
                 return cancelled("report");

@@ -9,6 +9,7 @@
 #include "ui/views/screen_image.h"
 
 #include <algorithm>
+#include <future>
 
 namespace odo {
 
@@ -27,19 +28,33 @@ QImage pictureOf(const SceneView &view, std::int64_t frame, int widthPx)
     return toImage(toScreen(*decoded, widthPx, widthPx * view.recording.heightPx / view.recording.widthPx));
 }
 
+/// The time of the first view's last key frame up to a time; that time itself where its video cannot be read.
+Nanoseconds keyFrameTime(const TrialScene &scene, Nanoseconds time)
+{
+    const auto frame = scene.views.empty() ? std::nullopt : scene.frameAt(0, time);
+    if (!frame)
+        return time;
+    const auto reader = VideoReader::open(scene.views.front().file);
+    return reader ? scene.timeOf(0, (*reader)->keyFrameBefore(*frame)) : time;
+}
+
 } // namespace
 
 std::vector<Still> takeStills(const TrialScene &scene, Nanoseconds time, int widthPx)
 {
-    std::vector<Still> stills;
+    std::vector<Still> stills(scene.views.size());
+    std::vector<std::future<void>> taken;
     for (std::size_t view = 0; view < scene.views.size(); ++view) {
-        Still still;
-        if (const auto frame = scene.frameAt(view, time)) {
-            still.frame = *frame;
-            still.picture = pictureOf(scene.views[view], *frame, widthPx);
-        }
-        stills.push_back(std::move(still));
+        const auto frame = scene.frameAt(view, time);
+        if (!frame)
+            continue;
+        stills[view].frame = *frame;
+        taken.push_back(std::async(std::launch::async, [&scene, &still = stills[view], view, widthPx] {
+            still.picture = pictureOf(scene.views[view], still.frame, widthPx);
+        }));
     }
+    for (std::future<void> &each : taken)
+        each.get();
     return stills;
 }
 
@@ -118,6 +133,9 @@ Result<TrialContentPtr> TrialContentReader::read(const std::string &trial)
         return tl::unexpected(lenses.error());
     content->lensRmsPx = std::move(*lenses);
     content->stillTime = tellingMoment(**scene);
+    content->isAtTopSpeed = m_moment == StillMoment::TopSpeed;
+    if (!content->isAtTopSpeed)
+        content->stillTime = keyFrameTime(**scene, content->stillTime);
     content->stills = takeStills(**scene, content->stillTime, stillWidthPx);
     return content;
 }

@@ -24,8 +24,15 @@ struct Still
     QImage picture; ///< null: it cannot be had
 };
 
-/// The views of a trial at a moment, at this width. Any thread; slow (decodes).
+/// The views of a trial at a moment, at this width. Any thread; slow (decodes, the views beside one another).
 std::vector<Still> takeStills(const TrialScene &scene, Nanoseconds time, int widthPx);
+
+/// Which moment of a run is shown. Of many trials decoding is nearly all the time that their report takes: a frame
+/// in the middle of a group of H.264 needs all before it.
+enum class StillMoment {
+    TopSpeed,
+    KeyFrame ///< of the first view, the last one up to the top speed
+};
 
 /// What a report says of one trial: immutable values, safe to share with any thread.
 struct TrialContent
@@ -34,6 +41,7 @@ struct TrialContent
     std::map<std::string, ClassFigure> classFigures; ///< of the class of the trial's team in its task; may be empty
     std::vector<std::optional<double>> lensRmsPx;    ///< of each view's calibration; nullopt: it has none
     Nanoseconds stillTime{0};
+    bool isAtTopSpeed = true; ///< the time of the stills
     std::vector<Still> stills; ///< one a view
 };
 using TrialContentPtr = std::shared_ptr<const TrialContent>;
@@ -43,8 +51,8 @@ using TrialContentPtr = std::shared_ptr<const TrialContent>;
 class TrialContentReader
 {
 public:
-    explicit TrialContentReader(Project &project) : m_project(project) {}
-    /// With the pictures of the views at the run's top speed, so that this takes as long as decoding them.
+    TrialContentReader(Project &project, StillMoment moment) : m_project(project), m_moment(moment) {}
+    /// With the pictures of the views, so that this takes as long as decoding them.
     /// Errors: those of loadTrialScene and of the repositories.
     Result<TrialContentPtr> read(const std::string &trial);
 
@@ -53,6 +61,7 @@ private:
     Result<std::vector<std::optional<double>>> lensesOf(const TrialScene &scene);
 
     Project &m_project;
+    StillMoment m_moment;
     std::map<std::pair<std::string, std::string>, std::map<std::string, ClassFigure>> m_classes; ///< by class and task
 };
 

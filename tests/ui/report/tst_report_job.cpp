@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/video/video_reader.h"
 #include "core/workflow/class_figures.h"
 #include "tests/ui/support/printed_text.h"
 #include "tests/ui/support/stored_example.h"
@@ -52,6 +53,18 @@ private Q_SLOTS:
         QVERIFY(printedText(file, 1).contains(QStringLiteral("Trial 2")));
         QVERIFY(printedText(file, 3).contains(QStringLiteral("Trial 1")));
         QVERIFY(printedText(file, 3).contains(QStringLiteral("Team: Falcon")));
+    }
+    void ofManyTrialsTheKeyFrameIsShown()
+    {
+        const auto contentOf = [this](StillMoment moment) { return *TrialContentReader(*m_project, moment).read("Trial 1"); };
+        const TrialContentPtr top = contentOf(StillMoment::TopSpeed), key = contentOf(StillMoment::KeyFrame);
+        QVERIFY(top->isAtTopSpeed && !key->isAtTopSpeed);
+        QCOMPARE(top->stillTime, tellingMoment(*top->scene));
+        QVERIFY(key->stillTime <= top->stillTime);
+        for (const Still &still : key->stills)
+            QVERIFY(!still.picture.isNull());
+        const auto reader = VideoReader::open(key->scene->views.front().file);
+        QCOMPARE((*reader)->keyFrameBefore(key->stills.front().frame), key->stills.front().frame);
     }
     void aTrialThatIsNotThereLeavesTheOldFile()
     {
