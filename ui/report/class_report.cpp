@@ -225,9 +225,10 @@ void ClassPage::paintRanking(const QRectF &sheet, const RankingPart &part)
     room = drawPartTitle(m_painter, room, Words::tr("The teams"),
                          Words::tr("each run is a dot; the line is the median of the team"));
     const Columns &w = columnWidths;
-    const double stripLeft = room.left() + w.rank + w.team + w.runs + w.best + w.median;
+    constexpr double stripGap = 14; // so that the scale keeps off the word before it
+    const double stripLeft = room.left() + stripGap + w.rank + w.team + w.runs + w.best + w.median;
     const double rows = part.rowHeight * double(part.to - part.from);
-    const Strip strip = stripIn(QRectF(stripLeft, room.top() + scaleHeight, w.strip, rows));
+    const Strip strip = stripIn(QRectF(stripLeft, room.top() + scaleHeight, w.strip - stripGap, rows));
     paintScale(strip, room.top());
     double left = room.left();
     const auto head = [&](double width, const QString &text, Qt::Alignment side) {

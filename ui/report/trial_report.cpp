@@ -99,7 +99,7 @@ void TrialPage::paintPlaces(const QRectF &rect)
         return;
     const QRectF right(rect.left() + mapWidth + gap, rect.top(), rect.width() - mapWidth - gap, rect.height());
     const QRectF pictures = drawPartTitle(m_painter, right, Words::tr("The cameras’ views"),
-                                          m_analysis && m_content.isAtTopSpeed ? Words::tr("at %1, the top speed").arg(secondsText(m_content.stillTime))
+                                          m_analysis && m_content.isAtTopSpeed && m_scene.robots.size() == 1 ? Words::tr("at %1, the top speed").arg(secondsText(m_content.stillTime))
                                                      : Words::tr("at %1").arg(secondsText(m_content.stillTime)));
     drawStills(m_painter, pictures, m_scene, m_content.stills);
 }
