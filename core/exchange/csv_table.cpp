@@ -106,6 +106,13 @@ std::string joined(const std::vector<std::string> &columns)
     return line;
 }
 
+/// Whether a text is to be marked by an apostrophe; one that looks as if it had been marked is too.
+bool isToBeMarked(std::string_view text)
+{
+    text.remove_prefix(std::min(text.find_first_not_of('\''), text.size()));
+    return !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos && !parseNumber(text);
+}
+
 } // namespace
 
 Result<std::vector<CsvRow>> readCsvRows(const std::filesystem::path &file)
@@ -154,18 +161,24 @@ Result<double> csvNumber(const std::filesystem::path &file, const CsvRow &row, s
     return *number;
 }
 
-std::string csvCell(const std::string &text, char delimiter)
+std::string csvText(const std::string &text, char delimiter)
 {
-    const bool plain = text.find_first_of(std::string("\"\r\n") + delimiter) == std::string::npos;
+    const std::string safe = isToBeMarked(text) ? "'" + text : text;
+    const bool plain = safe.find_first_of(std::string("\"\r\n") + delimiter) == std::string::npos;
     if (plain)
-        return text;
+        return safe;
     std::string quoted = "\"";
-    for (const char c : text) {
+    for (const char c : safe) {
         quoted += c;
         if (c == '"')
             quoted += '"';
     }
     return quoted + '"';
+}
+
+std::string csvTextOf(const std::string &cell)
+{
+    return cell.starts_with('\'') && isToBeMarked(std::string_view(cell).substr(1)) ? cell.substr(1) : cell;
 }
 
 } // namespace odo

@@ -30,7 +30,11 @@ Result<std::vector<CsvRow>> readCsvTable(const std::filesystem::path &file,
 Result<double> csvNumber(const std::filesystem::path &file, const CsvRow &row, std::size_t column,
                          const std::string &name);
 
-/// A cell as it has to be written: quoted where it holds the delimiter, a quote or a line break.
-std::string csvCell(const std::string &text, char delimiter);
+/// A text as a cell has to hold it: quoted where it has the delimiter, a quote or a line break, and with an apostrophe in front where a
+/// spreadsheet would take it as a formula (it begins with = + - @, a tab or CR, and is no number).
+std::string csvText(const std::string &text, char delimiter);
+
+/// The text of a cell that csvText has written, without such an apostrophe.
+std::string csvTextOf(const std::string &cell);
 
 } // namespace odo

@@ -17,7 +17,7 @@ Result<std::vector<LabelledPoint>> readLabelledPoints(const std::filesystem::pat
     std::vector<LabelledPoint> points;
     std::map<std::string, int> lineOfLabel;
     for (const CsvRow &row : *rows) {
-        const std::string &label = row.cells[0];
+        const std::string label = csvTextOf(row.cells[0]);
         if (label.empty())
             return fail(ErrorCode::InvalidInput, atLine(file, row.line), "the label is empty",
                         "give each marker a label");

@@ -47,7 +47,7 @@ Result<void> writeLayoutCsv(const std::filesystem::path &file, const MarkerLayou
 {
     std::string text = "label,x_mm,y_mm\n";
     for (const Marker &marker : layout.markers)
-        text += csvCell(marker.label, ',') + ',' + millimetreText(marker.pointInWorld.x()) + ',' +
+        text += csvText(marker.label, ',') + ',' + millimetreText(marker.pointInWorld.x()) + ',' +
                 millimetreText(marker.pointInWorld.y()) + '\n';
     return writeTextFile(file, text);
 }

@@ -51,12 +51,7 @@ public:
     }
     void millimetres(double metres) { number(toMillimetres(metres)); }
     void empty() { add({}); }
-    void text(const std::string &text)
-    {
-        const bool formula =
-            !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
-        add(csvCell(formula ? "'" + text : text, m_delimiter));
-    }
+    void text(const std::string &text) { add(csvText(text, m_delimiter)); }
     std::string take() { return m_line + '\n'; }
 
 private:

@@ -56,20 +56,26 @@ std::string trackTum(const AnalysisRecord &analysis)
     return text;
 }
 
-std::string trackTracker(const AnalysisRecord &analysis)
+std::string trackerName(std::string name)
 {
-    // Tracker separates by blanks too: a name is one word.
-    std::string name = analysis.robotName;
+    // Tracker separates by blanks too, and looks for data and remarks from the first line on.
     std::replace_if(
         name.begin(), name.end(),
-        [](char c) { return std::string_view(" ,;\t").find(c) != std::string_view::npos; }, '_');
-    std::string text = name + "\nt\tx\ty\n";
+        [](char c) { return std::string_view(" ,;\t\"").find(c) != std::string_view::npos; }, '_');
+    if (name.starts_with('#') || name.starts_with("//") || parseNumber(name))
+        name.insert(name.begin(), '_');
+    return name;
+}
+
+std::string trackTracker(const AnalysisRecord &analysis)
+{
+    std::string text = trackerName(analysis.robotName) + "\nt\tx\ty\n";
     const Profile &profile = analysis.profile;
     for (std::size_t i = 0; i < profile.points.size(); ++i) {
         const ProfilePoint &point = profile.points[i];
-        if (isUsable(point))
-            text += javaNumber(secondsOf(profile.samples[i])) + '\t' + javaNumber(point.position.x()) + '\t' +
-                    javaNumber(point.position.y()) + '\n';
+        text += javaNumber(secondsOf(profile.samples[i]));
+        text += isUsable(point) ? '\t' + javaNumber(point.position.x()) + '\t' + javaNumber(point.position.y()) : "\t\t";
+        text += '\n';
     }
     return text;
 }

@@ -7,16 +7,19 @@
 
 namespace odo {
 
-/// Tracks for other programs: only the points where the profile is valid, metres and seconds, the same bytes
-/// in every locale.
+/// Tracks for other programs: the points where the profile is valid, metres and seconds, the same bytes in every
+/// locale.
 
 /// TUM, as evo reads it: "timestamp tx ty tz qx qy qz qw" with single blanks and none at the end of a line; z
 /// = 0 and a rotation about Z only: the direction of motion, kept while the robot is slower than three σ of
 /// its speed.
 std::string trackTum(const AnalysisRecord &analysis);
 
-/// Text that Tracker (Open Source Physics) imports as a data track: the robot's name, then columns t, x, y
-/// with tabs.
+/// A robot's name as trackTracker writes it: one word that Tracker takes neither for a number nor for a remark.
+std::string trackerName(std::string name);
+
+/// Text that Tracker (Open Source Physics) imports as a data track: the robot's name, then t, x and y parted by tabs; a line for each
+/// frame, with blank cells where nothing is known, and no delimiter at the end of a line, which Tracker would take for one column more.
 std::string trackTracker(const AnalysisRecord &analysis);
 
 } // namespace odo

@@ -7,19 +7,6 @@
 
 namespace odo {
 
-std::string fileNameOf(const std::string &name)
-{
-    std::string file;
-    for (const char c : name)
-        file += std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos ||
-                        static_cast<unsigned char>(c) < 0x20
-                    ? '-'
-                    : c;
-    if (file.empty() || file.front() == '.')
-        file.insert(file.begin(), '-');
-    return file;
-}
-
 ExportJob::ExportJob(std::string trial, std::filesystem::path folder, CsvStyle style)
     : m_trial(std::move(trial)), m_folder(std::move(folder)), m_style(style)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/exchange/file_name.h"
 #include "core/exchange/track_csv.h"
 #include "core/project/records.h"
 #include "core/workflow/job.h"
@@ -33,8 +34,5 @@ private:
     std::vector<AnalysisRecord> m_analyses;
     std::vector<std::filesystem::path> m_files;
 };
-
-/// A name that files may have on every system: what they may not is replaced by '-'.
-std::string fileNameOf(const std::string &name);
 
 } // namespace odo

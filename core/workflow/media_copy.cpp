@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/media_copy.h"
 
+#include "core/exchange/file_name.h"
 #include "core/project/recording_rows.h"
 
 #include <QCryptographicHash>
@@ -14,11 +15,11 @@ namespace {
 constexpr qint64 blockBytes = 4 << 20;
 constexpr const char *roomAdvice = "check the free space and the rights of the project's folder";
 
-/// Letters and digits of any script, '-', '_' and '.' stay; the rest could mean something to a file system or a shell.
+/// Of what files may be called letters and digits of any script, '-' and '_' stay; the rest could mean something to a shell.
 QString safeName(const std::string &name)
 {
     QString safe;
-    for (const QChar c : QString::fromStdString(name).left(80))
+    for (const QChar c : QString::fromStdString(fileNameOf(name)).left(80))
         safe += c.isLetterOrNumber() || c == u'-' || c == u'_' ? c : QChar(u'_');
     return safe;
 }

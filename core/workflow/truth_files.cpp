@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/truth_files.h"
 
+#include "core/exchange/file_name.h"
 #include "core/exchange/text_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -50,7 +51,7 @@ Result<void> keepTruth(Project &project, const TrialRecord &trial, const Simulat
         truth.robot = robot->id;
         if (auto stored = project.trials().setTruth(truth); !stored)
             return stored;
-        if (auto written = writeTruthCsv(folder / (trial.name + "_" + name + ".csv"), truth); !written)
+        if (auto written = writeTruthCsv(folder / (fileNameOf(trial.name + "_" + name) + ".csv"), truth); !written)
             return written;
     }
     return {};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/layout_csv.h"
+#include "core/exchange/text_file.h"
 #include "core/exchange/pixels_csv.h"
 
 #include <QFile>
@@ -95,6 +96,23 @@ private Q_SLOTS:
             QVERIFY((read->markers[i].pointInWorld - layout.markers[i].pointInWorld).norm() < 1e-15);
         }
         QCOMPARE(writeLayoutCsv("/no/such/folder/a.csv", layout).error().code, ErrorCode::NotFound);
+    }
+
+    /// A spreadsheet takes no label for a formula, and the same labels are read back.
+    void labelsAreNoFormulas()
+    {
+        MarkerLayout layout;
+        for (const char *label : {"=1+1", "+x", "-x", "@x", "'=x", "''-x", "'x", "-1", "+2.5", "=a,\"b\""})
+            layout.markers.push_back({label, {0, 0}});
+        const std::filesystem::path file = write("");
+        QVERIFY(writeLayoutCsv(file, layout));
+        const std::string text = *readTextFile(file, 10000);
+        QCOMPARE(text, std::string("label,x_mm,y_mm\n'=1+1,0,0\n'+x,0,0\n'-x,0,0\n'@x,0,0\n''=x,0,0\n'''-x,0,0\n'x,0,0\n-1,0,0\n+2.5,0,0\n"
+                                   "\"'=a,\"\"b\"\"\",0,0\n"));
+        const auto read = readLayoutCsv(file);
+        QVERIFY2(read.has_value(), read ? "" : read.error().message().c_str());
+        for (std::size_t i = 0; i < layout.markers.size(); ++i)
+            QCOMPARE(read->markers[i].label, layout.markers[i].label);
     }
 
 private:

@@ -115,10 +115,57 @@ private Q_SLOTS:
         QVERIFY(text.starts_with("0 0.25 -1.5 0 0 0 0.707106781186547"));
         QVERIFY(lines[1].startsWith(QStringLiteral("0.033333333 0.25 -1.5 0 0 0 ")));
     }
+    /// As evo's file_interface.read_tum_trajectory_file has it: cells parted by one blank, exactly eight in a line, all of them numbers.
+    void tumAsEvoReadsIt()
+    {
+        const std::string text = trackTum(sampleTrack());
+        QVERIFY(text.ends_with('\n') && text.find("\n\n") == std::string::npos && text.find('\r') == std::string::npos);
+        double before = -1;
+        for (const QString &line : QString::fromStdString(text).chopped(1).split(u'\n')) {
+            const QStringList cells = line.split(u' ');
+            QCOMPARE(cells.size(), 8);
+            double squares = 0;
+            for (int i = 0; i < 8; ++i) {
+                bool isNumber = false;
+                const double number = cells[i].toDouble(&isNumber);
+                QVERIFY2(isNumber && !cells[i].isEmpty(), qPrintable(line));
+                squares += i < 4 ? 0 : number * number;
+            }
+            QVERIFY(std::abs(squares - 1) < 1e-12); // a unit quaternion
+            QCOMPARE(cells[3], QStringLiteral("0"));
+            QVERIFY(cells[0].toDouble() > before);
+            before = cells[0].toDouble();
+        }
+    }
+    /// By DataTool.parseData of Open Source Physics, with which Tracker reads: the first line with a single entry that is no number is the title, the next
+    /// without a number the columns; a line counts whose entries are all numbers or blank, with as many columns as it has entries.
+    void trackerAsTrackerReadsIt()
+    {
+        for (const char *name : {"red one", "42", "#1", "//x", "a;b,c\td", "-1e3"}) {
+            AnalysisRecord analysis = sampleTrack();
+            analysis.robotName = name;
+            const QStringList lines = QString::fromStdString(trackTracker(analysis)).chopped(1).split(u'\n');
+            QCOMPARE(lines.size(), 5);
+            bool isNumber = false;
+            lines[0].toDouble(&isNumber);
+            QVERIFY2(!isNumber && !lines[0].contains(u'\t') && !lines[0].startsWith(u'#') && !lines[0].startsWith(QStringLiteral("//")), name);
+            QCOMPARE(lines[1], QStringLiteral("t\tx\ty"));
+            for (const QString &line : lines.sliced(2)) {
+                const QStringList cells = line.split(u'\t');
+                QCOMPARE(cells.size(), 3);
+                QVERIFY(!cells[0].isEmpty() && cells[1].isEmpty() == cells[2].isEmpty());
+                for (const QString &cell : cells) {
+                    cell.toDouble(&isNumber);
+                    QVERIFY2(isNumber || cell.isEmpty(), qPrintable(line));
+                }
+            }
+        }
+    }
     void tracker()
     {
         QCOMPARE(trackTracker(sampleTrack()), std::string("red_one\nt\tx\ty\n0.0E0\t2.5E-1\t-1.5E0\n"
-                                                          "3.3333333E-2\t2.5E-1\t-1.5E0\n"));
+                                                          "3.3333333E-2\t2.5E-1\t-1.5E0\n"
+                                                          "6.6666667E-2\t\t\n"));
     }
     void json()
     {
@@ -166,14 +213,16 @@ private Q_SLOTS:
         };
         const std::string before = everything();
         const QLocale locale;
-        QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
-        const bool installed = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;
-        const std::string after = everything();
-        std::setlocale(LC_ALL, "C");
-        QLocale::setDefault(locale);
-        QCOMPARE(after, before);
-        if (!installed)
-            qInfo("de_DE.UTF-8 is not installed: only Qt's locale was changed");
+        for (const char *name : {"de_DE", "fr_FR", "tr_TR"}) {
+            QLocale::setDefault(QLocale(QString::fromLatin1(name)));
+            const bool installed = std::setlocale(LC_ALL, (std::string(name) + ".UTF-8").c_str()) != nullptr;
+            const std::string after = everything();
+            std::setlocale(LC_ALL, "C");
+            QLocale::setDefault(locale);
+            QVERIFY2(after == before, name);
+            if (!installed)
+                qInfo("%s.UTF-8 is not installed: only Qt's locale was changed", name);
+        }
     }
 
     void filesAppearWholeOrNotAtAll()

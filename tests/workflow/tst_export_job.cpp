@@ -65,25 +65,6 @@ private Q_SLOTS:
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 
-    void namesAreMadeFitForFiles_data()
-    {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QString>("file");
-        QTest::addRow("plain") << "Trial 1"
-                               << "Trial 1";
-        QTest::addRow("folders") << "../9B/run"
-                                 << "-..-9B-run";
-        QTest::addRow("other systems") << "a:b*c?\"<>|\\"
-                                       << "a-b-c------";
-        QTest::addRow("other scripts") << QString::fromUtf8("주행 1") << QString::fromUtf8("주행 1");
-    }
-    void namesAreMadeFitForFiles()
-    {
-        QFETCH(const QString, name);
-        QFETCH(const QString, file);
-        QCOMPARE(QString::fromStdString(fileNameOf(name.toStdString())), file);
-    }
-
 private:
     Result<void> run(const std::string &trial, const QTemporaryDir &folder)
     {

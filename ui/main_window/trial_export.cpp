@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/trial_export.h"
 
+#include "core/exchange/file_name.h"
 #include "core/exchange/text_file.h"
 #include "core/exchange/track_csv.h"
 #include "core/exchange/track_text.h"
@@ -84,7 +85,7 @@ Result<QString> exportTrial(Project &project, const QString &trial, QWidget &win
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     QString chosen = filters.front();
     QString file = QFileDialog::getSaveFileName(&window, Words::tr("Export %1").arg(trial),
-                                                QDir(folder).filePath(trial + QStringLiteral(".csv")),
+                                                QDir(folder).filePath(QString::fromStdString(fileNameOf(trial.toStdString())) + QStringLiteral(".csv")),
                                                 filters.join(QStringLiteral(";;")), &chosen);
     if (file.isEmpty())
         return QString();

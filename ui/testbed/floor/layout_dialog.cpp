@@ -2,6 +2,7 @@
 #include "ui/testbed/floor/layout_dialog.h"
 
 #include "core/base/units.h"
+#include "core/exchange/file_name.h"
 #include "core/exchange/layout_csv.h"
 #include "core/geometry/point_layout.h"
 #include "ui/testbed/floor/layout_drawing.h"
@@ -148,7 +149,8 @@ QWidget *LayoutDialog::makeTools()
             tell(importCsv(file));
     });
     csvMenu->addAction(tr("&Export…"), this, [this] {
-        const QString file = QFileDialog::getSaveFileName(this, tr("Places of the markers"), m_name->text() + QStringLiteral(".csv"), csvFilter());
+        const QString file = QFileDialog::getSaveFileName(this, tr("Places of the markers"),
+                                                          QString::fromStdString(fileNameOf(m_name->text().toStdString())) + QStringLiteral(".csv"), csvFilter());
         if (!file.isEmpty())
             tell(exportCsv(file));
     });
