@@ -6,6 +6,7 @@
 #include "core/exchange/track_text.h"
 #include "core/exchange/trial_json.h"
 #include "core/project/repositories.h"
+#include "core/workflow/imported_tracks.h"
 
 #include <algorithm>
 
@@ -36,15 +37,16 @@ Result<AnalysisRecord> chosenRobot(const std::vector<AnalysisRecord> &analyses, 
 }
 
 Result<std::string> fileText(const CommandCall &call, const std::string &formatName, const TrialRecord &trial,
-                             const std::vector<RecordingRecord> &recordings, const std::vector<AnalysisRecord> &analyses)
+                             const std::vector<RecordingRecord> &recordings, const std::vector<AnalysisRecord> &analyses,
+                             const std::vector<ImportedTrack> &imported)
 {
     const auto chosen = chosenRobot(analyses, trial.name, call.value(robot));
     if (formatName == "json" && !call.isSet(robot) && !analyses.empty())
-        return trialJson(trial, recordings, analyses);
+        return trialJson(trial, recordings, analyses, imported);
     if (!chosen)
         return tl::unexpected(chosen.error());
     if (formatName == "json")
-        return trialJson(trial, recordings, {*chosen});
+        return trialJson(trial, recordings, {*chosen}, imported);
     if (formatName == "tum")
         return trackTum(*chosen);
     if (formatName == "tracker")
@@ -88,7 +90,10 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     const auto analyses = (*project)->analyses().current(trial->id);
     if (!analyses)
         return tl::unexpected(analyses.error());
-    const auto text = fileText(call, formatName, *trial, *recordings, *analyses);
+    const auto imported = importedTracksOf(**project, *trial);
+    if (!imported)
+        return tl::unexpected(imported.error());
+    const auto text = fileText(call, formatName, *trial, *recordings, *analyses, *imported);
     if (!text)
         return tl::unexpected(text.error());
     if (auto written = writeTextFile(call.value(output), *text); !written)

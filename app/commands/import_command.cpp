@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/commands/import_tracks.h"
 #include "app/json_answers.h"
 #include "app/step_words.h"
 #include "core/project/repositories.h"
@@ -11,13 +12,14 @@ namespace odo {
 namespace {
 
 const QString trial = QStringLiteral("trial"), video = QStringLiteral("video"), sync = QStringLiteral("sync"),
-              team = QStringLiteral("team"), robot = QStringLiteral("robot"), rate = QStringLiteral("rate"), task = QStringLiteral("task");
+              team = QStringLiteral("team"), robot = QStringLiteral("robot"), rate = QStringLiteral("rate"), task = QStringLiteral("task"),
+              track = QStringLiteral("track");
 
 Result<ImportSettings> settingsFrom(const CommandCall &call)
 {
     ImportSettings settings;
     if (!call.isSet(trial) || !call.isSet(video))
-        return call.wrongCall(QStringLiteral("--trial and --video are needed"));
+        return call.wrongCall(QStringLiteral("--trial and --video, or --trial and --track, are needed"));
     settings.trial = call.value(trial);
     const auto videos = call.pairs(video);
     if (!videos)
@@ -48,16 +50,33 @@ Result<ImportSettings> settingsFrom(const CommandCall &call)
     return settings;
 }
 
+Result<void> importTracksOf(const CommandCall &call)
+{
+    if (!call.isSet(trial))
+        return call.wrongCall(QStringLiteral("--trial and --track are needed"));
+    for (const QString &other : {video, robot, rate, sync}) {
+        if (call.isSet(other))
+            return call.wrongCall(QStringLiteral("--track goes with --trial, --team and --task, not with --%1").arg(other));
+    }
+    const auto tracks = call.pairs(track);
+    if (!tracks)
+        return tl::unexpected(tracks.error());
+    return importTracks(call, *tracks);
+}
+
 } // namespace
 
 Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("import"),
                       QStringLiteral("P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--sync auto|none|SECONDS[,...]] "
-                                     "[--team T] [--task NAME] [--robot R]... [--rate 240] [--json]"),
+                                     "[--team T] [--task NAME] [--robot R]... [--rate 240] [--json]\n"
+                                     "       odograph import P.odo --trial NAME --track R=FILE... [--team T] [--task NAME] [--json]"),
                       1, 1,
                       {{trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
                        {video, QStringLiteral("A view: the camera's name and the file."), QStringLiteral("CAMERA=FILE")},
+                       {track, QStringLiteral("A robot's finished track in place of videos: TUM, CSV with t_s,x_mm,y_mm, or Tracker text."),
+                        QStringLiteral("ROBOT=FILE")},
                        {sync, QStringLiteral("How much later each other view's first frame was taken than the first view's; auto: found from the motion or a flash of light."),
                         QStringLiteral("auto|none|SECONDS[,...]")},
                        {team, QStringLiteral("The team that ran."), QStringLiteral("T")},
@@ -67,6 +86,8 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
+    if (call.isSet(track))
+        return importTracksOf(call);
     auto settings = settingsFrom(call);
     if (!settings)
         return tl::unexpected(settings.error());

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/commands/import_tracks.h"
 #include "app/json_answers.h"
 #include "app/step_words.h"
 #include "app/task_answers.h"
 #include "core/project/repositories.h"
+#include "core/workflow/imported_tracks.h"
 #include "core/workflow/track_warnings.h"
 #include "core/workflow/truth_accuracy.h"
 
 #include <QDateTime>
+#include <algorithm>
 #include <cmath>
 
 namespace odo {
@@ -26,7 +29,14 @@ QJsonObject truthJson(const TruthAccuracy &accuracy)
             {QStringLiteral("inside_95_speed"), accuracy.insideSpeed95}};
 }
 
-QJsonObject provenanceJson(const AnalysisRecord &analysis)
+/// Where the track came from; nullptr: our own views measured it.
+const ImportedTrack *sourceOf(const AnalysisRecord &analysis, const std::vector<ImportedTrack> &imported)
+{
+    const auto its = std::ranges::find(imported, analysis.robot, &ImportedTrack::robot);
+    return its == imported.end() ? nullptr : &*its;
+}
+
+QJsonObject provenanceJson(const AnalysisRecord &analysis, const std::vector<ImportedTrack> &imported)
 {
     const std::string_view smoother = smootherName(analysis.options.smoother);
     QJsonArray registrations;
@@ -36,13 +46,16 @@ QJsonObject provenanceJson(const AnalysisRecord &analysis)
     for (const Overrule &overrule : analysis.options.overrules)
         overrules.append(QJsonObject{{QStringLiteral("frame"), qint64(overrule.frame)},
                                      {QStringLiteral("spike"), overrule.isSpike}});
-    return {{QStringLiteral("overrules"), overrules},
+    QJsonObject json{{QStringLiteral("overrules"), overrules},
             {QStringLiteral("analysis"), qint64(analysis.id)},
             {QStringLiteral("made"),
              QDateTime::fromMSecsSinceEpoch(analysis.made.time_since_epoch().count(), Qt::UTC).toString(Qt::ISODate)},
             {QStringLiteral("software"), QString::fromStdString(analysis.softwareVersion)},
             {QStringLiteral("smoother"), QString::fromUtf8(smoother.data(), qsizetype(smoother.size()))},
             {QStringLiteral("registrations"), registrations}};
+    if (const ImportedTrack *source = sourceOf(analysis, imported))
+        json.insert(QStringLiteral("imported"), importedTrackJson(*source));
+    return json;
 }
 
 QString metricText(const Metric &metric)
@@ -99,6 +112,9 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
         view.insert(QStringLiteral("sha256"), QString::fromStdString(recording.sha256));
         views.insert(QString::fromStdString(recording.cameraName), view);
     }
+    const auto imported = importedTracksOf(project, *trial);
+    if (!imported)
+        return tl::unexpected(imported.error());
     QJsonObject robots;
     std::vector<std::string> warnings;
     QStringList lines(QStringLiteral("Trial %1, team %2")
@@ -124,12 +140,14 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
                           {QStringLiteral("spikes"), spikesJson(analysis.profile.spikes)},
                           {QStringLiteral("height_m"), analysis.profile.heightM},
                           {QStringLiteral("height_estimated"), analysis.profile.heightEstimated},
-                          {QStringLiteral("provenance"), provenanceJson(analysis)}};
+                          {QStringLiteral("provenance"), provenanceJson(analysis, *imported)}};
         insertTaskAnswers(robot, analysis.profile);
         if (accuracy)
             robot.insert(QStringLiteral("truth"), truthJson(*accuracy));
         robots.insert(QString::fromStdString(analysis.robotName), robot);
         lines << robotText(analysis, accuracy);
+        if (const ImportedTrack *source = sourceOf(analysis, *imported))
+            lines << QStringLiteral("  ") + importedTrackText(*source);
         for (std::string &warning : analysisWarnings(analysis, trial->name))
             warnings.push_back(std::move(warning));
     }

@@ -2,6 +2,7 @@
 #include "core/exchange/trial_json.h"
 
 #include "core/trajectory/heading.h"
+#include "core/trajectory/imported_track.h"
 
 #include <QDateTime>
 #include <QJsonArray>
@@ -71,7 +72,23 @@ QJsonObject viewObject(const RecordingRecord &recording)
             {QStringLiteral("frames"), static_cast<qint64>(recording.frameTimes.size())}};
 }
 
-QJsonObject provenanceObject(const AnalysisRecord &analysis)
+/// Where the track came from; null: our own views measured it.
+QJsonValue importedOf(const AnalysisRecord &analysis, const std::vector<ImportedTrack> &imported)
+{
+    for (const ImportedTrack &source : imported) {
+        if (source.robot != analysis.robot)
+            continue;
+        return QJsonObject{{QStringLiteral("file"), qtText(source.file)},
+                           {QStringLiteral("sha256"), qtText(source.sha256)},
+                           {QStringLiteral("bytes"), static_cast<qint64>(source.bytes)},
+                           {QStringLiteral("format"), qtText(source.format)},
+                           {QStringLiteral("noise_m"), noiseLevelM(source.samples)},
+                           {QStringLiteral("reading"), qtText(source.reading)}};
+    }
+    return {};
+}
+
+QJsonObject provenanceObject(const AnalysisRecord &analysis, const std::vector<ImportedTrack> &imported)
 {
     QJsonArray views, registrations, overrules;
     for (const Overrule &overrule : analysis.options.overrules)
@@ -91,6 +108,7 @@ QJsonObject provenanceObject(const AnalysisRecord &analysis)
         {QStringLiteral("overrules"), overrules},
         {QStringLiteral("views"), views},
         {QStringLiteral("registrations"), registrations},
+        {QStringLiteral("imported"), importedOf(analysis, imported)},
         {QStringLiteral("height_m"), numberOrNull(analysis.profile.heightM)},
         {QStringLiteral("height_estimated"), analysis.profile.heightEstimated},
         {QStringLiteral("mean_view_disagreement_m"), numberOrNull(analysis.profile.meanViewDisagreementM)}};
@@ -190,14 +208,14 @@ QJsonObject columnsOf(const Profile &profile)
 } // namespace
 
 std::string trialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
-                      const std::vector<AnalysisRecord> &analyses)
+                      const std::vector<AnalysisRecord> &analyses, const std::vector<ImportedTrack> &imported)
 {
     QJsonArray views, robots;
     for (const RecordingRecord &recording : recordings)
         views.append(viewObject(recording));
     for (const AnalysisRecord &analysis : analyses)
         robots.append(QJsonObject{{QStringLiteral("name"), qtText(analysis.robotName)},
-                                  {QStringLiteral("analysis"), provenanceObject(analysis)},
+                                  {QStringLiteral("analysis"), provenanceObject(analysis, imported)},
                                   {QStringLiteral("metrics"), metricsOf(analysis.profile)},
                                   {QStringLiteral("gates"), gatesOf(analysis.profile)},
                                   {QStringLiteral("spikes"), spikesOf(analysis.profile)},

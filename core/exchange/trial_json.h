@@ -12,6 +12,7 @@ namespace odo {
 /// synchronisation, views, and for each robot its provenance, metrics, times at gates, spikes, and the columns of the CSV
 /// export. What is missing is null.
 std::string trialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
-                      const std::vector<AnalysisRecord> &analyses);
+                      const std::vector<AnalysisRecord> &analyses,
+                      const std::vector<ImportedTrack> &imported = {});
 
 } // namespace odo

@@ -6,14 +6,11 @@
 #include "core/trajectory/floor_positions.h"
 #include "core/trajectory/free_height.h"
 #include "core/trajectory/fused_track.h"
-#include "core/trajectory/metrics.h"
 #include "core/trajectory/outline_noise.h"
 #include "core/trajectory/overrules.h"
 #include "core/trajectory/plane_choice.h"
-#include "core/trajectory/profile_points.h"
 #include "core/trajectory/shape_estimation.h"
-#include "core/trajectory/spike_flags.h"
-#include "core/trajectory/task_metrics.h"
+#include "core/trajectory/track_profile.h"
 #include "core/trajectory/view_alignment.h"
 #include "core/trajectory/view_clock.h"
 #include "core/trajectory/view_interpolation.h"
@@ -31,14 +28,11 @@ constexpr double freePlaneSigmaM = 0.002;
 constexpr double toldHeightSigmaM = 0.00041;
 // Pixel noise alone moves the height of a frame by some millimetres.
 constexpr double leastScatterM = 0.02;
-constexpr std::size_t leastSamples = 3; // an acceleration needs three positions
 
 constexpr std::array<std::pair<Smoother, std::string_view>, 4> smootherNames{{{Smoother::Rts, "rts"},
                                                                               {Smoother::SavGol, "savgol"},
                                                                               {Smoother::Tracker, "tracker"},
                                                                               {Smoother::None, "none"}}};
-
-constexpr auto cannotAnalyse = "the robot's path cannot be measured";
 
 std::string joinNames(const std::vector<std::string> &names)
 {
@@ -62,18 +56,18 @@ std::vector<std::string> namesOf(const std::vector<ViewTrack> &views)
 Result<void> checkViews(const std::vector<ViewTrack> &views)
 {
     if (views.empty())
-        return fail(ErrorCode::Undetermined, cannotAnalyse, "the trial has no view",
+        return fail(ErrorCode::Undetermined, cannotMeasurePath, "the trial has no view",
                     "import at least one video for it");
     const bool registered = std::any_of(views.begin(), views.end(),
                                         [](const ViewTrack &view) { return view.floorView.has_value(); });
     if (!registered)
-        return fail(ErrorCode::Undetermined, cannotAnalyse,
+        return fail(ErrorCode::Undetermined, cannotMeasurePath,
                     (views.size() == 1 ? "camera " + views.front().view + " is"
                                        : "cameras " + joinNames(namesOf(views)) + " are") +
                         " not registered to the floor",
                     "run odograph register for at least one of them");
     if (views.front().observations.empty())
-        return fail(ErrorCode::Undetermined, cannotAnalyse, "view " + views.front().view + " has no frame",
+        return fail(ErrorCode::Undetermined, cannotMeasurePath, "view " + views.front().view + " has no frame",
                     "track the trial's videos first");
     std::size_t found = 0, foundRegistered = 0;
     for (const ViewTrack &view : views) {
@@ -85,12 +79,12 @@ Result<void> checkViews(const std::vector<ViewTrack> &views)
     }
     if (found == 0)
         return fail(
-            ErrorCode::Undetermined, cannotAnalyse,
+            ErrorCode::Undetermined, cannotMeasurePath,
             "the robot was not found in any picture of " + joinNames(namesOf(views)),
             "check that the robot's colour in the project is the one in the pictures, that nothing else "
             "has it, and that the light is sufficient");
     if (foundRegistered == 0)
-        return fail(ErrorCode::Undetermined, cannotAnalyse,
+        return fail(ErrorCode::Undetermined, cannotMeasurePath,
                     "only cameras that are not registered to the floor saw the robot",
                     "run odograph register for them");
     return {};
@@ -169,7 +163,7 @@ Result<PlacedRobot> place(const std::vector<ViewTrack> &views, const std::vector
         return placeAtOneHeight(views, times, shape);
     auto placed = freeHeight(lookFromAllViews(views, times, 0));
     if (!placed)
-        return fail(ErrorCode::Undetermined, cannotAnalyse,
+        return fail(ErrorCode::Undetermined, cannotMeasurePath,
                     "its height is to be triangulated, but two registered views hardly ever saw it together",
                     "add a second view, or give the robot one height");
     return PlacedRobot{std::move(placed->views), freePlaneSigmaM, placed->medianHeightM, true};
@@ -260,32 +254,12 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
     auto robot = measure(views, shape, options);
     if (!robot)
         return tl::unexpected(robot.error());
-    FusedTrack &track = robot->track;
-    const SpikeVerdict verdict = flagSpikes(track.samples, options, robot->noise);
-
-    Profile profile;
-    profile.points = makePoints(track.samples, verdict.struck, options, verdict.noise);
-    const auto used = std::count_if(track.samples.begin(), track.samples.end(), [](const Sample &sample) {
-        return sample.position && !isRejected(sample.flags);
-    });
-    const bool anyValid = std::any_of(profile.points.begin(), profile.points.end(),
-                                      [](const ProfilePoint &point) { return point.valid; });
-    if (static_cast<std::size_t>(used) < leastSamples || !anyValid)
-        return fail(ErrorCode::Undetermined, cannotAnalyse,
-                    "not enough data: of " + std::to_string(track.samples.size()) + " frames " +
-                        std::to_string(used) + " give a position that can be used",
-                    "choose a longer video, or check the robot's colour and the light");
-    profile.spikes = describeSpikes(track, profile.points, options.longestBridgedGap);
-    profile.metrics = measureRun(track.samples, profile.points);
-    if (options.task) {
-        TaskFigures figures = measureTask(*options.task, track.samples, profile.points);
-        profile.passages = std::move(figures.passages);
-        profile.metrics.insert(profile.metrics.end(), figures.metrics.begin(), figures.metrics.end());
-    }
-    profile.heightM = robot->heightM;
-    profile.heightEstimated = robot->heightEstimated;
-    profile.meanViewDisagreementM = meanDisagreement(track.samples);
-    profile.samples = std::move(track.samples);
+    auto profile = profileOfTrack(std::move(robot->track), options, robot->noise);
+    if (!profile)
+        return profile;
+    profile->heightM = robot->heightM;
+    profile->heightEstimated = robot->heightEstimated;
+    profile->meanViewDisagreementM = meanDisagreement(profile->samples);
     return profile;
 }
 

@@ -39,7 +39,7 @@ std::string liveWords(const LiveFigures &figures)
 Result<TaskAnalysis> analyseRun(const LiveRun &run, const AnalysisOptions &options,
                                 const std::optional<TaskRecord> &task)
 {
-    return analyseByTask(run.views, shapeOf(run.robot), options, task);
+    return analyseByTask([&](const AnalysisOptions &by) { return analyse(run.views, shapeOf(run.robot), by); }, options, task);
 }
 
 LiveTracker::LiveTracker(const std::vector<LiveView> &views, const std::vector<RobotRecord> &robots,

@@ -25,11 +25,11 @@ double refusedShare(const Profile &profile)
 
 } // namespace
 
-Result<TaskAnalysis> analyseByTask(const std::vector<ViewTrack> &views, const RobotShape &shape,
-                                   const AnalysisOptions &options, const std::optional<TaskRecord> &task)
+Result<TaskAnalysis> analyseByTask(const MakeProfile &make, const AnalysisOptions &options,
+                                   const std::optional<TaskRecord> &task)
 {
     const AnalysisOptions byTask = task ? withTask(options, task->task) : options;
-    auto profile = analyse(views, shape, byTask);
+    auto profile = make(byTask);
     const bool limited = task && (task->task.limits.maxSpeedMps || task->task.limits.maxAccelMps2);
     const double refused = profile ? refusedShare(*profile) : 1;
     if (!limited || refused <= mostRefused) {
@@ -40,7 +40,7 @@ Result<TaskAnalysis> analyseByTask(const std::vector<ViewTrack> &views, const Ro
     Task free = task->task;
     free.limits = {};
     const AnalysisOptions withoutLimits = withTask(options, free);
-    auto second = analyse(views, shape, withoutLimits);
+    auto second = make(withoutLimits);
     if (second && refusedShare(*second) < refused / 2) {
         const std::string share = profile ? std::to_string(std::lround(100 * refused)) + " % of what was measured"
                                           : "nearly all that was measured";

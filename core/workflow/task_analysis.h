@@ -3,6 +3,7 @@
 
 #include "core/project/records.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,9 +18,12 @@ struct TaskAnalysis
     std::string doubt; ///< empty, or why the task's limits were left out: "what: why; do this" from the why on
 };
 
-/// analyse() by a task, if there is one. Limits that refuse more than a fifth of what was measured are none
-/// of this robot's: then the analysis is made without them, and says so. Pure, any thread.
-Result<TaskAnalysis> analyseByTask(const std::vector<ViewTrack> &views, const RobotShape &shape,
-                                   const AnalysisOptions &options, const std::optional<TaskRecord> &task);
+/// Makes a profile with the options it is given.
+using MakeProfile = std::function<Result<Profile>(const AnalysisOptions &)>;
+
+/// An analysis by a task, if there is one. Limits that refuse more than a fifth of what was measured are none
+/// of this robot's: then it is made once more without them, and says so. As pure as `make`.
+Result<TaskAnalysis> analyseByTask(const MakeProfile &make, const AnalysisOptions &options,
+                                   const std::optional<TaskRecord> &task);
 
 } // namespace odo

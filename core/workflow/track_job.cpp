@@ -3,12 +3,15 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/trajectory/imported_track.h"
+#include "core/workflow/imported_tracks.h"
 #include "core/workflow/registered_view.h"
 #include "core/workflow/robot_names.h"
 #include "core/workflow/task_analysis.h"
 #include "core/workflow/track_warnings.h"
 #include "core/workflow/view_tracking.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace odo {
@@ -25,11 +28,15 @@ struct TrackJob::Impl
 
     std::vector<AnalysisOptions> options; ///< one a robot
     std::vector<TrackedView> stored;      ///< with `again`
+    std::vector<std::vector<Sample>> imported; ///< with `again` of imported tracks, one a robot
     std::vector<ObservationSeries> observations;
     TrackOutcome outcome;
 
     Result<void> readOptions(Project &project);
+    Result<void> takeImported(std::vector<ImportedTrack> tracks);
     Result<void> analyseAll(std::vector<TrackedView> &tracked);
+    Result<TaskAnalysis> analyseOne(std::vector<TrackedView> &tracked, std::size_t robot) const;
+    void addOutcome(AnalysisRecord analysis);
 };
 
 TrackJob::TrackJob(std::string trial, TrackSettings settings) : m_impl(std::make_unique<Impl>())
@@ -63,6 +70,11 @@ Result<void> TrackJob::prepare(Project &project)
     d.views = std::move(*views);
     if (auto read = d.readOptions(project); !read)
         return read;
+    auto imported = importedTracksOf(project, d.trial);
+    if (!imported)
+        return tl::unexpected(imported.error());
+    if (!imported->empty())
+        return d.takeImported(std::move(*imported));
     if (!d.settings.again)
         return {};
     auto stored = storedObservations(project, d.trialName, d.views, d.robots);
@@ -93,6 +105,21 @@ Result<void> TrackJob::Impl::readOptions(Project &project)
             return tl::unexpected(overrules.error());
         its.overrules = std::move(*overrules);
         options.push_back(std::move(its));
+    }
+    return {};
+}
+
+Result<void> TrackJob::Impl::takeImported(std::vector<ImportedTrack> tracks)
+{
+    if (!settings.again)
+        return fail(ErrorCode::InvalidInput, "trial '" + trialName + "'", "its tracks were imported, so there is no video to track in",
+                    "analyse them anew with: odograph track PROJECT TRIAL --again");
+    for (const RobotRecord &robot : robots) {
+        const auto its = std::ranges::find(tracks, robot.id, &ImportedTrack::robot);
+        if (its == tracks.end())
+            return fail(ErrorCode::NotFound, robotInTrial(robot.name, trialName), "no track of it was imported",
+                        "choose a robot of the trial");
+        imported.push_back(std::move(its->samples));
     }
     return {};
 }
@@ -130,6 +157,20 @@ Result<void> TrackJob::run(const JobControl &control)
     return {};
 }
 
+Result<TaskAnalysis> TrackJob::Impl::analyseOne(std::vector<TrackedView> &tracked, std::size_t robot) const
+{
+    if (!imported.empty()) {
+        const std::vector<Sample> &raw = imported[robot];
+        return analyseByTask([&](const AnalysisOptions &by) { return analyseImported(raw, by); },
+                             optionsForImported(options[robot], raw), task);
+    }
+    auto tracks = takeViewTracks(views, tracked, robot);
+    auto analysed = analyseByTask([&](const AnalysisOptions &by) { return analyse(tracks, shapeOf(robots[robot]), by); },
+                                  options[robot], task);
+    returnObservations(std::move(tracks), tracked, robot);
+    return analysed;
+}
+
 Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
 {
     for (std::size_t r = 0; r < robots.size(); ++r) {
@@ -138,9 +179,7 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
         if (floorColour && floorColour->hardlyEverFound)
             return tl::unexpected(floorColour->error);
         AnalysisRecord analysis = newAnalysis(trial, robot, views, options[r]);
-        auto tracks = takeViewTracks(views, tracked, r);
-        auto analysed = analyseByTask(tracks, shapeOf(robot), options[r], task);
-        returnObservations(std::move(tracks), tracked, r);
+        auto analysed = analyseOne(tracked, r);
         if (!analysed) {
             Error error = analysed.error();
             error.what = robotInTrial(robot.name, trialName);
@@ -155,16 +194,20 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
             outcome.warnings.push_back(floorColour->error.message());
         for (std::string &warning : analysisWarnings(analysis, trialName))
             outcome.warnings.push_back(std::move(warning));
-
-        TrackedRobot result;
-        result.name = robot.name;
-        result.frames = static_cast<std::int64_t>(analysis.profile.samples.size());
-        for (const Sample &sample : analysis.profile.samples)
-            result.tracked += sample.position.has_value();
-        result.analysis = std::move(analysis);
-        outcome.robots.push_back(std::move(result));
+        addOutcome(std::move(analysis));
     }
     return {};
+}
+
+void TrackJob::Impl::addOutcome(AnalysisRecord analysis)
+{
+    TrackedRobot result;
+    result.name = analysis.robotName;
+    result.frames = static_cast<std::int64_t>(analysis.profile.samples.size());
+    for (const Sample &sample : analysis.profile.samples)
+        result.tracked += sample.position.has_value();
+    result.analysis = std::move(analysis);
+    outcome.robots.push_back(std::move(result));
 }
 
 Result<void> TrackJob::commit(Project &project)

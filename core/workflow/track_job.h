@@ -44,7 +44,8 @@ struct TrackOutcome
 
 /// Tracks the robots of a trial in all its views and analyses them by its task: observations and a new analysis each are
 /// stored.
-/// What a person has overruled stays in force.
+/// What a person has overruled stays in force. Of a trial whose tracks were imported there is nothing to track: it can
+/// only be analysed `again`, from the imported positions; InvalidInput otherwise.
 class TrackJob : public Job
 {
 public:

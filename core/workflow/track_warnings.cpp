@@ -34,6 +34,8 @@ std::string robotInTrial(const std::string &robotName, const std::string &trialN
 
 std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName)
 {
+    if (analysis.views.empty())
+        return {}; // an imported track: no camera could be moved
     auto sentences = describeUnseenStretches(analysis.profile, analysis.options.longestBridgedGap);
     for (std::string &sentence : sentences)
         sentence = robotInTrial(analysis.robotName, trialName) + ": " + sentence;

@@ -14,7 +14,7 @@ namespace odo {
 std::string robotInTrial(const std::string &robotName, const std::string &trialName);
 
 /// Whole sentences on an analysis that gave figures, but not of all of the task. From what is stored, so that
-/// they can be told at any time.
+/// they can be told at any time. None on an imported track.
 std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName);
 
 /// Whole sentences on views that are joined although how they lie against one another in time is not known,

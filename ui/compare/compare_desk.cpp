@@ -154,7 +154,9 @@ void CompareDesk::showViews()
         CameraView &picture = *m_pictures[run];
         const auto view = static_cast<std::size_t>(std::max(0, m_viewLists[run]->currentIndex()));
         picture.setScene(m_scene ? m_scene->scenes[run] : nullptr, view);
-        if (!m_scene) {
+        const bool hasVideo = m_scene && !m_scene->scenes[run]->views.empty();
+        picture.setVisible(hasVideo || !m_scene); // an imported track has none
+        if (!hasVideo) {
             picture.setOverlay({});
             continue;
         }

@@ -42,7 +42,8 @@ QList<Fact> factsOf(const TrialRecord &trial, const std::vector<AnalysisRecord> 
     add(TrialDetail::tr("Class"), QString::fromStdString(trial.className));
     add(TrialDetail::tr("Task"), QString::fromStdString(trial.task));
     add(TrialDetail::tr("Date"), dateText(trial.date));
-    add(TrialDetail::tr("Views"), QLocale().toString(trial.viewCount));
+    add(TrialDetail::tr("Views"), trial.viewCount > 0 || analyses.empty() ? QLocale().toString(trial.viewCount)
+                                                                         : TrialDetail::tr("none: the track was imported"));
     for (const AnalysisRecord &analysis : analyses) {
         if (analyses.size() > 1)
             add(TrialDetail::tr("Robot"), QString::fromStdString(analysis.robotName));

@@ -10,6 +10,7 @@
 #include "ui/main_window/help/help_panel.h"
 #include "ui/main_window/help/lesson_bar.h"
 #include "ui/main_window/history_actions.h"
+#include "ui/main_window/import_tracks_dialog.h"
 #include "ui/main_window/job_indicator.h"
 #include "ui/main_window/message_bar.h"
 #include "ui/main_window/mode_bar.h"
@@ -461,8 +462,9 @@ void MainWindow::dropEvent(QDropEvent *event)
         beginOpening(pathOf(files.front()));
     } else if (files.front().endsWith(QLatin1String(TransferActions::archiveSuffix), Qt::CaseInsensitive)) {
         m_files->transfer().askUnpack(pathOf(files.front()));
-    } else if (m_workspace->project()) {
-        m_trials->askImport(files);
+    } else if (m_workspace->project() && !m_workspace->isReadOnly()) {
+        const bool areTracks = std::ranges::all_of(files, &ImportTracksDialog::isTrackFile);
+        areTracks ? m_trials->askImportTracks(files) : m_trials->askImport(files);
     }
 }
 

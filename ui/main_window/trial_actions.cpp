@@ -3,10 +3,13 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/import_tracks_job.h"
 #include "core/workflow/import_trial_job.h"
+#include "core/workflow/imported_tracks.h"
 #include "core/workflow/registered_view.h"
 #include "core/workflow/track_job.h"
 #include "core/workflow/track_warnings.h"
+#include "ui/main_window/import_tracks_dialog.h"
 #include "ui/main_window/import_trial_dialog.h"
 #include "ui/main_window/robot_dialog.h"
 #include "ui/main_window/track_dialog.h"
@@ -60,7 +63,9 @@ QString trackedWords(const TrackOutcome &outcome)
     return sentences.join(QLatin1Char(' '));
 }
 
-QString importedWords(const ImportTrialJob &job)
+/// Of either way of importing.
+template <class ImportJob>
+QString importedWords(const ImportJob &job)
 {
     QStringList sentences{TrialActions::tr("%1 is imported.").arg(QString::fromStdString(job.trial().name))};
     for (const std::string &warning : job.warnings())
@@ -68,19 +73,35 @@ QString importedWords(const ImportTrialJob &job)
     return sentences.join(QLatin1Char(' '));
 }
 
+struct OfferedTeams
+{
+    QStringList names, shown;
+};
+OfferedTeams teamsOf(Project &project)
+{
+    const auto teams = project.teams().all();
+    OfferedTeams offered{namesOf(teams), {}};
+    for (const TeamRecord &team : teams.value_or(std::vector<TeamRecord>()))
+        offered.shown << shownTeam(team);
+    return offered;
+}
+
 } // namespace
 
 TrialActions::TrialActions(Workspace &workspace, QWidget &window)
     : QObject(&window), m_workspace(workspace), m_window(window),
       m_import(new QAction(themeIcon(QStringLiteral("import")), tr("&Import trial from videos…"), this)),
+      m_importTracks(new QAction(themeIcon(QStringLiteral("import")), tr("Import finished tra&cks…"), this)),
       m_track(new QAction(themeIcon(QStringLiteral("track")), tr("&Track…"), this)),
       m_export(new QAction(themeIcon(QStringLiteral("export")), tr("&Export…"), this)),
       m_addRobot(new QAction(themeIcon(QStringLiteral("add")), tr("Add &robot…"), this))
 {
-    nameCommands({{m_import, "import"}, {m_track, "track"}, {m_export, "export"}, {m_addRobot, "addRobot"}});
+    nameCommands({{m_import, "import"}, {m_importTracks, "importTracks"}, {m_track, "track"}, {m_export, "export"}, {m_addRobot, "addRobot"}});
     m_import->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_I));
     m_track->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
     connect(m_import, &QAction::triggered, this, [this] { askImport(); });
+    m_importTracks->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
+    connect(m_importTracks, &QAction::triggered, this, [this] { askImportTracks(); });
     connect(m_track, &QAction::triggered, this, [this] { askTrack(m_trial); });
     m_export->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_E));
     connect(m_export, &QAction::triggered, this, &TrialActions::askExport);
@@ -94,7 +115,7 @@ TrialActions::TrialActions(Workspace &workspace, QWidget &window)
 
 void TrialActions::fillMenu(QMenu &menu)
 {
-    menu.addActions({m_import, m_addRobot, m_track, m_export});
+    menu.addActions({m_import, m_importTracks, m_addRobot, m_track, m_export});
 }
 
 void TrialActions::setCurrentTrial(const QString &name)
@@ -108,6 +129,7 @@ void TrialActions::updateActions()
     const bool writable = m_workspace.project() != nullptr && !m_workspace.isReadOnly();
     m_addRobot->setEnabled(writable);
     m_import->setEnabled(writable && !m_workspace.isBusy());
+    m_importTracks->setEnabled(m_import->isEnabled());
     m_export->setEnabled(!m_trial.isEmpty());
     m_track->setEnabled(writable && !m_workspace.isBusy() && !m_trial.isEmpty());
 }
@@ -119,17 +141,35 @@ void TrialActions::askImport(const QStringList &videos)
     std::vector<ImportTrialDialog::OfferedCamera> cameras;
     for (const CameraRow &row : loadCameraRows(project).value_or(std::vector<CameraRow>()))
         cameras.push_back({QString::fromStdString(row.camera.name), cameraBadge(row.registration)});
-    QStringList teamsShown;
-    const auto teams = project.teams().all();
-    for (const TeamRecord &team : teams.value_or(std::vector<TeamRecord>()))
-        teamsShown << shownTeam(team);
+    const OfferedTeams teams = teamsOf(project);
     ImportTrialDialog dialog(
-        {freeTrialName(trials), namesOf(teams), namesOf(project.robots().all()), std::move(cameras), teamsShown}, &m_window);
+        {freeTrialName(trials), teams.names, namesOf(project.robots().all()), std::move(cameras), teams.shown}, &m_window);
     for (const QString &video : videos)
         dialog.addVideo({}, video);
     if (dialog.exec() != QDialog::Accepted)
         return;
     const auto job = std::make_shared<ImportTrialJob>(dialog.settings());
+    const QString name = QString::fromStdString(dialog.settings().trial);
+    const Result<void> started = m_workspace.start(job, tr("Importing %1").arg(name), [this, job] {
+        Q_EMIT trialImported(QString::fromStdString(job->trial().name));
+        Q_EMIT done(importedWords(*job));
+    });
+    if (!started)
+        Q_EMIT failed(started.error());
+}
+
+void TrialActions::askImportTracks(const QStringList &files)
+{
+    Project &project = *m_workspace.project();
+    const OfferedTeams teams = teamsOf(project);
+    ImportTracksDialog dialog({freeTrialName(namesOf(project.trials().names())), teams.names, namesOf(project.robots().all()),
+                               namesOf(project.tasks().current()), teams.shown},
+                              &m_window);
+    for (const QString &file : files)
+        dialog.addTrack(file);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const auto job = std::make_shared<ImportTracksJob>(dialog.settings());
     const QString name = QString::fromStdString(dialog.settings().trial);
     const Result<void> started = m_workspace.start(job, tr("Importing %1").arg(name), [this, job] {
         Q_EMIT trialImported(QString::fromStdString(job->trial().name));
@@ -166,7 +206,10 @@ void TrialActions::askTrack(const QString &trial)
     TrackDialog dialog(trial, robots, expected, doubts, &m_window);
     if (dialog.exec() != QDialog::Accepted)
         return;
-    const auto job = std::make_shared<TrackJob>(trial.toStdString(), dialog.settings());
+    TrackSettings settings = dialog.settings();
+    const auto imported = importedTracksOf(project, *record);
+    settings.again = imported && !imported->empty(); // there is no video to track in
+    const auto job = std::make_shared<TrackJob>(trial.toStdString(), std::move(settings));
     const Result<void> started = m_workspace.start(job, tr("Tracking %1").arg(trial), [this, job] {
         Q_EMIT trialTracked(QString::fromStdString(job->outcome().trial));
         Q_EMIT done(trackedWords(job->outcome()));

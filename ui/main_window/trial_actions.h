@@ -26,6 +26,8 @@ public:
     /// The trial that Track and Export mean; empty: none.
     void setCurrentTrial(const QString &name);
     void askImport(const QStringList &videos = {});
+    /// Of tracks that another program measured.
+    void askImportTracks(const QStringList &files = {});
     void askTrack(const QString &trial);
     /// Stores a person's word on a sample and analyses the trial again.
     void overrule(const OverruleRequest &word);
@@ -44,7 +46,7 @@ private:
     Workspace &m_workspace;
     QWidget &m_window;
     QString m_trial;
-    QAction *m_import, *m_track, *m_export, *m_addRobot;
+    QAction *m_import, *m_importTracks, *m_track, *m_export, *m_addRobot;
 };
 
 } // namespace odo

@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/trajectory/view_clock.h"
+#include "core/workflow/imported_tracks.h"
 #include "core/workflow/registered_view.h"
 
 #include <algorithm>
@@ -100,12 +101,27 @@ std::vector<RecordId> robotsOf(const TrialRecord &trial, const std::vector<Analy
     return robots;
 }
 
+/// The times of all samples: Sample::frame counts them.
+std::vector<Nanoseconds> timesOf(const std::vector<SceneRobot> &robots)
+{
+    std::vector<Nanoseconds> times;
+    for (const SceneRobot &robot : robots) {
+        if (!robot.analysis)
+            continue;
+        for (const Sample &sample : robot.analysis->profile.samples)
+            times.push_back(sample.time);
+    }
+    std::ranges::sort(times);
+    const auto again = std::ranges::unique(times);
+    times.erase(again.begin(), again.end());
+    return times;
+}
+
 } // namespace
 
 const std::vector<Nanoseconds> &TrialScene::frameTimes() const
 {
-    static const std::vector<Nanoseconds> none;
-    return views.empty() ? none : views.front().recording.frameTimes;
+    return views.empty() ? importedTimes : views.front().recording.frameTimes;
 }
 
 std::optional<std::int64_t> TrialScene::frameAt(std::size_t view, Nanoseconds time) const
@@ -218,6 +234,12 @@ Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialN
             return passOn(robot);
         scene->robots.push_back(std::move(*robot));
     }
+    auto imported = importedTracksOf(project, scene->trial);
+    if (!imported)
+        return passOn(imported);
+    scene->imported = std::move(*imported);
+    if (!scene->imported.empty())
+        scene->importedTimes = timesOf(scene->robots);
     return TrialScenePtr(std::move(scene));
 }
 

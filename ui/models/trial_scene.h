@@ -48,8 +48,10 @@ struct TrialScene
     std::optional<Task> task;           ///< that was to be driven
     RecordId taskId = 0;                ///< of it; 0: none
     std::vector<Criterion> scoring;     ///< of it; empty: it is not scored
+    std::vector<ImportedTrack> imported; ///< where its tracks came from; empty: our own views measured them
+    std::vector<Nanoseconds> importedTimes;    ///< of all samples then, in order
 
-    /// Frame times of the first view, which is the time line of the trial; empty without views.
+    /// Frame times of the first view, which is the time line of the trial; of imported tracks their times.
     const std::vector<Nanoseconds> &frameTimes() const;
     /// The frame of a view nearest to a time of the first view; nullopt before its first or after its last
     /// frame by more than an interval (cameras that started together are still a part of one apart).

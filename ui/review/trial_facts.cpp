@@ -24,7 +24,7 @@ class Words
 QString robotText(const SceneRobot &robot)
 {
     const QString name = QString::fromStdString(robot.robot.name);
-    if (!robot.analysis)
+    if (!robot.analysis || robot.analysis->views.empty()) // an imported track tells no height
         return name;
     const QString height = lengthText(robot.analysis->profile.heightM);
     return robot.analysis->profile.heightEstimated ? Words::tr("%1, %2 high (estimated)").arg(name, height)
@@ -59,6 +59,13 @@ Fact stepFact(const SceneView &view)
     if (view.recording.syncMethod != "told" && !isStepMeasured(view.recording))
         fact.badge = {Words::tr("not synchronised"), BadgeState::Warning};
     return fact;
+}
+
+/// Where an imported track came from, and how it was read.
+QString importText(const ImportedTrack &source)
+{
+    return QString::fromStdString(source.file) + u'\n' + QString::fromStdString(source.reading) + u'\n' +
+           Words::tr("SHA-256 %1…").arg(QString::fromStdString(source.sha256.substr(0, 12)));
 }
 
 QString timeText(double seconds, double sigmaS)
@@ -157,6 +164,8 @@ QList<Fact> trialFacts(const TrialScene &scene)
         add(Words::tr("Testbed"), Words::tr("markers “%1”").arg(QString::fromStdString(scene.layout->name)));
     for (const SceneView &view : scene.views)
         facts.append(viewFact(view));
+    for (const ImportedTrack &source : scene.imported)
+        add(Words::tr("Imported"), importText(source));
     for (std::size_t view = 1; view < scene.views.size(); ++view)
         facts.append(stepFact(scene.views[view]));
     if (!scene.robots.empty() && scene.robots.front().analysis) {

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/delimited_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr long double mostSeconds = 1e10L; // the year 2286
+
+/// A whole cell as a number of any kind of floating point.
+template <class Number>
+std::optional<Number> numberOf(std::string_view cell, char delimiter)
+{
+    std::array<char, 64> copy{};
+    if (cell.starts_with('+'))
+        cell.remove_prefix(1); // from_chars knows none
+    if (cell.empty() || cell.size() > copy.size())
+        return std::nullopt;
+    std::copy(cell.begin(), cell.end(), copy.begin());
+    if (delimiter != ',')
+        std::replace(copy.data(), copy.data() + cell.size(), ',', '.');
+    Number value = 0;
+    const auto [end, problem] = std::from_chars(copy.data(), copy.data() + cell.size(), value);
+    if (problem != std::errc() || end != copy.data() + cell.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+} // namespace
+
+std::optional<std::string_view> TextLines::next()
+{
+    if (m_position >= m_text.size())
+        return std::nullopt;
+    const std::size_t end = std::min(m_text.find('\n', m_position), m_text.size());
+    std::string_view line = m_text.substr(m_position, end - m_position);
+    m_position = end + 1;
+    ++m_number;
+    if (line.ends_with('\r'))
+        line.remove_suffix(1);
+    return line;
+}
+
+std::string_view withoutBlanks(std::string_view text)
+{
+    const std::size_t begin = text.find_first_not_of(" \t");
+    if (begin == std::string_view::npos)
+        return {};
+    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+char delimiterOf(std::string_view header)
+{
+    for (const char delimiter : {'\t', ';', ','}) {
+        if (header.find(delimiter) != std::string_view::npos)
+            return delimiter;
+    }
+    return ' ';
+}
+
+void splitCells(std::string_view line, char delimiter, std::vector<std::string_view> &cells)
+{
+    cells.clear();
+    if (delimiter == ' ')
+        line = withoutBlanks(line);
+    for (std::size_t at = 0; at <= line.size();) {
+        if (delimiter == ' ')
+            at = std::min(line.find_first_not_of(" \t", at), line.size());
+        std::size_t end = at;
+        const auto parts = [delimiter](char c) { return c == delimiter || (delimiter == ' ' && c == '\t'); };
+        for (bool isQuoted = false; end < line.size() && (isQuoted || !parts(line[end])); ++end)
+            isQuoted ^= line[end] == '"';
+        std::string_view cell = withoutBlanks(line.substr(at, end - at));
+        if (cell.size() > 1 && cell.starts_with('"') && cell.ends_with('"'))
+            cell = withoutBlanks(cell.substr(1, cell.size() - 2));
+        cells.push_back(cell);
+        at = end + 1;
+    }
+}
+
+std::optional<double> cellNumber(std::string_view cell, char delimiter)
+{
+    return numberOf<double>(cell, delimiter);
+}
+
+std::optional<Nanoseconds> cellTime(std::string_view cell, char delimiter, double secondsPerUnit)
+{
+    const auto value = numberOf<long double>(cell, delimiter);
+    if (!value)
+        return std::nullopt;
+    const long double unitsPerSecond = std::roundl(1 / static_cast<long double>(secondsPerUnit)); // 1e-9 is no double
+    const long double seconds = *value / unitsPerSecond;
+    if (std::abs(seconds) > mostSeconds)
+        return std::nullopt;
+    return Nanoseconds(std::llroundl(*value * (1e9L / unitsPerSecond)));
+}
+
+} // namespace odo
