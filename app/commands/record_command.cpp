@@ -12,7 +12,7 @@ namespace {
 
 const QString trial = QStringLiteral("trial"), camera = QStringLiteral("camera"),
               seconds = QStringLiteral("seconds"), robot = QStringLiteral("robot"),
-              recover = QStringLiteral("recover"), preRoll = QStringLiteral("pre-roll");
+              recover = QStringLiteral("recover"), preRoll = QStringLiteral("pre-roll"), sslVision = QStringLiteral("ssl-vision");
 
 /// Opening has completed what was cut off, and said so.
 Result<void> answerRecover(const CommandCall &call)
@@ -43,6 +43,12 @@ Result<RecordSettings> settingsFrom(const CommandCall &call)
         if (!number || *number <= 0)
             return call.wrongCall(QStringLiteral("--seconds is a number above zero"));
         settings.seconds = *number;
+    }
+    if (call.isSet(sslVision)) {
+        auto target = parseBroadcastTarget(call.value(sslVision));
+        if (!target)
+            return tl::unexpected(target.error());
+        settings.broadcast = std::move(*target);
     }
     if (call.isSet(preRoll)) {
         const auto number = call.number(preRoll);
@@ -86,6 +92,21 @@ QJsonObject viewsJson(const LiveTrial &recorded, const RecordSettings &settings)
     return views;
 }
 
+/// The parser knows no value that can be left out: `--ssl-vision` alone gets an empty one. What follows it is its value, unless that is
+/// an option or the project.
+QStringList withTarget(QStringList arguments)
+{
+    const QString option = QStringLiteral("--") + sslVision;
+    for (qsizetype i = arguments.indexOf(option); i >= 0; i = arguments.indexOf(option, i + 1)) {
+        const QString next = arguments.value(i + 1, QStringLiteral("-"));
+        const bool isValue = !next.startsWith(u'-') && !next.endsWith(QStringLiteral(".odo"), Qt::CaseInsensitive);
+        arguments[i] += u'=' + (isValue ? next : QString());
+        if (isValue)
+            arguments.removeAt(i + 1);
+    }
+    return arguments;
+}
+
 } // namespace
 
 Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
@@ -93,7 +114,7 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
     CommandCall call(
         {QStringLiteral("record"),
          QStringLiteral("P.odo --trial NAME --camera A=URI [--camera B=URI]... [--seconds 10] [--pre-roll 0] "
-                        "[--robot R]... [--json], or P.odo --recover"),
+                        "[--robot R]... [--ssl-vision [ADDRESS:PORT]] [--json], or P.odo --recover"),
          1,
          1,
          {{trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
@@ -105,11 +126,15 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
                "What is recorded from before that, 10 seconds at most: the cameras run so long first."),
            QStringLiteral("SECONDS")},
           {robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
+          {sslVision,
+           QStringLiteral("Sends the robots' live positions as SSL-Vision packets, on this machine's loopback only; "
+                          "224.5.23.2:10006 unless another address is told."),
+           QStringLiteral("[ADDRESS:PORT]")},
           {recover,
            QStringLiteral(
                "Records nothing: completes recordings that were cut off, as every writing command does.")}}},
         cancel);
-    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+    if (const auto parsed = call.parse(withTarget(arguments)); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (call.isSet(recover))
         return answerRecover(call);

@@ -5,6 +5,8 @@
 #include "core/project/repositories.h"
 #include "core/workflow/hash_job.h"
 #include "core/workflow/line_up.h"
+#include "core/workflow/live_tracking.h"
+#include "core/workflow/registered_view.h"
 
 #include <algorithm>
 #include <chrono>
@@ -98,6 +100,82 @@ Result<void> letRun(const RecordSettings &settings, const JobControl &control)
     return {};
 }
 
+/// Sends the robots' positions while it is there.
+struct LiveSending
+{
+    std::unique_ptr<LiveBroadcast> broadcast; // outlives the tracker, which gives it its moments
+    std::unique_ptr<LiveTracker> tracker;
+};
+
+Result<std::vector<LiveView>> liveViews(Project &project, const RecordSettings &settings)
+{
+    std::vector<LiveView> views;
+    for (const auto &[name, address] : settings.cameras) {
+        LiveView view{name, {}};
+        if (const auto camera = project.cameras().find(name)) {
+            const auto registration = project.cameras().currentRegistration(camera->id);
+            if (!registration)
+                return tl::unexpected(registration.error());
+            if (*registration) {
+                auto floorView = floorViewOf(project, **registration);
+                if (!floorView)
+                    return tl::unexpected(floorView.error());
+                view.floorView = std::move(*floorView);
+            }
+        }
+        views.push_back(std::move(view));
+    }
+    if (std::ranges::none_of(views, [](const LiveView &view) { return view.floorView.has_value(); }))
+        return fail(ErrorCode::Undetermined, whatOf(settings), "none of its cameras is registered to the floor, so there are no live positions to send",
+                    "run odograph register for one of them, or leave --ssl-vision out");
+    return views;
+}
+
+/// What is to be sent, before a camera is opened.
+struct SentRobots
+{
+    std::vector<LiveView> views;
+    std::vector<RobotRecord> robots;
+    std::unique_ptr<LiveBroadcast> broadcast;
+};
+
+Result<SentRobots> robotsToSend(Project &project, const TrialRecord &trial, const RecordSettings &settings)
+{
+    SentRobots sent;
+    if (!settings.broadcast)
+        return sent;
+    auto views = liveViews(project, settings);
+    if (!views)
+        return tl::unexpected(views.error());
+    auto robots = robotsToTrack(project, trial, settings.robots);
+    if (!robots)
+        return tl::unexpected(robots.error());
+    auto broadcast = LiveBroadcast::create(*settings.broadcast, *robots);
+    if (!broadcast)
+        return tl::unexpected(broadcast.error());
+    sent.views = std::move(*views);
+    sent.robots = std::move(*robots);
+    sent.broadcast = std::move(*broadcast);
+    return sent;
+}
+
+Result<LiveSending> beginSending(SentRobots sent, CaptureSession &session)
+{
+    LiveSending sending;
+    if (!sent.broadcast)
+        return sending;
+    sending.broadcast = std::move(sent.broadcast);
+    std::vector<LiveTracker::Feed> feeds;
+    for (std::size_t view = 0; view < sent.views.size(); ++view)
+        feeds.push_back(session.subscribeFrames(view, 2));
+    auto tracker = LiveTracker::create(sent.views, sent.robots, std::move(feeds),
+                                       {{}, [&broadcast = *sending.broadcast](const LiveMoment &moment) { broadcast.take(moment); }});
+    if (!tracker)
+        return tl::unexpected(tracker.error());
+    sending.tracker = std::move(*tracker);
+    return sending;
+}
+
 /// Until its time is over, or nothing more can be recorded.
 Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSession &session,
                            const RecordSettings &settings, const JobControl &control)
@@ -132,6 +210,9 @@ Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSet
     auto trial = trialOf(project, {.robots = settings.robots, .trial = settings.trial});
     if (!trial)
         return tl::unexpected(trial.error());
+    auto sent = robotsToSend(project, *trial, settings);
+    if (!sent)
+        return tl::unexpected(sent.error());
     auto cameras = openCameras(settings);
     if (!cameras)
         return tl::unexpected(cameras.error());
@@ -139,6 +220,9 @@ Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSet
     CaptureSession session(std::move(*cameras), {.preRoll = preRoll});
     if (auto delivering = waitForPictures(session, settings, control); !delivering)
         return tl::unexpected(delivering.error());
+    const auto sending = beginSending(std::move(*sent), session); // ends before the session does
+    if (!sending)
+        return tl::unexpected(sending.error());
     if (auto warm = letRun(settings, control); !warm)
         return tl::unexpected(warm.error());
     std::vector<std::string> names;

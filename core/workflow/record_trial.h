@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/workflow/live_broadcast.h"
 #include "core/workflow/live_trial.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,11 +20,13 @@ struct RecordSettings
     double seconds = 10; ///< from when all cameras deliver
     double preRollS = 0; ///< so long before, the cameras run already, and that is recorded too
     std::vector<std::string> robots;
+    std::optional<BroadcastTarget> broadcast = {}; ///< to where the robots' live positions are sent; empty: they are not looked for
 };
 
 /// Records a trial from cameras: every picture of every view to the disk, the views put in step by the
 /// cameras' clocks. Long, on the project's thread. One that is cancelled leaves nothing behind; one that ends
-/// early, because a file has ended or the disk fails, keeps what there is, and its warnings say so.
+/// early, because a file has ended or the disk fails, keeps what there is, and its warnings say so. Sending live positions never delays
+/// it; Undetermined where no camera is registered, so that there are none.
 Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSettings &settings,
                                                const JobControl &control);
 

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/calibration/floor_registration.h"
+#include "core/simulation/demo_testbed.h"
 #include "core/workflow/record_trial.h"
+#include "core/workflow/stored_registration.h"
+#include "tests/support/datagram_receiver.h"
+#include "tests/support/protobuf_decoder.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
 using namespace odo;
+using namespace odo::test;
 
 class TestRecordTrial : public QObject
 {
@@ -33,6 +39,53 @@ private Q_SLOTS:
                  qPrintable(QString::number(trial->durationS))); // a picture or two at each end
         QVERIFY(!m_project->trials().recordings(trial->id)->front().sha256.empty());
         QVERIFY(m_project->check(true)->empty());
+    }
+
+    /// The simulated robot's place while it is recorded, by a packet of the network: on its circle.
+    void livePositionsAreSent()
+    {
+        const SimulatedScene testbed = demoTestbed(1);
+        const RecordId layout = m_project->layouts().add(testbed.floor.markers)->id;
+        for (const SimulatedCamera &camera : testbed.cameras) {
+            RegistrationRecord record;
+            record.layout = layout;
+            record.assumedIntrinsics = camera.view.camera().intrinsics();
+            for (const Marker &marker : testbed.floor.markers.markers)
+                record.pixels.push_back({marker.label, *camera.view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
+            record.registration = *registerFloor(testbed.floor.markers, record.pixels, camera.view.camera(), true);
+            QVERIFY(storeRegistration(*m_project, camera.name, record));
+        }
+        for (const DemoTrial &trial : demoTrials()) {
+            if (trial.trial != "circle")
+                continue;
+            RobotRecord robot;
+            robot.name = "driver";
+            robot.colour = trial.scene.robots.front().colour;
+            robot.heightMode = RobotRecord::Height::Told;
+            robot.heightM = trial.scene.robots.front().heightM;
+            QVERIFY(m_project->robots().add(robot));
+        }
+        const DatagramReceiver receiver(true);
+        RecordSettings settings{.trial = "run", .cameras = {{"A", "sim:A"}, {"B", "sim:B"}}, .seconds = 2, .robots = {"driver"}};
+        settings.broadcast = BroadcastTarget{.port = receiver.port};
+        const auto recorded = recordTrial(*m_project, settings, {});
+        QVERIFY2(recorded, recorded ? "" : recorded.error().message().c_str());
+        const auto frame = decodeMessage(decodeMessage(receiver.next())->first(1)->bytes);
+        QVERIFY(frame && frame->fields.count(6) + frame->fields.count(7) == 1);
+        const auto robot = decodeMessage((frame->first(6) ? frame->first(6) : frame->first(7))->bytes);
+        const Eigen::Vector2d fromMiddle(robot->first(3)->shortReal() - 1500.0, robot->first(4)->shortReal() - 1100.0);
+        // Some millimetres of the centre, some of a filter that has just begun.
+        QVERIFY2(std::abs(fromMiddle.norm() - 750) < 40, qPrintable(QString::number(fromMiddle.norm())));
+    }
+    void nothingIsSentWithoutARegistration()
+    {
+        RecordSettings settings{.trial = "run", .cameras = {{"A", "sim:A"}}, .seconds = 1, .robots = {}};
+        settings.broadcast = BroadcastTarget();
+        const auto recorded = recordTrial(*m_project, settings, {});
+        QVERIFY(!recorded);
+        QCOMPARE(recorded.error().message(), std::string("recording of trial 'run': none of its cameras is registered to the floor, so there are no live positions "
+                                                         "to send; run odograph register for one of them, or leave --ssl-vision out"));
+        QVERIFY(m_project->trials().all()->empty());
     }
 
     void whatCannotBeDoneIsRefused_data()

@@ -314,6 +314,8 @@ void MainWindow::showPreferences(PreferencesDialog::Page page)
     connect(&dialog, &PreferencesDialog::themeChosen, m_views, &ViewActions::chooseTheme);
     connect(&dialog, &PreferencesDialog::lookChanged, this, &MainWindow::remakePages);
     dialog.exec();
+    if (m_pages && m_pages->mode() == Mode::Record) // one that is hidden asks when it is shown
+        m_pages->record().followNetwork();
 }
 
 /// Pages hold what they show in the units and colours of when they were made.

@@ -18,11 +18,10 @@
 namespace odo {
 
 LiveBoard::LiveBoard(const QList<QAction *> &tools, QWidget *parent)
-    : QWidget(parent), m_pictures(new QSplitter), m_map(new LiveMap), m_health(new FactList)
+    : QWidget(parent), m_pictures(new QSplitter), m_mapCard(new Card(tr("Top-down map"))), m_map(new LiveMap), m_health(new FactList)
 {
-    auto *mapCard = new Card(tr("Top-down map"));
-    mapCard->setRemark(tr("live"));
-    mapCard->setContent(m_map);
+    setTarget({});
+    m_mapCard->setContent(m_map);
     auto *scroll = scrolled(m_health, tr("How cameras, map and disk do"));
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto *healthCard = new Card(tr("Health"));
@@ -30,7 +29,7 @@ LiveBoard::LiveBoard(const QList<QAction *> &tools, QWidget *parent)
     for (QAction *tool : tools)
         healthCard->addToHeader(actionButton(tool, tool->iconText()));
     auto *below = new QSplitter;
-    below->addWidget(mapCard);
+    below->addWidget(m_mapCard);
     below->addWidget(healthCard);
     below->setSizes({500, 420});
     auto *all = new QSplitter(Qt::Vertical);
@@ -75,6 +74,11 @@ void LiveBoard::setCameras(const RunningCameras &running)
             m_areas[v]->setWords(tr("Opening the camera…"));
         Q_EMIT shownSizeChanged(v, (QSizeF(m_areas[v]->size()) * devicePixelRatioF()).toSize());
     }
+}
+
+void LiveBoard::setTarget(const std::optional<BroadcastTarget> &target)
+{
+    m_mapCard->setRemark(target ? tr("live, sent to %1").arg(QString::fromStdString(target->address) + u':' + QString::number(target->port)) : tr("live"));
 }
 
 void LiveBoard::setFloor(const TrialScenePtr &floor)

@@ -30,6 +30,8 @@ public:
     void setCameras(const RunningCameras &running);
     void setFloor(const TrialScenePtr &floor);
     void setRobots(const std::vector<RobotRecord> &robots);
+    /// To where the robots' places are sent; nullopt: nowhere.
+    void setTarget(const std::optional<BroadcastTarget> &target);
     void setPicture(const LivePicture &picture);
     void addMoment(const LiveMoment &moment);
     void forgetWays();
@@ -45,6 +47,7 @@ Q_SIGNALS:
 
 private:
     QSplitter *m_pictures;
+    Card *m_mapCard;
     std::vector<Card *> m_cards;
     std::vector<LivePictureArea *> m_areas;
     LiveMap *m_map;

@@ -247,9 +247,18 @@ void RecordPage::followRobots()
     m_board->setRobots(robots);
     if (m_control.phase() == RunPhase::Ready)
         m_control.prepare(m_run->settings(), m_run->task(), robots.size());
+    m_sent = SentPositions::chosen();
+    m_cameras.running().setTarget(m_sent.wanted());
     if (const Result<void> following = m_cameras.running().follow(robots); !following)
         Q_EMIT failed(following.error());
+    m_board->setTarget(m_cameras.running().sentFigures() ? m_sent.wanted() : std::nullopt);
     m_run->setEnabled(m_control.phase() == RunPhase::Ready);
+}
+
+void RecordPage::followNetwork()
+{
+    if (m_control.phase() == RunPhase::Ready && m_cameras.session() && m_sent != SentPositions::chosen())
+        followRobots();
 }
 
 void RecordPage::takeMoment(const LiveMoment &moment)

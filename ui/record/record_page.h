@@ -3,6 +3,7 @@
 
 #include "core/workflow/run_control.h"
 #include "ui/record/chosen_cameras.h"
+#include "ui/record/sent_positions.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -38,6 +39,8 @@ public:
     /// Reads teams, tasks, robots and registrations anew; what is being recorded goes on.
     void refresh();
     bool isRecording() const;
+    /// Where live positions are sent may have been chosen anew; while a run goes on they stay where they were.
+    void followNetwork();
     /// For menus: record or stop, cameras, set-up doctor.
     QList<QAction *> actions() const { return m_actions; }
 
@@ -78,6 +81,7 @@ private:
     RunControl m_control;
     RunRecorder *m_recorder;
     RunMeasuring *m_measuring;
+    SentPositions m_sent; ///< as was chosen when robots began to be followed
     bool m_isLineUpRead = false, m_isByPseudonym = false;
     int m_ticks = 0;
     QTimer m_timer;

@@ -84,6 +84,15 @@ Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
     if (!m_session)
         return {};
     m_tracker.reset();
+    m_broadcast.reset();
+    Result<void> sending;
+    if (m_target && !m_robots.empty()) {
+        auto broadcast = LiveBroadcast::create(*m_target, m_robots);
+        if (broadcast)
+            m_broadcast = std::move(*broadcast);
+        else
+            sending = tl::unexpected(broadcast.error());
+    }
     std::vector<LiveView> views;
     for (const WantedCamera &camera : m_cameras)
         views.push_back({camera.name, camera.floorView});
@@ -98,7 +107,9 @@ Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
                                                  !m_onItsWay[sight.view].exchange(true))
                                                  m_toShow.pushOrDrop(sight);
                                          },
-                                         [this, generation = m_generation](const LiveMoment &moment) {
+                                         [this, generation = m_generation, broadcast = m_broadcast.get()](const LiveMoment &moment) {
+                                             if (broadcast)
+                                                 broadcast->take(moment);
                                              callLater(this, [this, generation, moment] {
                                                  if (generation == m_generation)
                                                      Q_EMIT moved(moment);
@@ -107,7 +118,7 @@ Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
     auto tracker = LiveTracker::create(views, m_robots, subscribe(), listener);
     if (tracker) {
         m_tracker = std::move(*tracker);
-        return {};
+        return sending;
     }
     m_tracker = std::move(
         *LiveTracker::create(views, {}, subscribe(), listener)); // the pictures are shown all the same
@@ -119,6 +130,7 @@ void RunningCameras::stop()
     ++m_generation;
     m_opening = false;
     m_tracker.reset();
+    m_broadcast.reset();
     m_pace = {};
     if (m_session)
         onWorker([session = std::move(m_session)]() mutable { session.reset(); });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/capture/capture_session.h"
+#include "core/workflow/live_broadcast.h"
 #include "core/workflow/live_tracking.h"
 #include "ui/record/screen_pace.h"
 
@@ -52,8 +53,12 @@ public:
     /// runs all the same, without pictures, until it can.
     void start(std::vector<WantedCamera> cameras);
     /// Follows these robots from now on, and when others are started. The Error is ColourTracker's; then none
-    /// is followed.
+    /// is followed. Or it is LiveBroadcast's; then they are followed, but not sent.
     Result<void> follow(std::vector<RobotRecord> robots);
+    /// To where the places of those that are followed next are sent; nullopt: nowhere.
+    void setTarget(std::optional<BroadcastTarget> target) { m_target = std::move(target); }
+    /// How sending goes; nullopt: nothing is sent.
+    std::optional<LiveBroadcast::Figures> sentFigures() const { return m_broadcast ? std::optional(m_broadcast->figures()) : std::nullopt; }
     void stop();
 
     bool isOpening() const { return m_opening; }
@@ -84,6 +89,8 @@ private:
     std::vector<WantedCamera> m_cameras;
     std::vector<RobotRecord> m_robots;
     std::shared_ptr<CaptureSession> m_session;
+    std::optional<BroadcastTarget> m_target;
+    std::unique_ptr<LiveBroadcast> m_broadcast; ///< outlives the tracker, which gives it its moments
     std::unique_ptr<LiveTracker> m_tracker;
     quint64 m_generation = 0; ///< answers to an older one are not wanted
     bool m_opening = false;

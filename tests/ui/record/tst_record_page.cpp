@@ -6,6 +6,7 @@
 #include "core/project/write_turn.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/workflow/stored_registration.h"
+#include "tests/support/datagram_receiver.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/person.h"
 #include "ui/record/live_map.h"
@@ -61,6 +62,7 @@ private Q_SLOTS:
     void cleanup();
     void recordsByKeyAndTheNextTeamIsUp();
     void theRobotStartsAndEndsTheRun();
+    void placesAreSentWhereThatIsChosen();
     void aCountdownIsCalledOff();
     void closingWhileRecordingKeepsWhatThereIs();
     void withoutCamerasItSaysSo();
@@ -244,6 +246,25 @@ void TestRecordPage::theRobotStartsAndEndsTheRun()
     QVERIFY(lap != analyses.front().profile.metrics.end());
     QVERIFY2(std::abs(lap->value - 2 * M_PI * circleRadiusM / 1.1) < 0.05,
              qPrintable(QString::number(lap->value)));
+}
+
+void TestRecordPage::placesAreSentWhereThatIsChosen()
+{
+    const odo::test::DatagramReceiver receiver(true);
+    show();
+    waitForTheRobot();
+    SentPositions sent;
+    sent.isOn = true;
+    sent.target.port = receiver.port;
+    sent.choose();
+    m_page->followNetwork(); // as when the preferences are closed
+    QVERIFY(!receiver.next().empty());
+    sent.target.interface = "gone0";
+    sent.choose();
+    QSignalSpy failed(m_page.get(), &RecordPage::failed);
+    m_page->followNetwork();
+    QCOMPARE(failed.size(), 1);
+    waitForTheRobot(); // it is followed all the same
 }
 
 void TestRecordPage::aCountdownIsCalledOff()

@@ -3,6 +3,7 @@
 
 #include "ui/main_window/preferences/general_page.h"
 #include "ui/main_window/preferences/keys_page.h"
+#include "ui/main_window/preferences/network_page.h"
 #include "ui/main_window/preferences/reports_page.h"
 
 #include <QDialogButtonBox>
@@ -20,6 +21,7 @@ PreferencesDialog::PreferencesDialog(CommandKeys &keys, Theme theme, QWidget *pa
     m_tabs->addTab(general, tr("&General"));
     m_tabs->addTab(new ReportsPage, tr("&Reports"));
     m_tabs->addTab(new KeysPage(keys), tr("&Keys"));
+    m_tabs->addTab(new NetworkPage, tr("&Network"));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(m_tabs, 1);

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/preferences/network_page.h"
+#include "ui/record/sent_positions.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSettings>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QTest>
+
+using namespace odo;
+
+/// Live positions are sent nowhere unless somebody says so, and then stay on this machine unless somebody says otherwise.
+class TestNetworkPage : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+    void init() { QSettings().clear(); }
+    void cleanupTestCase() { QSettings().clear(); }
+
+    void isOffAndStaysHere()
+    {
+        QCOMPARE(SentPositions::chosen(), SentPositions());
+        QVERIFY(!SentPositions::chosen().wanted());
+        QCOMPARE(SentPositions::chosen().target.interface, std::string("lo"));
+        const NetworkPage page;
+        QVERIFY(!page.findChild<QCheckBox *>()->isChecked());
+        QVERIFY(!page.findChild<QLineEdit *>()->isEnabled());
+        QVERIFY(hasWords(page, QStringLiteral("Nothing is sent.")));
+    }
+    void whatIsChosenIsKept()
+    {
+        const NetworkPage page;
+        page.findChild<QCheckBox *>()->click();
+        QCOMPARE(SentPositions::chosen().wanted(), std::optional(BroadcastTarget()));
+        QVERIFY(hasWords(page, QStringLiteral("A group like 224.5.23.2 does not leave this machine.")));
+        page.findChild<QLineEdit *>()->setText(QStringLiteral("10.0.0.7"));
+        page.findChild<QSpinBox *>()->setValue(10020);
+        QCOMPARE(SentPositions::chosen().target.address, std::string("10.0.0.7"));
+        QCOMPARE(SentPositions::chosen().target.port, std::uint16_t(10020));
+        page.findChild<QLineEdit *>()->setText(QStringLiteral("10.0.0.")); // while it is being typed
+        QVERIFY(hasWords(page, QStringLiteral("This is no IPv4 address; write it like 224.5.23.2.")));
+        QCOMPARE(SentPositions::chosen().target.address, std::string("10.0.0.7"));
+        const NetworkPage again;
+        QVERIFY(again.findChild<QCheckBox *>()->isChecked());
+        QCOMPARE(again.findChild<QLineEdit *>()->text(), QStringLiteral("10.0.0.7"));
+        page.findChild<QCheckBox *>()->click();
+        QVERIFY(!SentPositions::chosen().wanted());
+    }
+    void anInterfaceThatIsGoneIsShown()
+    {
+        SentPositions sent;
+        sent.target.interface = "gone0";
+        sent.choose();
+        const NetworkPage page;
+        QCOMPARE(page.findChild<QComboBox *>()->currentText(), QStringLiteral("gone0: not there now"));
+    }
+    void settingsOfNobodyKnowsWhat()
+    {
+        QSettings().setValue(QStringLiteral("sslVision/port"), QStringLiteral("many"));
+        QCOMPARE(SentPositions::chosen().target.port, std::uint16_t(10006));
+    }
+
+private:
+    static bool hasWords(const QWidget &page, const QString &words)
+    {
+        const auto labels = page.findChildren<QLabel *>();
+        return std::ranges::any_of(labels, [&](const QLabel *label) { return label->text() == words; });
+    }
+};
+
+QTEST_MAIN(TestNetworkPage)
+#include "tst_network_page.moc"
