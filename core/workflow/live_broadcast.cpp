@@ -83,6 +83,12 @@ Result<BroadcastTarget> parseBroadcastTarget(const std::string &text, BroadcastT
     return target;
 }
 
+bool isMulticastGroup(const std::string &address)
+{
+    in_addr parsed{};
+    return inet_pton(AF_INET, address.c_str(), &parsed) == 1 && IN_MULTICAST(ntohl(parsed.s_addr));
+}
+
 std::vector<SslNumber> sslNumbers(const std::vector<RobotRecord> &robots)
 {
     std::vector<SslNumber> numbers;
@@ -97,13 +103,12 @@ std::vector<SslNumber> sslNumbers(const std::vector<RobotRecord> &robots)
 
 Result<std::unique_ptr<LiveBroadcast>> LiveBroadcast::create(const BroadcastTarget &target, const std::vector<RobotRecord> &robots)
 {
-    const auto address = addressOf(target);
-    if (!address)
+    if (const auto address = addressOf(target); !address)
         return tl::unexpected(address.error());
     const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (socket < 0)
         return fail(ErrorCode::Io, "live positions to " + shown(target), "this machine gives no socket", "close other programs and try again");
-    if (IN_MULTICAST(ntohl(address->s_addr))) {
+    if (isMulticastGroup(target.address)) {
         if (auto set = setMulticast(socket, target); !set) {
             close(socket);
             return tl::unexpected(set.error());

@@ -23,6 +23,8 @@ struct BroadcastTarget
 };
 /// Reads "ADDRESS:PORT", "ADDRESS" or nothing (the default); the interface stays that of `target`. InvalidInput for anything else.
 Result<BroadcastTarget> parseBroadcastTarget(const std::string &text, BroadcastTarget target = {});
+/// Whether an IPv4 address is that of a multicast group (224.0.0.0 to 239.255.255.255).
+bool isMulticastGroup(const std::string &address);
 
 /// Which robots are sent as yellow and which as blue: a colour whose hue is nearer to yellow's than to blue's (from 330° over red,
 /// yellow and green to 150°), or none (grey), is yellow. Ids count the robots of each from 0, in their order.

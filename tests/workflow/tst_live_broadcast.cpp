@@ -140,6 +140,13 @@ private Q_SLOTS:
             QCOMPARE(target.error().message(), "address '" + std::string(wrong) + "' of live positions: it is no IPv4 address with a port; write it like 224.5.23.2:10006");
         }
     }
+    void groups()
+    {
+        for (const char *group : {"224.0.0.0", "224.5.23.2", "239.255.255.255"})
+            QVERIFY(isMulticastGroup(group));
+        for (const char *other : {"223.255.255.255", "240.0.0.1", "10.0.0.7", "group", ""})
+            QVERIFY(!isMulticastGroup(other));
+    }
     void noSuchInterface()
     {
         BroadcastTarget target;

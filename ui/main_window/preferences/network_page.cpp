@@ -68,13 +68,16 @@ void NetworkPage::choose()
 
 void NetworkPage::tell()
 {
-    for (QWidget *field : std::initializer_list<QWidget *>{m_address, m_port, m_interface})
-        field->setEnabled(m_on->isChecked());
-    const bool isAddress = parseBroadcastTarget(m_address->text().trimmed().toStdString()).has_value();
+    const std::string address = m_address->text().trimmed().toStdString();
+    const bool isAddress = parseBroadcastTarget(address).has_value(), isGroup = isAddress && isMulticastGroup(address);
+    m_address->setEnabled(m_on->isChecked());
+    m_port->setEnabled(m_on->isChecked());
+    m_interface->setEnabled(m_on->isChecked() && (isGroup || !isAddress)); // the way to one machine is the system's affair
     const bool staysHere = m_interface->currentData().toString() == QString::fromStdString(BroadcastTarget().interface);
     m_words->setText(!m_on->isChecked() ? tr("Nothing is sent.")
                      : !isAddress       ? tr("This is no IPv4 address; write it like 224.5.23.2.")
-                     : staysHere        ? tr("A group like 224.5.23.2 does not leave this machine.")
+                     : !isGroup         ? tr("They go to the one machine that has this address.")
+                     : staysHere        ? tr("They do not leave this machine.")
                                         : tr("Whoever is on that network can read where the robots are."));
 }
 

@@ -37,8 +37,10 @@ private Q_SLOTS:
         const NetworkPage page;
         page.findChild<QCheckBox *>()->click();
         QCOMPARE(SentPositions::chosen().wanted(), std::optional(BroadcastTarget()));
-        QVERIFY(hasWords(page, QStringLiteral("A group like 224.5.23.2 does not leave this machine.")));
+        QVERIFY(hasWords(page, QStringLiteral("They do not leave this machine.")));
         page.findChild<QLineEdit *>()->setText(QStringLiteral("10.0.0.7"));
+        QVERIFY(hasWords(page, QStringLiteral("They go to the one machine that has this address.")));
+        QVERIFY(!page.findChild<QComboBox *>()->isEnabled());
         page.findChild<QSpinBox *>()->setValue(10020);
         QCOMPARE(SentPositions::chosen().target.address, std::string("10.0.0.7"));
         QCOMPARE(SentPositions::chosen().target.port, std::uint16_t(10020));
