@@ -165,16 +165,12 @@ void ClassesDialog::refresh()
 
 const ClassRecord *ClassesDialog::currentClass() const
 {
-    const int row = m_classList->currentRow();
-    return row >= 0 && row < static_cast<int>(m_classes.size()) ? &m_classes[static_cast<std::size_t>(row)]
-                                                                : nullptr;
+    return recordAt(m_classes, m_classList->currentRow());
 }
 
 const TeamRecord *ClassesDialog::currentTeam() const
 {
-    const int row = m_teamTable->currentRow();
-    return row >= 0 && row < static_cast<int>(m_teams.size()) ? &m_teams[static_cast<std::size_t>(row)]
-                                                              : nullptr;
+    return recordAt(m_teams, m_teamTable->currentRow());
 }
 
 void ClassesDialog::showTeams()

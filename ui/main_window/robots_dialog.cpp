@@ -124,9 +124,7 @@ void RobotsDialog::refresh(const std::string &choose)
 
 const RobotRecord *RobotsDialog::current() const
 {
-    const int row = m_table->currentRow();
-    return row >= 0 && row < static_cast<int>(m_robots.size()) ? &m_robots[static_cast<std::size_t>(row)]
-                                                               : nullptr;
+    return recordAt(m_robots, m_table->currentRow());
 }
 
 void RobotsDialog::add()

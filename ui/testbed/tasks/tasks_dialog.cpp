@@ -180,9 +180,7 @@ void TasksDialog::refresh(const QString &choose)
 
 const TaskRecord *TasksDialog::current() const
 {
-    const int row = m_table->currentRow();
-    return row >= 0 && row < static_cast<int>(m_tasks.size()) ? &m_tasks[static_cast<std::size_t>(row)]
-                                                              : nullptr;
+    return recordAt(m_tasks, m_table->currentRow());
 }
 
 void TasksDialog::showCurrent()
