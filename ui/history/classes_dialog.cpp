@@ -4,8 +4,8 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/views/table_list.h"
+#include "ui/views/undo_keys.h"
 
-#include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QInputDialog>
@@ -70,14 +70,7 @@ ClassesDialog::ClassesDialog(Project &project, bool readOnly, QWidget *parent)
         accept();
         Q_EMIT rosterRequested();
     });
-    const auto key = [this](const QKeySequence &keys, Result<QString> (OwnChanges::*what)()) {
-        auto *action = new QAction(this);
-        action->setShortcut(keys);
-        connect(action, &QAction::triggered, this, [this, what] { tell((m_changes.*what)()); });
-        addAction(action);
-    };
-    key(QKeySequence(Qt::CTRL | Qt::Key_Z), &OwnChanges::undo);
-    key(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), &OwnChanges::redo);
+    addUndoKeys(*this, m_changes, [this](const Result<QString> &outcome) { tell(outcome); });
     refresh();
 }
 

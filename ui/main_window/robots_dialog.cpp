@@ -7,8 +7,8 @@
 #include "ui/main_window/robot_dialog.h"
 #include "ui/models/figure_text.h"
 #include "ui/views/table_list.h"
+#include "ui/views/undo_keys.h"
 
-#include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -82,14 +82,7 @@ RobotsDialog::RobotsDialog(Project &project, bool readOnly, QWidget *parent)
     connect(m_edit, &QPushButton::clicked, this, &RobotsDialog::change);
     connect(m_remove, &QPushButton::clicked, this, &RobotsDialog::remove);
     connect(m_table, &QTableWidget::cellDoubleClicked, this, &RobotsDialog::change);
-    const auto key = [this](const QKeySequence &keys, Result<QString> (OwnChanges::*what)()) {
-        auto *action = new QAction(this);
-        action->setShortcut(keys);
-        connect(action, &QAction::triggered, this, [this, what] { tell((m_changes.*what)(), {}); });
-        addAction(action);
-    };
-    key(QKeySequence(Qt::CTRL | Qt::Key_Z), &OwnChanges::undo);
-    key(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), &OwnChanges::redo);
+    addUndoKeys(*this, m_changes, [this](const Result<QString> &outcome) { tell(outcome, {}); });
     refresh({});
 }
 

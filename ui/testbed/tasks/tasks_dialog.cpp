@@ -7,6 +7,7 @@
 #include "ui/testbed/tasks/task_editor.h"
 #include "ui/testbed/tasks/template_form.h"
 #include "ui/views/table_list.h"
+#include "ui/views/undo_keys.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -137,8 +138,7 @@ void TasksDialog::addKeys()
         connect(action, &QAction::triggered, this, slot);
         addAction(action);
     };
-    add(QKeySequence(Qt::CTRL | Qt::Key_Z), [this] { takeBack(m_changes.undo()); });
-    add(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [this] { takeBack(m_changes.redo()); });
+    addUndoKeys(*this, m_changes, [this](const Result<QString> &outcome) { takeBack(outcome); });
     add(QKeySequence(Qt::Key_F2), [this] { rename(); });
     add(QKeySequence(Qt::Key_Delete), [this] { remove(); });
 }
