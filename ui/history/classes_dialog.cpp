@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "ui/views/plain_button.h"
 #include "ui/views/table_list.h"
 #include "ui/views/undo_keys.h"
 
@@ -21,13 +22,6 @@ namespace {
 
 enum Column { NameColumn, PseudonymColumn, ColumnCount };
 constexpr int classesWidth = 300;
-
-QPushButton *plainButton(const QString &text)
-{
-    auto *button = new QPushButton(text);
-    button->setAutoDefault(false);
-    return button;
-}
 
 QHBoxLayout *rowOf(const QList<QPushButton *> &buttons)
 {

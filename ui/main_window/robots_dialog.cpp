@@ -6,6 +6,7 @@
 #include "ui/main_window/pick_colour_dialog.h"
 #include "ui/main_window/robot_dialog.h"
 #include "ui/models/figure_text.h"
+#include "ui/views/plain_button.h"
 #include "ui/views/table_list.h"
 #include "ui/views/undo_keys.h"
 
@@ -46,8 +47,8 @@ QTableWidgetItem *colourItem(const RobotRecord &robot)
 
 RobotsDialog::RobotsDialog(Project &project, bool readOnly, QWidget *parent)
     : QDialog(parent), m_project(project), m_changes(project), m_readOnly(readOnly),
-      m_table(new QTableWidget(0, ColumnCount)), m_add(new QPushButton(tr("&Add…"))),
-      m_edit(new QPushButton(tr("&Edit…"))), m_remove(new QPushButton(tr("&Delete"))), m_message(new QLabel)
+      m_table(new QTableWidget(0, ColumnCount)), m_add(plainButton(tr("&Add…"))),
+      m_edit(plainButton(tr("&Edit…"))), m_remove(plainButton(tr("&Delete"))), m_message(new QLabel)
 {
     setWindowTitle(tr("Robots"));
     m_table->setHorizontalHeaderLabels(
@@ -63,12 +64,10 @@ RobotsDialog::RobotsDialog(Project &project, bool readOnly, QWidget *parent)
     m_message->setTextFormat(Qt::PlainText);
     m_message->setWordWrap(true);
     m_message->setAccessibleName(tr("What was done"));
-    auto *close = new QPushButton(tr("Close"));
+    auto *close = plainButton(tr("Close"));
     auto *bottom = new QHBoxLayout;
-    for (QPushButton *button : {m_add, m_edit, m_remove}) {
-        button->setAutoDefault(false);
+    for (QPushButton *button : {m_add, m_edit, m_remove})
         bottom->addWidget(button);
-    }
     bottom->addWidget(m_message, 1);
     bottom->addWidget(close);
     close->setDefault(true);

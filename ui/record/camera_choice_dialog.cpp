@@ -4,6 +4,7 @@
 #include "core/capture/camera_uri.h"
 #include "ui/models/live_cameras.h"
 #include "ui/record/camera_wishes_dialog.h"
+#include "ui/views/plain_button.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -31,9 +32,8 @@ CameraChoiceDialog::CameraChoiceDialog(std::vector<ChosenCamera> cameras, LiveCa
         box->setAccessibleName(tr("Device that is camera %1").arg(QString::fromStdString(name)));
         box->setMinimumContentsLength(36);
         connect(box, &QComboBox::currentIndexChanged, this, &CameraChoiceDialog::check);
-        auto *settings = new QPushButton(tr("Settings…"));
+        auto *settings = plainButton(tr("Settings…"));
         settings->setAccessibleName(tr("Settings of camera %1").arg(QString::fromStdString(name)));
-        settings->setAutoDefault(false);
         const std::size_t camera = m_boxes.size();
         connect(settings, &QPushButton::clicked, this, [this, camera] { askWishes(camera); });
         auto *row = new QHBoxLayout;

@@ -5,6 +5,7 @@
 #include "ui/testbed/check/floor_sketch.h"
 #include "ui/testbed/check/planned_camera_form.h"
 #include "ui/views/card.h"
+#include "ui/views/plain_button.h"
 #include "ui/views/theme.h"
 
 #include <QCheckBox>
@@ -23,13 +24,6 @@ namespace {
 constexpr int sideWidth = 400;
 constexpr double nearestPlannedM = 1, farthestPlannedM = 6; // from the floor, to begin with
 enum Show { Together, Alone };
-
-QPushButton *plainButton(const QString &text)
-{
-    auto *button = new QPushButton(text);
-    button->setAutoDefault(false);
-    return button;
-}
 
 /// The same, where it stands as a sketch shows it.
 SketchedCamera sketched(const QString &name, const MappedCamera &camera)

@@ -6,6 +6,7 @@
 #include "ui/models/live_cameras.h"
 #include "ui/views/badge_delegate.h"
 #include "ui/views/path_field.h"
+#include "ui/views/plain_button.h"
 #include "ui/views/table_list.h"
 
 #include <QComboBox>
@@ -49,8 +50,9 @@ Badge badgeOf(const MovedCheck &check)
 
 MovedDialog::MovedDialog(Project &project, std::vector<CheckCamera> cameras, const LiveCameras &live,
                          QWidget *parent)
-    : QDialog(parent), m_project(project), m_table(new QTableWidget(int(cameras.size()), ColumnCount)), m_words(new QLabel),
-      m_check(new QPushButton(tr("&Check"))), m_register(new QPushButton(tr("&Register again…"))), m_runner(project)
+    : QDialog(parent), m_project(project), m_table(new QTableWidget(int(cameras.size()), ColumnCount)),
+      m_words(new QLabel), m_check(plainButton(tr("&Check"))),
+      m_register(plainButton(tr("&Register again…"))), m_runner(project)
 {
     setWindowTitle(tr("Check the cameras"));
     for (CheckCamera &camera : cameras)
@@ -76,13 +78,11 @@ MovedDialog::MovedDialog(Project &project, std::vector<CheckCamera> cameras, con
     layout->addWidget(m_table, 1);
     layout->addWidget(makeDetail());
     auto *buttons = new QHBoxLayout;
-    auto *close = new QPushButton(tr("Close"));
+    auto *close = plainButton(tr("Close"));
     buttons->addWidget(m_register);
     buttons->addStretch(1);
     buttons->addWidget(m_check);
     buttons->addWidget(close);
-    for (QPushButton *button : {m_register, m_check, close})
-        button->setAutoDefault(false);
     m_check->setDefault(true);
     m_check->setProperty("primary", true);
     layout->addLayout(buttons);

@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/revisions.h"
 #include "ui/models/figure_text.h"
+#include "ui/views/plain_button.h"
 #include "ui/views/table_list.h"
 
 #include <QComboBox>
@@ -44,8 +45,9 @@ QString difference(const MetricChange &metric)
 } // namespace
 
 ReprocessDialog::ReprocessDialog(Project &project, QWidget *parent)
-    : QDialog(parent), m_project(project), m_trial(new QComboBox), m_table(new QTableWidget(0, ColumnCount)), m_words(new QLabel),
-      m_begin(new QPushButton(tr("&Measure again"))), m_keep(new QPushButton(tr("&Keep"))), m_runner(project)
+    : QDialog(parent), m_project(project), m_trial(new QComboBox), m_table(new QTableWidget(0, ColumnCount)),
+      m_words(new QLabel), m_begin(plainButton(tr("&Measure again"))), m_keep(plainButton(tr("&Keep"))),
+      m_runner(project)
 {
     setWindowTitle(tr("Measure trials again"));
     m_table->setHorizontalHeaderLabels({tr("Robot"), tr("Figure"), tr("Before"), tr("After"), tr("Change")});
@@ -61,14 +63,12 @@ ReprocessDialog::ReprocessDialog(Project &project, QWidget *parent)
     intro->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("&Trial"), m_trial);
-    auto *close = new QPushButton(tr("Close"));
+    auto *close = plainButton(tr("Close"));
     auto *buttons = new QHBoxLayout;
     buttons->addWidget(m_begin);
     buttons->addStretch(1);
     buttons->addWidget(m_keep);
     buttons->addWidget(close);
-    for (QPushButton *button : {m_begin, m_keep, close})
-        button->setAutoDefault(false);
     m_begin->setDefault(true);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 12, 16, 12);

@@ -8,6 +8,7 @@
 #include "ui/testbed/check/reprocess_dialog.h"
 #include "ui/testbed/check/revision_picture.h"
 #include "ui/views/badge_delegate.h"
+#include "ui/views/plain_button.h"
 #include "ui/views/table_list.h"
 
 #include <QComboBox>
@@ -42,10 +43,12 @@ QString dateText(Instant instant)
 
 } // namespace
 
-RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, const QString &current, QWidget *parent)
-    : QDialog(parent), m_project(project), m_camera(new QComboBox), m_table(new QTableWidget(0, ColumnCount)), m_words(new QLabel),
-      m_picture(new RevisionPicture), m_choose(new QPushButton(tr("&Use this one"))), m_register(new QPushButton(tr("&Register with this lens"))),
-      m_reprocess(new QPushButton(tr("&Measure trials again…")))
+RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, const QString &current,
+                                 QWidget *parent)
+    : QDialog(parent), m_project(project), m_camera(new QComboBox), m_table(new QTableWidget(0, ColumnCount)),
+      m_words(new QLabel), m_picture(new RevisionPicture), m_choose(plainButton(tr("&Use this one"))),
+      m_register(plainButton(tr("&Register with this lens"))),
+      m_reprocess(plainButton(tr("&Measure trials again…")))
 {
     setWindowTitle(tr("Calibrations and registrations"));
     m_camera->addItems(cameras);
@@ -67,15 +70,13 @@ RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, c
     m_words->setAccessibleName(tr("Verdict"));
     auto *form = new QFormLayout;
     form->addRow(tr("C&amera"), m_camera);
-    auto *close = new QPushButton(tr("Close"));
+    auto *close = plainButton(tr("Close"));
     auto *buttons = new QHBoxLayout;
     buttons->addWidget(m_choose);
     buttons->addWidget(m_register);
     buttons->addWidget(m_reprocess);
     buttons->addStretch(1);
     buttons->addWidget(close);
-    for (QPushButton *button : {m_choose, m_register, m_reprocess, close})
-        button->setAutoDefault(false);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 12, 16, 12);
     layout->addLayout(form);

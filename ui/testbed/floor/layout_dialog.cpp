@@ -7,6 +7,7 @@
 #include "core/geometry/point_layout.h"
 #include "ui/testbed/floor/layout_drawing.h"
 #include "ui/views/path_field.h"
+#include "ui/views/plain_button.h"
 #include "ui/views/theme.h"
 
 #include <QFileDialog>
@@ -30,13 +31,6 @@ enum Column { LabelColumn, XColumn, YColumn, ColumnCount };
 constexpr double flatterThan = 0.05; // of the extent: such markers say little across
 
 QString csvFilter() { return LayoutDialog::tr("Tables (*.csv *.txt);;All files (*)"); }
-
-QPushButton *plainButton(const QString &text)
-{
-    auto *button = new QPushButton(text);
-    button->setAutoDefault(false);
-    return button;
-}
 
 QString freeName(QString name, const QStringList &taken)
 {

@@ -6,6 +6,7 @@
 #include "ui/testbed/lens/film_strip.h"
 #include "ui/views/action_button.h"
 #include "ui/views/card.h"
+#include "ui/views/plain_button.h"
 
 #include <QAction>
 #include <QDragEnterEvent>
@@ -54,9 +55,9 @@ QString wordsOf(BoardHint hint)
 }
 
 LensPicturesPage::LensPicturesPage(BoardSearch &search, QWidget *parent)
-    : QWidget(parent), m_search(search), m_canvas(new BoardCanvas), m_coverage(new CoveragePanel), m_refused(new QListWidget),
-      m_strip(new FilmStrip), m_headline(new QLabel), m_detail(new QLabel), m_refusedTitle(new QLabel),
-      m_take(new QPushButton(tr("&Take a picture now")))
+    : QWidget(parent), m_search(search), m_canvas(new BoardCanvas), m_coverage(new CoveragePanel),
+      m_refused(new QListWidget), m_strip(new FilmStrip), m_headline(new QLabel), m_detail(new QLabel),
+      m_refusedTitle(new QLabel), m_take(plainButton(tr("&Take a picture now")))
 {
     setAcceptDrops(true);
     m_headline->setStyleSheet(QStringLiteral("font-size: 14pt; font-weight: 600"));
@@ -66,7 +67,6 @@ LensPicturesPage::LensPicturesPage(BoardSearch &search, QWidget *parent)
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
     }
-    m_take->setAutoDefault(false);
     connect(m_take, &QPushButton::clicked, &m_search, &BoardSearch::takeNow);
     auto *words = new QVBoxLayout;
     words->setSpacing(2);

@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "ui/testbed/targets/target_dialog.h"
 #include "ui/views/live_camera_box.h"
+#include "ui/views/plain_button.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -31,13 +32,6 @@ QStringList localFiles(const QMimeData &data)
         if (url.isLocalFile())
             files << url.toLocalFile();
     return files;
-}
-
-QPushButton *plainButton(const QString &text)
-{
-    auto *button = new QPushButton(text);
-    button->setAutoDefault(false); // Enter is the wizard's
-    return button;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "ui/testbed/tasks/gate_table.h"
 
 #include "core/base/units.h"
+#include "ui/views/plain_button.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -69,8 +70,8 @@ QString roleName(GateRole role)
 }
 
 GateTable::GateTable(QWidget *parent)
-    : QWidget(parent), m_table(new QTableWidget(0, ColumnCount)), m_remove(new QPushButton(tr("&Remove"))),
-      m_turn(new QPushButton(tr("Other &way")))
+    : QWidget(parent), m_table(new QTableWidget(0, ColumnCount)), m_remove(plainButton(tr("&Remove"))),
+      m_turn(plainButton(tr("Other &way")))
 {
     m_table->setHorizontalHeaderLabels(
         {tr("Gate"), tr("Role"), tr("x₁, mm"), tr("y₁, mm"), tr("x₂, mm"), tr("y₂, mm")});
@@ -83,13 +84,11 @@ GateTable::GateTable(QWidget *parent)
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->horizontalHeader()->setSectionResizeMode(RoleColumn, QHeaderView::ResizeToContents);
     m_table->setMinimumHeight(120);
-    auto *add = new QPushButton(tr("&Add gate"));
+    auto *add = plainButton(tr("&Add gate"));
     m_turn->setToolTip(tr("The chosen gate is passed the other way"));
     auto *buttons = new QHBoxLayout;
-    for (QPushButton *button : {add, m_remove, m_turn}) {
-        button->setAutoDefault(false);
+    for (QPushButton *button : {add, m_remove, m_turn})
         buttons->addWidget(button);
-    }
     buttons->addStretch(1);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

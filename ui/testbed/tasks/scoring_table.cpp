@@ -3,6 +3,7 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/models/score_text.h"
+#include "ui/views/plain_button.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -46,7 +47,7 @@ QString figureWords(const std::string &metric)
 
 ScoringTable::ScoringTable(const std::vector<std::string> &metrics, QWidget *parent)
     : QWidget(parent), m_metrics(metrics), m_table(new QTableWidget(0, ColumnCount)),
-      m_remove(new QPushButton(tr("&Remove line"))), m_words(new QLabel)
+      m_remove(plainButton(tr("&Remove line"))), m_words(new QLabel)
 {
     auto *intro = new QLabel(tr("Each line gives all of its points where the figure is at the one bound or "
                                 "better, none at the other or worse, "
@@ -65,12 +66,10 @@ ScoringTable::ScoringTable(const std::vector<std::string> &metrics, QWidget *par
     m_words->setTextFormat(Qt::PlainText);
     m_words->setObjectName(QStringLiteral("quiet"));
     m_words->setAccessibleName(tr("What the lines mean"));
-    auto *add = new QPushButton(tr("&Add line"));
+    auto *add = plainButton(tr("&Add line"));
     auto *buttons = new QHBoxLayout;
-    for (QPushButton *button : {add, m_remove}) {
-        button->setAutoDefault(false);
+    for (QPushButton *button : {add, m_remove})
         buttons->addWidget(button);
-    }
     buttons->addStretch(1);
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(intro);

@@ -8,6 +8,7 @@
 #include "ui/testbed/tasks/task_canvas.h"
 #include "ui/testbed/tasks/template_form.h"
 #include "ui/views/path_field.h"
+#include "ui/views/plain_button.h"
 #include "ui/views/theme.h"
 
 #include <QDoubleSpinBox>
@@ -24,13 +25,6 @@ namespace odo {
 namespace {
 
 constexpr int columnWidth = 440;
-
-QPushButton *plainButton(const QString &text)
-{
-    auto *button = new QPushButton(text);
-    button->setAutoDefault(false);
-    return button;
-}
 
 /// 0 stands for none.
 QDoubleSpinBox *limitBox(const QString &unit, double most, std::optional<double> limit)

@@ -6,6 +6,7 @@
 #include "ui/testbed/tasks/task_canvas.h"
 #include "ui/testbed/tasks/task_editor.h"
 #include "ui/testbed/tasks/template_form.h"
+#include "ui/views/plain_button.h"
 #include "ui/views/table_list.h"
 #include "ui/views/undo_keys.h"
 
@@ -39,13 +40,6 @@ std::optional<MarkerLayout> layoutOf(Project &project)
     }
     const auto layouts = project.layouts().all();
     return layouts && !layouts->empty() ? std::optional(layouts->front().layout) : std::nullopt;
-}
-
-QPushButton *plainButton(const QString &text)
-{
-    auto *button = new QPushButton(text);
-    button->setAutoDefault(false);
-    return button;
 }
 
 } // namespace
