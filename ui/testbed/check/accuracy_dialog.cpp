@@ -6,7 +6,6 @@
 #include "ui/testbed/check/planned_camera_form.h"
 #include "ui/views/card.h"
 #include "ui/views/plain_button.h"
-#include "ui/views/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -57,6 +56,7 @@ AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<Che
     }
     m_summary->setStyleSheet(QStringLiteral("font-weight: 600"));
     m_summary->setAccessibleName(tr("Expected accuracy in words"));
+    m_problem->setObjectName(QStringLiteral("problem"));
     m_problem->setAccessibleName(tr("What is wrong"));
     QPushButton *close = plainButton(tr("Close"));
     auto *buttons = new QHBoxLayout;
@@ -267,9 +267,6 @@ void AccuracyDialog::showAccuracy(const ExpectedAccuracy &accuracy)
         if (accuracy.problems[i])
             problems << tr("%1: %2; %3.").arg(m_entries[rows[i]].name, QString::fromStdString(accuracy.problems[i]->why),
                                              QString::fromStdString(accuracy.problems[i]->advice));
-    QPalette words = palette();
-    words.setColor(QPalette::WindowText, ThemeColours::of(palette()).spike);
-    m_problem->setPalette(words);
     m_problem->setText(problems.join(QLatin1Char('\n')));
     m_problem->setHidden(problems.isEmpty());
 }

@@ -8,7 +8,6 @@
 #include "ui/testbed/floor/layout_drawing.h"
 #include "ui/views/path_field.h"
 #include "ui/views/plain_button.h"
-#include "ui/views/theme.h"
 
 #include <QFileDialog>
 #include <QFormLayout>
@@ -61,6 +60,7 @@ LayoutDialog::LayoutDialog(const MarkerLayout &start, const QStringList &taken, 
     m_name->setText(freeName(start.name.empty() ? tr("Floor") : QString::fromStdString(start.name), taken));
     m_message->setWordWrap(true);
     m_message->setTextFormat(Qt::PlainText);
+    m_message->setObjectName(QStringLiteral("problem"));
     m_message->setAccessibleName(tr("What is wrong"));
     auto *intro = new QLabel(tr("Where the markers lie on the floor, measured with a tape: millimetres from the origin. X goes to the right, Y "
                                 "away from you, seen from above."));
@@ -241,9 +241,6 @@ void LayoutDialog::check()
     m_layout.name = m_name->text().trimmed().toStdString();
     const QString wrong = problem();
     m_message->setText(wrong);
-    QPalette words = palette();
-    words.setColor(QPalette::WindowText, ThemeColours::of(palette()).spike);
-    m_message->setPalette(words);
     m_save->setEnabled(wrong.isEmpty());
 }
 

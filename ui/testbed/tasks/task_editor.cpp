@@ -9,7 +9,6 @@
 #include "ui/testbed/tasks/template_form.h"
 #include "ui/views/path_field.h"
 #include "ui/views/plain_button.h"
-#include "ui/views/theme.h"
 
 #include <QDoubleSpinBox>
 #include <QFileDialog>
@@ -99,6 +98,7 @@ QLayout *TaskEditor::makeButtons()
 {
     m_message->setTextFormat(Qt::PlainText);
     m_message->setWordWrap(true);
+    m_message->setObjectName(QStringLiteral("problem"));
     m_message->setAccessibleName(tr("What is wrong"));
     auto *import = plainButton(tr("&Import file…")), *cancel = plainButton(tr("Cancel"));
     import->setToolTip(tr("Take gates, path and limits from a task file (JSON)"));
@@ -237,9 +237,6 @@ void TaskEditor::check()
 {
     const QString wrong = problem();
     m_message->setText(wrong);
-    QPalette words = palette();
-    words.setColor(QPalette::WindowText, ThemeColours::of(palette()).spike);
-    m_message->setPalette(words);
     m_save->setEnabled(wrong.isEmpty());
 }
 
