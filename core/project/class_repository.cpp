@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/class_repository.h"
 
+#include "core/base/without_value.h"
 #include "core/project/connection.h"
 #include "core/project/instant_now.h"
 #include "core/project/named_rows.h"
@@ -68,7 +69,7 @@ Result<void> ClassRepository::rename(RecordId id, const std::string &name)
     return transact(m_connection, [&]() -> Result<void> {
         const auto known = get(id);
         if (!known || known->name == name)
-            return known ? Result<void>() : tl::unexpected(known.error());
+            return withoutValue(known);
         if (auto valid = checkName("class", name); !valid)
             return valid;
         if (auto isFree = checkNameIsFree(m_connection, "class", "class", name); !isFree)
@@ -83,7 +84,7 @@ Result<void> ClassRepository::setArchived(RecordId id, bool archived)
     return transact(m_connection, [&]() -> Result<void> {
         const auto known = get(id);
         if (!known || known->archived.has_value() == archived)
-            return known ? Result<void>() : tl::unexpected(known.error());
+            return withoutValue(known);
         Statement update(m_connection, QStringLiteral("UPDATE class SET archived_ms=? WHERE id=?"));
         return update.bindReference(archived ? instantNow().time_since_epoch().count() : 0).bind(id).run();
     });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // TaskRepository's part of what people change: names, courses, scoring.
+#include "core/base/without_value.h"
 #include "core/project/connection.h"
 #include "core/project/instant_now.h"
 #include "core/project/named_rows.h"
@@ -116,7 +117,7 @@ Result<void> TaskRepository::rename(RecordId task, const std::string &name)
     return transact(m_connection, [&]() -> Result<void> {
         const auto known = get(task);
         if (!known || known->name == name)
-            return known ? Result<void>() : tl::unexpected(known.error());
+            return withoutValue(known);
         if (auto valid = checkName("task", name); !valid)
             return valid;
         if (auto isFree = checkNameIsFree(m_connection, "task", "task", name); !isFree)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // TrialRepository's part of what people do with trials through the year: stars, tags, archive and bin.
+#include "core/base/without_value.h"
 #include "core/project/connection.h"
 #include "core/project/instant_now.h"
 #include "core/project/named_rows.h"
@@ -59,7 +60,7 @@ Result<void> TrialRepository::setArchived(RecordId trial, bool archived)
 {
     return transact(m_connection, [&]() -> Result<void> {
         if (auto known = get(trial); !known || known->archived.has_value() == archived)
-            return known ? Result<void>() : tl::unexpected(known.error());
+            return withoutValue(known);
         return stamp(m_connection, "UPDATE trial SET archived_ms=? WHERE id=?", trial, archived);
     });
 }
@@ -69,7 +70,7 @@ Result<void> TrialRepository::setBinned(RecordId trial, bool binned)
     return transact(m_connection, [&]() -> Result<void> {
         const auto known = get(trial);
         if (!known || known->binned.has_value() == binned)
-            return known ? Result<void>() : tl::unexpected(known.error());
+            return withoutValue(known);
         if (known->unfinished)
             return fail(ErrorCode::InvalidInput, "trial '" + known->name + "'", "it is being recorded",
                         "end its recording first");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/import_roster.h"
 
+#include "core/base/without_value.h"
 #include "core/exchange/roster_csv.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -16,8 +17,7 @@ Result<void> store(Project &project, const RosterEntry &entry, const std::map<st
     const auto same = known.find(entry.team);
     if (same == known.end()) {
         ++outcome.added;
-        const auto added = project.teams().add({0, entry.team, entry.className, entry.pseudonym});
-        return added ? Result<void>() : tl::unexpected(added.error());
+        return withoutValue(project.teams().add({0, entry.team, entry.className, entry.pseudonym}));
     }
     TeamRecord team = same->second;
     const std::string pseudonym = entry.pseudonym.empty() ? team.pseudonym : entry.pseudonym;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/history/classes_dialog.h"
 
+#include "core/base/without_value.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/views/plain_button.h"
@@ -222,10 +223,8 @@ void ClassesDialog::addClass()
     if (name.isNull())
         return;
     m_wanted = name;
-    apply(tr("add class %1").arg(name), [&]() -> Result<void> {
-        const auto added = m_project.classes().add(name.toStdString());
-        return added ? Result<void>() : tl::unexpected(added.error());
-    });
+    apply(tr("add class %1").arg(name),
+          [&] { return withoutValue(m_project.classes().add(name.toStdString())); });
 }
 
 void ClassesDialog::renameClass()
@@ -261,9 +260,8 @@ void ClassesDialog::addTeam()
     if (name.isNull())
         return;
     const std::string className = currentClass() ? currentClass()->name : std::string();
-    apply(tr("add team %1").arg(name), [&]() -> Result<void> {
-        const auto added = m_project.teams().add({0, name.toStdString(), className});
-        return added ? Result<void>() : tl::unexpected(added.error());
+    apply(tr("add team %1").arg(name), [&] {
+        return withoutValue(m_project.teams().add({0, name.toStdString(), className}));
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/robots_dialog.h"
 
+#include "core/base/without_value.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/main_window/pick_colour_dialog.h"
@@ -125,10 +126,8 @@ void RobotsDialog::add()
     if (dialog.exec() != QDialog::Accepted)
         return;
     const RobotRecord robot = dialog.robot();
-    apply(tr("add robot %1").arg(QString::fromStdString(robot.name)), robot.name, [&]() -> Result<void> {
-        const auto added = m_project.robots().add(robot);
-        return added ? Result<void>() : tl::unexpected(added.error());
-    });
+    apply(tr("add robot %1").arg(QString::fromStdString(robot.name)), robot.name,
+          [&] { return withoutValue(m_project.robots().add(robot)); });
 }
 
 void RobotsDialog::change()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/trial_actions.h"
 
+#include "core/project/changing.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/import_tracks_job.h"
@@ -17,8 +18,8 @@
 #include "ui/main_window/workspace.h"
 #include "ui/models/camera_list_model.h"
 #include "ui/models/figure_text.h"
-#include "ui/views/command_names.h"
 #include "ui/models/shown_team.h"
+#include "ui/views/command_names.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
@@ -255,10 +256,8 @@ bool TrialActions::askRobot()
         return false;
     Project &project = *m_workspace.project();
     const QString name = QString::fromStdString(dialog.robot().name);
-    const Result<void> added = project.change(tr("add robot %1").arg(name).toStdString(), [&]() -> Result<void> {
-        const Result<RobotRecord> stored = project.robots().add(dialog.robot());
-        return stored ? Result<void>() : tl::unexpected(stored.error());
-    });
+    const auto added = changing(project, tr("add robot %1").arg(name).toStdString(),
+                                [&] { return project.robots().add(dialog.robot()); });
     if (!added) {
         Q_EMIT failed(added.error());
         return false;

@@ -2,6 +2,7 @@
 #include "ui/testbed/testbed_tools.h"
 
 #include "core/exchange/layout_csv.h"
+#include "core/project/changing.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibration_storage.h"
@@ -275,10 +276,8 @@ void TestbedTools::importLayout()
 void TestbedTools::store(MarkerLayout layout)
 {
     const QString words = tr("add layout %1").arg(QString::fromStdString(layout.name));
-    const Result<void> added = m_project.change(words.toStdString(), [&]() -> Result<void> {
-        const Result<LayoutRecord> stored = m_project.layouts().add(layout);
-        return stored ? Result<void>() : tl::unexpected(stored.error());
-    });
+    const auto added =
+        changing(m_project, words.toStdString(), [&] { return m_project.layouts().add(layout); });
     if (!added)
         Q_EMIT failed(added.error());
     else
