@@ -38,8 +38,9 @@ void SpikeModel::addUsedByHand(int robot, const Profile &profile)
     for (std::size_t i = 0; i < profile.samples.size(); ++i) {
         const auto index = static_cast<std::int64_t>(i);
         const Sample &sample = profile.samples[i];
-        const bool isListed = std::ranges::find(profile.spikes, index, &Spike::sampleIndex) != profile.spikes.end();
-        if (hasFlag(sample.flags, SampleFlag::ByHand) && !isRejected(sample.flags) && !isListed)
+        if (!hasFlag(sample.flags, SampleFlag::ByHand) || isRejected(sample.flags))
+            continue;
+        if (std::ranges::find(profile.spikes, index, &Spike::sampleIndex) == profile.spikes.end())
             m_rows.push_back({robot, {index, sample.time, sample.flags, {}}, true});
     }
 }
