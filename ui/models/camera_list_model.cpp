@@ -32,23 +32,13 @@ Result<std::vector<CameraRow>> loadCameraRows(Project &project)
     return rows;
 }
 
-CameraListModel::CameraListModel(QObject *parent) : QAbstractTableModel(parent) {}
+CameraListModel::CameraListModel(QObject *parent) : RowTableModel(ColumnCount, parent) {}
 
 void CameraListModel::setRows(std::vector<CameraRow> rows)
 {
     beginResetModel();
     m_rows = std::move(rows);
     endResetModel();
-}
-
-int CameraListModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int CameraListModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QString CameraListModel::display(const CameraRow &row, int column) const
@@ -81,14 +71,12 @@ QString CameraListModel::display(const CameraRow &row, int column) const
     }
 }
 
-QVariant CameraListModel::data(const QModelIndex &index, int role) const
+QVariant CameraListModel::cell(int index, int column, int role) const
 {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
-    const CameraRow &row = m_rows[static_cast<std::size_t>(index.row())];
+    const CameraRow &row = m_rows[static_cast<std::size_t>(index)];
     switch (role) {
     case Qt::DisplayRole:
-        return display(row, index.column());
+        return display(row, column);
     case Qt::ToolTipRole:
         return display(row, VerdictColumn).toHtmlEscaped();
     case BadgeTextRole:
@@ -102,11 +90,11 @@ QVariant CameraListModel::data(const QModelIndex &index, int role) const
     }
 }
 
-QVariant CameraListModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant CameraListModel::heading(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+    if (role != Qt::DisplayRole)
         return {};
-    switch (section) {
+    switch (column) {
     case NameColumn:
         return tr("Camera");
     case CalibrationColumn:

@@ -4,8 +4,8 @@
 #include "core/base/error.h"
 #include "core/project/records.h"
 #include "ui/models/badge.h"
+#include "ui/models/row_table_model.h"
 
-#include <QAbstractTableModel>
 #include <optional>
 #include <vector>
 
@@ -26,7 +26,7 @@ struct CameraRow
 Result<std::vector<CameraRow>> loadCameraRows(Project &project);
 
 /// The cameras of a project and how far they are set up.
-class CameraListModel : public QAbstractTableModel
+class CameraListModel : public RowTableModel
 {
     Q_OBJECT
 public:
@@ -41,12 +41,10 @@ public:
     void setRows(std::vector<CameraRow> rows);
     const CameraRow &row(int index) const { return m_rows.at(static_cast<std::size_t>(index)); }
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
-    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
-
 private:
+    int rows() const override { return static_cast<int>(m_rows.size()); }
+    QVariant cell(int index, int column, int role) const override;
+    QVariant heading(int column, int role) const override;
     QString display(const CameraRow &row, int column) const;
 
     std::vector<CameraRow> m_rows;

@@ -24,7 +24,7 @@ QString kindWord(ChangeEntry::Kind kind)
 } // namespace
 
 ChangeModel::ChangeModel(std::vector<ChangeEntry> changes, QObject *parent)
-    : QAbstractTableModel(parent), m_changes(std::move(changes))
+    : RowTableModel(ColumnCount, parent), m_changes(std::move(changes))
 {
     setText({});
 }
@@ -39,22 +39,12 @@ void ChangeModel::setText(const QString &text)
     endResetModel();
 }
 
-int ChangeModel::rowCount(const QModelIndex &parent) const
+QVariant ChangeModel::cell(int index, int column, int role) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_shown.size());
-}
-
-int ChangeModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
-QVariant ChangeModel::data(const QModelIndex &index, int role) const
-{
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid) || role != Qt::DisplayRole)
+    if (role != Qt::DisplayRole)
         return {};
-    const ChangeEntry &change = m_changes[m_shown[static_cast<std::size_t>(index.row())]];
-    switch (index.column()) {
+    const ChangeEntry &change = m_changes[m_shown[static_cast<std::size_t>(index)]];
+    switch (column) {
     case DateColumn:
         return QLocale().toString(QDateTime::fromMSecsSinceEpoch(change.made.time_since_epoch().count()),
                                   QLocale::ShortFormat);
@@ -65,11 +55,11 @@ QVariant ChangeModel::data(const QModelIndex &index, int role) const
     }
 }
 
-QVariant ChangeModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant ChangeModel::heading(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+    if (role != Qt::DisplayRole)
         return {};
-    switch (section) {
+    switch (column) {
     case DateColumn:
         return tr("When");
     case KindColumn:

@@ -2,15 +2,15 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "ui/models/row_table_model.h"
 
-#include <QAbstractTableModel>
 #include <vector>
 
 namespace odo {
 
 /// What was changed in a project and when, the newest first; only what holds a text, in any case of its
 /// letters.
-class ChangeModel : public QAbstractTableModel
+class ChangeModel : public RowTableModel
 {
     Q_OBJECT
 public:
@@ -19,12 +19,10 @@ public:
     explicit ChangeModel(std::vector<ChangeEntry> changes, QObject *parent = nullptr);
     void setText(const QString &text);
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
-    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
-
 private:
+    int rows() const override { return static_cast<int>(m_shown.size()); }
+    QVariant cell(int index, int column, int role) const override;
+    QVariant heading(int column, int role) const override;
     const std::vector<ChangeEntry> m_changes;
     std::vector<std::size_t> m_shown;
 };

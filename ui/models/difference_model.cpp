@@ -39,7 +39,7 @@ QString secondsFigure(const std::optional<Difference> &time)
 
 } // namespace
 
-DifferenceModel::DifferenceModel(QObject *parent) : QAbstractTableModel(parent) {}
+DifferenceModel::DifferenceModel(QObject *parent) : RowTableModel(ColumnCount, parent) {}
 
 void DifferenceModel::setMetrics(const std::vector<MetricDifference> &metrics)
 {
@@ -95,26 +95,14 @@ void DifferenceModel::setRunNames(const QString &first, const QString &second)
     Q_EMIT headerDataChanged(Qt::Horizontal, FirstColumn, SecondColumn);
 }
 
-int DifferenceModel::rowCount(const QModelIndex &parent) const
+QVariant DifferenceModel::cell(int index, int column, int role) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int DifferenceModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
-QVariant DifferenceModel::data(const QModelIndex &index, int role) const
-{
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
-    const Row &row = m_rows[static_cast<std::size_t>(index.row())];
+    const Row &row = m_rows[static_cast<std::size_t>(index)];
     switch (role) {
     case Qt::DisplayRole:
-        return index.column() == NameColumn    ? row.name
-               : index.column() == FirstColumn ? row.first
-               : index.column() == SecondColumn
+        return column == NameColumn    ? row.name
+               : column == FirstColumn ? row.first
+               : column == SecondColumn
                    ? row.second
                    : (row.isCompared && !row.isSignificant ? QStringLiteral("≈ ") : QString()) +
                          row.difference;
@@ -129,7 +117,7 @@ QVariant DifferenceModel::data(const QModelIndex &index, int role) const
                : row.isSignificant ? tr("beyond the error")
                                    : tr("within the error");
     case Qt::TextAlignmentRole:
-        return int((index.column() == NameColumn ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        return aligned(column == NameColumn ? Qt::AlignLeft : Qt::AlignRight);
     case SignificantRole:
         return row.isSignificant;
     default:
@@ -137,15 +125,13 @@ QVariant DifferenceModel::data(const QModelIndex &index, int role) const
     }
 }
 
-QVariant DifferenceModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant DifferenceModel::heading(int column, int role) const
 {
-    if (orientation != Qt::Horizontal)
-        return {};
     if (role == Qt::TextAlignmentRole)
-        return int((section == NameColumn ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        return aligned(column == NameColumn ? Qt::AlignLeft : Qt::AlignRight);
     if (role != Qt::DisplayRole)
         return {};
-    switch (section) {
+    switch (column) {
     case FirstColumn:
         return m_first;
     case SecondColumn:

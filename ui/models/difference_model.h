@@ -3,15 +3,15 @@
 
 #include "core/trajectory/metric_differences.h"
 #include "core/trajectory/sector_times.h"
+#include "ui/models/row_table_model.h"
 
-#include <QAbstractTableModel>
 #include <vector>
 
 namespace odo {
 
 /// Figures of two runs side by side with their difference: a row a figure or a sector. What is within the
 /// error is muted, and says so in words.
-class DifferenceModel : public QAbstractTableModel
+class DifferenceModel : public RowTableModel
 {
     Q_OBJECT
 public:
@@ -27,12 +27,10 @@ public:
     /// Above the columns of the two runs.
     void setRunNames(const QString &first, const QString &second);
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
-    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
-
 private:
+    int rows() const override { return static_cast<int>(m_rows.size()); }
+    QVariant cell(int index, int column, int role) const override;
+    QVariant heading(int column, int role) const override;
     struct Row
     {
         QString name, first, second, difference;

@@ -5,7 +5,7 @@
 
 namespace odo {
 
-MetricModel::MetricModel(QObject *parent) : QAbstractTableModel(parent) {}
+MetricModel::MetricModel(QObject *parent) : RowTableModel(ColumnCount, parent) {}
 
 void MetricModel::setMetrics(std::vector<Metric> metrics)
 {
@@ -14,26 +14,14 @@ void MetricModel::setMetrics(std::vector<Metric> metrics)
     endResetModel();
 }
 
-int MetricModel::rowCount(const QModelIndex &parent) const
+QVariant MetricModel::cell(int index, int column, int role) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_metrics.size());
-}
-
-int MetricModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
-QVariant MetricModel::data(const QModelIndex &index, int role) const
-{
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
-    const Metric &metric = m_metrics[static_cast<std::size_t>(index.row())];
+    const Metric &metric = m_metrics[static_cast<std::size_t>(index)];
     switch (role) {
     case Qt::DisplayRole:
-        return index.column() == NameColumn ? metricName(metric.name) : metricFigure(metric).text();
+        return column == NameColumn ? metricName(metric.name) : metricFigure(metric).text();
     case Qt::TextAlignmentRole:
-        return QVariant::fromValue(Qt::Alignment(Qt::AlignLeft | Qt::AlignVCenter));
+        return aligned(Qt::AlignLeft);
     case IdRole:
         return QString::fromStdString(metric.name);
     case NumberRole:
@@ -47,11 +35,11 @@ QVariant MetricModel::data(const QModelIndex &index, int role) const
     }
 }
 
-QVariant MetricModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant MetricModel::heading(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+    if (role != Qt::DisplayRole)
         return {};
-    return section == NameColumn ? tr("Figure") : tr("Value");
+    return column == NameColumn ? tr("Figure") : tr("Value");
 }
 
 } // namespace odo

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "core/trajectory/profile.h"
+#include "ui/models/row_table_model.h"
 
-#include <QAbstractTableModel>
 #include <vector>
 
 namespace odo {
 
 /// The metrics of one robot's analysis, in words.
-class MetricModel : public QAbstractTableModel
+class MetricModel : public RowTableModel
 {
     Q_OBJECT
 public:
@@ -24,12 +24,10 @@ public:
     explicit MetricModel(QObject *parent = nullptr);
     void setMetrics(std::vector<Metric> metrics);
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
-    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
-
 private:
+    int rows() const override { return static_cast<int>(m_metrics.size()); }
+    QVariant cell(int index, int column, int role) const override;
+    QVariant heading(int column, int role) const override;
     std::vector<Metric> m_metrics;
 };
 

@@ -8,7 +8,7 @@
 
 namespace odo {
 
-SpikeModel::SpikeModel(QObject *parent) : QAbstractTableModel(parent) {}
+SpikeModel::SpikeModel(QObject *parent) : RowTableModel(ColumnCount, parent) {}
 
 void SpikeModel::setScene(TrialScenePtr scene)
 {
@@ -56,16 +56,6 @@ QString SpikeModel::summary() const
     return text;
 }
 
-int SpikeModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int SpikeModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
 QVariant SpikeModel::display(const Row &row, int column) const
 {
     switch (column) {
@@ -84,30 +74,27 @@ QVariant SpikeModel::display(const Row &row, int column) const
     }
 }
 
-QVariant SpikeModel::data(const QModelIndex &index, int role) const
+QVariant SpikeModel::cell(int index, int column, int role) const
 {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
-    const Row &row = m_rows[static_cast<std::size_t>(index.row())];
+    const Row &row = m_rows[static_cast<std::size_t>(index)];
     switch (role) {
     case Qt::DisplayRole:
-        return display(row, index.column());
+        return display(row, column);
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
-        if (index.column() == StateColumn) {
+        if (column == StateColumn) {
             if (row.restored)
                 return tr("Restored by hand");
             return isRejected(row.spike.flags) ? tr("Flagged, not used for the curve")
                                                : tr("Flagged, still used for the curve");
         }
-        if (index.column() == ReasonColumn && m_scene->robots.size() > 1)
+        if (column == ReasonColumn && m_scene->robots.size() > 1)
             return QStringLiteral("%1: %2").arg(
                 QString::fromStdString(m_scene->robots[static_cast<std::size_t>(row.robot)].robot.name),
                 display(row, ReasonColumn).toString());
-        return display(row, index.column());
+        return display(row, column);
     case Qt::TextAlignmentRole:
-        return QVariant::fromValue(Qt::Alignment(
-            Qt::AlignVCenter | (index.column() == StateColumn ? Qt::AlignHCenter : Qt::AlignLeft)));
+        return aligned(column == StateColumn ? Qt::AlignHCenter : Qt::AlignLeft);
     case TimeRole:
         return QVariant::fromValue<qint64>(row.spike.time.count());
     case SampleIndexRole:
@@ -119,23 +106,21 @@ QVariant SpikeModel::data(const QModelIndex &index, int role) const
     case RestoredRole:
         return row.restored;
     case SortRole:
-        if (index.column() == TimeColumn)
+        if (column == TimeColumn)
             return QVariant::fromValue<qint64>(row.spike.time.count());
-        return display(row, index.column());
+        return display(row, column);
     default:
         return {};
     }
 }
 
-QVariant SpikeModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant SpikeModel::heading(int column, int role) const
 {
-    if (orientation != Qt::Horizontal)
-        return {};
     if (role == Qt::TextAlignmentRole)
-        return QVariant::fromValue(Qt::Alignment(Qt::AlignLeft | Qt::AlignVCenter));
+        return aligned(Qt::AlignLeft);
     if (role != Qt::DisplayRole)
         return {};
-    switch (section) {
+    switch (column) {
     case TimeColumn:
         return tr("Time");
     case ReasonColumn:

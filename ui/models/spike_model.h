@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/models/row_table_model.h"
 #include "ui/models/trial_scene.h"
-
-#include <QAbstractTableModel>
 
 namespace odo {
 
 /// The spikes of all robots of a trial, in order of time.
-class SpikeModel : public QAbstractTableModel
+class SpikeModel : public RowTableModel
 {
     Q_OBJECT
 public:
@@ -27,12 +26,10 @@ public:
     /// "3 flagged · 1 restored"
     QString summary() const;
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
-    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
-
 private:
+    int rows() const override { return static_cast<int>(m_rows.size()); }
+    QVariant cell(int index, int column, int role) const override;
+    QVariant heading(int column, int role) const override;
     struct Row
     {
         int robot;

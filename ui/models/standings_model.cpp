@@ -34,7 +34,7 @@ QString progressText(const TeamStanding &team, const Standings &standings)
     return better ? StandingsModel::tr("better: %1").arg(by) : StandingsModel::tr("worse: %1").arg(by);
 }
 
-StandingsModel::StandingsModel(QObject *parent) : QAbstractTableModel(parent) {}
+StandingsModel::StandingsModel(QObject *parent) : RowTableModel(ColumnCount, parent) {}
 
 void StandingsModel::setStandings(Standings standings)
 {
@@ -47,16 +47,6 @@ QString StandingsModel::teamName(int row) const
 {
     const TeamStanding &team = this->team(row);
     return shownTeam(team.team, team.pseudonym);
-}
-
-int StandingsModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_standings.teams.size());
-}
-
-int StandingsModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QString StandingsModel::display(const TeamStanding &team, int row, int column) const
@@ -84,27 +74,23 @@ QString StandingsModel::display(const TeamStanding &team, int row, int column) c
     }
 }
 
-QVariant StandingsModel::data(const QModelIndex &index, int role) const
+QVariant StandingsModel::cell(int index, int column, int role) const
 {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
     if (role == Qt::DisplayRole)
-        return display(team(index.row()), index.row(), index.column());
+        return display(team(index), index, column);
     if (role == Qt::TextAlignmentRole) {
-        const bool isText =
-            index.column() == TeamColumn || index.column() == ClassColumn || index.column() == ProgressColumn;
-        return QVariant::fromValue(
-            Qt::Alignment(Qt::AlignVCenter | (isText ? Qt::AlignLeft : Qt::AlignRight)));
+        const bool isText = column == TeamColumn || column == ClassColumn || column == ProgressColumn;
+        return aligned(isText ? Qt::AlignLeft : Qt::AlignRight);
     }
     return {};
 }
 
-QVariant StandingsModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant StandingsModel::heading(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || (role != Qt::DisplayRole && role != Qt::ToolTipRole))
+    if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
         return {};
     const bool tip = role == Qt::ToolTipRole;
-    switch (section) {
+    switch (column) {
     case RankColumn:
         return tip ? tr("One more than the teams that are better beyond doubt: their medians differ by more "
                         "than 1.96 σ. Runs of different tasks are not ranked")

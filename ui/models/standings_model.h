@@ -2,13 +2,12 @@
 #pragma once
 
 #include "core/workflow/standings.h"
-
-#include <QAbstractTableModel>
+#include "ui/models/row_table_model.h"
 
 namespace odo {
 
 /// The teams in their order, with best, median, repeatability and progress in words. GUI thread.
-class StandingsModel : public QAbstractTableModel
+class StandingsModel : public RowTableModel
 {
     Q_OBJECT
 public:
@@ -30,12 +29,10 @@ public:
     const Standings &standings() const { return m_standings; }
     QString teamName(int row) const;
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
-    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
-
 private:
+    int rows() const override { return static_cast<int>(m_standings.teams.size()); }
+    QVariant cell(int index, int column, int role) const override;
+    QVariant heading(int column, int role) const override;
     QString display(const TeamStanding &team, int row, int column) const;
 
     Standings m_standings;
