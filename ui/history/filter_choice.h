@@ -9,6 +9,17 @@
 
 namespace odo {
 
+/// A choice of words that may be long: it is as wide as so many letters, or wider.
+inline QComboBox *makeChoice(const QString &name, int letters)
+{
+    auto *choice = new QComboBox;
+    choice->setAccessibleName(name);
+    choice->setToolTip(name);
+    choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    choice->setMinimumContentsLength(letters);
+    return choice;
+}
+
 /// Puts words (shown as others) behind the first so many entries of a choice; keeps what is chosen where it
 /// is still there, and tells nobody.
 inline void fillChoice(QComboBox &choice, const QStringList &words, const QStringList &shown, int kept = 1)

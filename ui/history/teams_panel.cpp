@@ -50,11 +50,7 @@ TeamsPanel::TeamsPanel(Project &project, QWidget *parent)
 
 QComboBox *TeamsPanel::addChoice(const QString &name)
 {
-    auto *choice = new QComboBox;
-    choice->setAccessibleName(name);
-    choice->setToolTip(name);
-    choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    choice->setMinimumContentsLength(12);
+    QComboBox *choice = makeChoice(name, 12);
     m_card->addToHeader(choice);
     connect(choice, &QComboBox::currentIndexChanged, this, &TeamsPanel::choiceChanged);
     return choice;

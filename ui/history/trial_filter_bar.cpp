@@ -71,11 +71,7 @@ void TrialFilterBar::addAtEnd(QWidget *widget)
 
 QComboBox *TrialFilterBar::addChoice(QLayout &row, const QString &name, const QString &any)
 {
-    auto *choice = new QComboBox(this);
-    choice->setAccessibleName(name);
-    choice->setToolTip(name);
-    choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    choice->setMinimumContentsLength(7);
+    QComboBox *choice = makeChoice(name, 7);
     choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     choice->addItem(any);
     row.addWidget(choice);
