@@ -9,7 +9,7 @@
 #include "ui/testbed/check/moved_dialog.h"
 #include "ui/testbed/check/revisions_dialog.h"
 #include "ui/testbed/known_cameras.h"
-#include "ui/views/theme_icon.h"
+#include "ui/testbed/tool_action.h"
 
 #include <QAction>
 
@@ -33,9 +33,7 @@ void CheckTools::add(Tool tool, const QString &icon, const QString &text, const 
                      void (CheckTools::*slot)())
 {
     Q_ASSERT(m_actions.size() == tool);
-    auto *action = new QAction(themeIcon(icon), text, this);
-    action->setIconText(shortText); // for the buttons beneath the tables; the menu has the long words
-    action->setToolTip(tip);
+    QAction *action = toolAction(icon, text, shortText, tip, this);
     connect(action, &QAction::triggered, this, slot);
     m_actions.append(action);
 }

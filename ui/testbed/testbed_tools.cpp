@@ -17,8 +17,8 @@
 #include "ui/testbed/targets/target_dialog.h"
 #include "ui/testbed/together/joint_dialog.h"
 #include "ui/testbed/together/through_wizard.h"
+#include "ui/testbed/tool_action.h"
 #include "ui/views/path_field.h"
-#include "ui/views/theme_icon.h"
 
 #include <QAction>
 #include <QFileDialog>
@@ -92,9 +92,7 @@ void TestbedTools::add(Tool tool, const QString &icon, const QString &text, cons
                        void (TestbedTools::*slot)())
 {
     Q_ASSERT(m_actions.size() == tool);
-    auto *action = new QAction(themeIcon(icon), text, this);
-    action->setIconText(shortText); // for the buttons beneath the tables; the menu has the long words
-    action->setToolTip(tip);
+    QAction *action = toolAction(icon, text, shortText, tip, this);
     connect(action, &QAction::triggered, this, slot);
     m_actions.append(action);
 }
