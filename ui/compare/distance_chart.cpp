@@ -37,7 +37,7 @@ void DistanceArea::setScene(ComparisonScenePtr scene)
 void DistanceArea::setRanges()
 {
     m_plot = comparedPlot(ChartPlot::rectIn(QRectF(rect())), m_scene.get(), m_what, m_curves);
-    m_still = {};
+    m_still.forget();
     update();
 }
 
@@ -66,16 +66,9 @@ void DistanceArea::paintCursor(QPainter &painter) const
 
 void DistanceArea::paintEvent(QPaintEvent *)
 {
-    if (m_still.isNull()) {
-        m_still = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
-        m_still.setDevicePixelRatio(devicePixelRatioF());
-        m_still.fill(ThemeColours::of(palette()).card);
-        QPainter painter(&m_still);
-        painter.setFont(font());
-        drawComparedCurves(painter, m_plot, m_what, m_curves, font(), palette());
-    }
     QPainter painter(this);
-    painter.drawPixmap(0, 0, m_still);
+    m_still.paint(painter, *this, ThemeColours::of(palette()).card,
+                  [this](QPainter &still) { drawComparedCurves(still, m_plot, m_what, m_curves, font(), palette()); });
     if (!m_scene)
         return;
     painter.setFont(font());
@@ -93,7 +86,7 @@ void DistanceArea::resizeEvent(QResizeEvent *)
 void DistanceArea::changeEvent(QEvent *event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        m_still = {};
+        m_still.forget();
     QWidget::changeEvent(event);
 }
 

@@ -4,8 +4,7 @@
 #include "ui/views/comparison_curves.h"
 #include "ui/views/card.h"
 #include "ui/views/chart_painting.h"
-
-#include <QPixmap>
+#include "ui/views/still_layer.h"
 
 namespace odo {
 
@@ -44,7 +43,7 @@ private:
     ComparisonScenePtr m_scene;
     std::vector<DistanceCurve> m_curves;
     ChartPlot m_plot;
-    QPixmap m_still; ///< of plot; null: to be painted
+    StillLayer m_still; ///< of plot
 };
 
 /// One quantity of all runs against the distance along the common path, with 95 % bands.

@@ -35,7 +35,7 @@ ChartArea::~ChartArea() = default;
 
 void ChartArea::forget()
 {
-    m_still = {};
+    m_still.forget();
     update();
 }
 
@@ -183,16 +183,9 @@ void ChartArea::drawCursor(QPainter &painter) const
 
 void ChartArea::paintEvent(QPaintEvent *)
 {
-    if (m_still.isNull()) {
-        m_still = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
-        m_still.setDevicePixelRatio(devicePixelRatioF());
-        m_still.fill(ThemeColours::of(palette()).card);
-        QPainter painter(&m_still);
-        painter.setFont(font());
-        drawStill(painter);
-    }
     QPainter painter(this);
-    painter.drawPixmap(0, 0, m_still);
+    m_still.paint(painter, *this, ThemeColours::of(palette()).card,
+                  [this](QPainter &still) { drawStill(still); });
     painter.setFont(font());
     painter.setRenderHint(QPainter::Antialiasing);
     if (const auto &range = m_timeline.selection())

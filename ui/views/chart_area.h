@@ -6,8 +6,8 @@
 #include "ui/models/trial_scene.h"
 #include "ui/views/chart_painting.h"
 #include "ui/views/profile_curve.h"
+#include "ui/views/still_layer.h"
 
-#include <QPixmap>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -88,7 +88,7 @@ private:
     std::optional<double> m_pressedX; ///< of the left button
     bool m_isDragged = false;
     double m_pannedX = 0; ///< of the middle button
-    QPixmap m_still;      ///< null: to be rendered
+    StillLayer m_still;
 };
 
 } // namespace odo

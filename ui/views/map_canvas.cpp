@@ -4,7 +4,6 @@
 #include "ui/views/theme.h"
 
 #include <QEvent>
-#include <QPainter>
 
 namespace odo {
 
@@ -16,40 +15,30 @@ MapCanvas::MapCanvas(QWidget *parent) : QWidget(parent)
 
 void MapCanvas::drawStill(QPainter &painter)
 {
-    if (m_still.isNull()) {
-        m_still = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
-        m_still.setDevicePixelRatio(devicePixelRatioF());
-        m_still.fill(ThemeColours::of(palette()).mapGround);
-        addToStill([this](QPainter &still) { paintStill(still); });
-    }
-    painter.drawPixmap(0, 0, m_still);
+    m_still.paint(painter, *this, ThemeColours::of(palette()).mapGround,
+                  [this](QPainter &still) { paintStill(still); });
 }
 
 void MapCanvas::addToStill(const std::function<void(QPainter &)> &paint)
 {
-    if (m_still.isNull())
-        return;
-    QPainter painter(&m_still);
-    painter.setFont(font());
-    painter.setRenderHint(QPainter::Antialiasing);
-    paint(painter);
+    m_still.add(*this, paint);
 }
 
 void MapCanvas::forgetStill()
 {
-    m_still = {};
+    m_still.forget();
     update();
 }
 
 void MapCanvas::resizeEvent(QResizeEvent *)
 {
-    m_still = {};
+    m_still.forget();
 }
 
 void MapCanvas::changeEvent(QEvent *event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        m_still = {};
+        m_still.forget();
     QWidget::changeEvent(event);
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QPixmap>
+#include "ui/views/still_layer.h"
+
 #include <QWidget>
 #include <functional>
 
@@ -28,7 +29,7 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    QPixmap m_still; ///< null: to be painted
+    StillLayer m_still;
 };
 
 } // namespace odo
