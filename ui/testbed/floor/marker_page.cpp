@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/floor/marker_page.h"
+#include "ui/testbed/floor/registration_verdict.h"
 
 #include "core/base/units.h"
 #include "core/calibration/lens_influence.h"
@@ -13,7 +14,6 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QTableWidget>
@@ -29,22 +29,15 @@ enum Column { LabelColumn, PlaceColumn, SeenColumn, ErrorColumn, ColumnCount };
 } // namespace
 
 MarkerPage::MarkerPage(QWidget *parent)
-    : QWidget(parent), m_canvas(new MarkerCanvas), m_table(new QTableWidget(0, ColumnCount)), m_verdict(new QLabel), m_advice(new QLabel),
-      m_remove(new QAction(tr("&Take out"), this)), m_undo(new QAction(tr("&Undo"), this))
+    : QWidget(parent), m_canvas(new MarkerCanvas), m_table(new QTableWidget(0, ColumnCount)),
+      m_verdict(new RegistrationVerdict), m_remove(new QAction(tr("&Take out"), this)),
+      m_undo(new QAction(tr("&Undo"), this))
 {
     m_remove->setShortcut(QKeySequence::Delete);
     m_undo->setShortcut(QKeySequence::Undo);
     addActions({m_remove, m_undo});
     connect(m_remove, &QAction::triggered, this, &MarkerPage::removeCurrent);
     connect(m_undo, &QAction::triggered, this, &MarkerPage::undo);
-    for (QLabel *label : {m_verdict, m_advice}) {
-        label->setWordWrap(true);
-        label->setTextFormat(Qt::PlainText);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    }
-    m_verdict->setStyleSheet(QStringLiteral("font-weight: 600"));
-    m_verdict->setAccessibleName(tr("Verdict"));
-    m_advice->setObjectName(QStringLiteral("quiet"));
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_canvas, 1);
@@ -80,20 +73,12 @@ QWidget *MarkerPage::makeSide()
     contentLayout->addLayout(buttons);
     auto *markers = new Card(tr("Markers"));
     markers->setContent(content);
-    auto *said = new QWidget;
-    auto *saidLayout = new QVBoxLayout(said);
-    saidLayout->setContentsMargins(12, 10, 12, 10);
-    saidLayout->addWidget(m_verdict);
-    saidLayout->addWidget(m_advice);
-    saidLayout->addStretch(1);
-    auto *result = new Card(tr("Where the camera stands"));
-    result->setContent(said);
     auto *side = new QWidget;
     side->setFixedWidth(sideWidth);
     auto *layout = new QVBoxLayout(side);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(markers, 3);
-    layout->addWidget(result, 2);
+    layout->addWidget(m_verdict, 2);
     return side;
 }
 
@@ -105,19 +90,18 @@ void MarkerPage::wait(const QString &words)
     m_canvas->setPicture({}, {});
     m_canvas->setEmptyText(words);
     evaluate();
-    m_verdict->setText(words);
-    m_advice->clear();
+    m_verdict->tell(words, {});
 }
 
 void MarkerPage::showFailure(const Error &error)
 {
     wait(QString::fromStdString(error.why));
-    m_advice->setText(QString::fromStdString(error.advice));
+    m_verdict->tell(QString::fromStdString(error.why), QString::fromStdString(error.advice));
 }
 
 void MarkerPage::showNotSaved(const Error &error)
 {
-    m_advice->setText(tr("The registration was not stored. %1").arg(QString::fromStdString(error.message())));
+    m_verdict->tellNotSaved(error);
 }
 
 void MarkerPage::begin(std::shared_ptr<const StillPicture> picture, const MarkerLayout &layout, const std::optional<Intrinsics> &lens)
@@ -191,16 +175,14 @@ void MarkerPage::evaluate()
         if (registered) {
             m_registration = *registered;
             view = floorViewOf(*registered, *CameraModel::create(registered->intrinsics), m_pixels);
-            m_verdict->setText(QString::fromStdString(registered->verdict));
-            const Eigen::Vector3d &at = registered->worldFromCamera.translation;
-            const QLocale locale;
-            m_advice->setText(tr("It stands at x %1 m, y %2 m, %3 m above the floor.")
-                                  .arg(locale.toString(at.x(), 'f', 2), locale.toString(at.y(), 'f', 2), locale.toString(at.z(), 'f', 2)));
+            m_verdict->tell(*registered);
         } else {
-            m_verdict->setText(QString::fromStdString(registered.error().why));
-            m_advice->setText(m_pixels.size() < 4 ? tr("Choose a marker in the table and click where it is; what lies near the click is "
-                                                       "taken to the tenth of a pixel.")
-                                                  : QString::fromStdString(registered.error().advice));
+            m_verdict->tell(
+                QString::fromStdString(registered.error().why),
+                m_pixels.size() < 4
+                    ? tr("Choose a marker in the table and click where it is; what lies near the click is "
+                         "taken to the tenth of a pixel.")
+                    : QString::fromStdString(registered.error().advice));
         }
     }
     m_canvas->setMarkers(m_pixels);

@@ -8,12 +8,12 @@
 #include <vector>
 
 class QAction;
-class QLabel;
 class QTableWidget;
 
 namespace odo {
 
 class MarkerCanvas;
+class RegistrationVerdict;
 
 /// Second page of the floor wizard: the markers in the picture, found or put by hand, and at once where the camera
 /// stands, how well each marker fits, and what is wrong.
@@ -57,7 +57,7 @@ private:
     std::optional<FloorRegistration> m_registration;
     MarkerCanvas *m_canvas;
     QTableWidget *m_table;
-    QLabel *m_verdict, *m_advice;
+    RegistrationVerdict *m_verdict;
     QAction *m_remove, *m_undo;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/together/shared_points_page.h"
+#include "ui/testbed/floor/registration_verdict.h"
 
 #include "core/base/units.h"
 #include "core/calibration/lens_influence.h"
@@ -36,9 +37,10 @@ QString wholeMillimetres(double metres)
 } // namespace
 
 SharedPointsPage::SharedPointsPage(QWidget *parent)
-    : QWidget(parent), m_canvas(new MarkerCanvas), m_throughCanvas(new MarkerCanvas), m_name(new QLabel), m_throughName(new QLabel),
-      m_table(new QTableWidget(0, ColumnCount)), m_verdict(new QLabel), m_advice(new QLabel),
-      m_remove(new QAction(tr("&Take out"), this)), m_undo(new QAction(tr("&Undo"), this))
+    : QWidget(parent), m_canvas(new MarkerCanvas), m_throughCanvas(new MarkerCanvas), m_name(new QLabel),
+      m_throughName(new QLabel), m_table(new QTableWidget(0, ColumnCount)),
+      m_verdict(new RegistrationVerdict), m_remove(new QAction(tr("&Take out"), this)),
+      m_undo(new QAction(tr("&Undo"), this))
 {
     m_remove->setShortcut(QKeySequence::Delete);
     m_undo->setShortcut(QKeySequence::Undo);
@@ -93,29 +95,13 @@ QWidget *SharedPointsPage::makeTable()
 
 QWidget *SharedPointsPage::makeSide()
 {
-    for (QLabel *label : {m_verdict, m_advice}) {
-        label->setWordWrap(true);
-        label->setTextFormat(Qt::PlainText);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    }
-    m_verdict->setStyleSheet(QStringLiteral("font-weight: 600"));
-    m_verdict->setAccessibleName(tr("Verdict"));
-    m_advice->setObjectName(QStringLiteral("quiet"));
     auto *points = new Card(tr("Points of the floor"));
     points->setContent(makeTable());
-    auto *said = new QWidget;
-    auto *saidLayout = new QVBoxLayout(said);
-    saidLayout->setContentsMargins(12, 10, 12, 10);
-    saidLayout->addWidget(m_verdict);
-    saidLayout->addWidget(m_advice);
-    saidLayout->addStretch(1);
-    auto *result = new Card(tr("Where the camera stands"));
-    result->setContent(said);
     auto *side = new QWidget;
     auto *layout = new QHBoxLayout(side);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(points, 1);
-    layout->addWidget(result, 1);
+    layout->addWidget(m_verdict, 1);
     return side;
 }
 
@@ -129,19 +115,18 @@ void SharedPointsPage::wait(const QString &words)
         canvas->setEmptyText(words);
     }
     evaluate();
-    m_verdict->setText(words);
-    m_advice->clear();
+    m_verdict->tell(words, {});
 }
 
 void SharedPointsPage::showFailure(const Error &error)
 {
     wait(QString::fromStdString(error.why));
-    m_advice->setText(QString::fromStdString(error.advice));
+    m_verdict->tell(QString::fromStdString(error.why), QString::fromStdString(error.advice));
 }
 
 void SharedPointsPage::showNotSaved(const Error &error)
 {
-    m_advice->setText(tr("The registration was not stored. %1").arg(QString::fromStdString(error.message())));
+    m_verdict->tellNotSaved(error);
 }
 
 void SharedPointsPage::begin(std::shared_ptr<const PicturePair> pictures, const FloorCamera &camera, const CheckCamera &through)
@@ -272,17 +257,15 @@ void SharedPointsPage::evaluate()
             m_registration = *chained;
             const FloorRegistration &registration = chained->registration;
             view = floorViewOf(registration, *CameraModel::create(registration.intrinsics), chained->pixels);
-            const Eigen::Vector3d &at = registration.worldFromCamera.translation;
-            const QLocale locale;
-            m_verdict->setText(QString::fromStdString(registration.verdict));
-            m_advice->setText(tr("It stands at x %1 m, y %2 m, %3 m above the floor.")
-                                  .arg(locale.toString(at.x(), 'f', 2), locale.toString(at.y(), 'f', 2), locale.toString(at.z(), 'f', 2)));
+            m_verdict->tell(registration);
         } else {
-            m_verdict->setText(QString::fromStdString(chained.error().why));
-            m_advice->setText(shared.size() < fewestPoints
-                                  ? tr("Click a point of the floor in the left picture, then the same one in the right picture. What lies "
-                                       "near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.")
-                                  : QString::fromStdString(chained.error().advice));
+            m_verdict->tell(QString::fromStdString(chained.error().why),
+                            shared.size() < fewestPoints
+                                ? tr("Click a point of the floor in the left picture, then the same one in "
+                                     "the right picture. What lies "
+                                     "near a click is taken to the tenth of a pixel; the arrow keys move the "
+                                     "chosen point, Space snaps it.")
+                                : QString::fromStdString(chained.error().advice));
         }
     }
     m_canvas->setFloor(view, m_through ? m_through->layout : MarkerLayout());

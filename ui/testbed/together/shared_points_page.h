@@ -18,6 +18,7 @@ class QTableWidget;
 namespace odo {
 
 class MarkerCanvas;
+class RegistrationVerdict;
 
 /// The pictures of two cameras between which points of the floor are told to be the same.
 struct PicturePair
@@ -79,7 +80,7 @@ private:
     MarkerCanvas *m_canvas, *m_throughCanvas;
     QLabel *m_name, *m_throughName;
     QTableWidget *m_table;
-    QLabel *m_verdict, *m_advice;
+    RegistrationVerdict *m_verdict;
     QAction *m_remove, *m_undo;
 };
 
