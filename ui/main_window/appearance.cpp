@@ -2,13 +2,13 @@
 #include "ui/main_window/appearance.h"
 
 #include "resources/resources.h"
+#include "ui/main_window/framed_style.h"
 #include "ui/views/theme.h"
 #include "ui/views/theme_icon.h"
 
 #include <QApplication>
 #include <QHash>
 #include <QPalette>
-#include <QStyleFactory>
 
 namespace odo {
 namespace {
@@ -97,7 +97,7 @@ void applyAppearance(QApplication &application, Theme theme)
 {
     // Under a style sheet the style's name is empty, so the first call is told by the sheet.
     if (application.styleSheet().isEmpty()) {
-        application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+        application.setStyle(new FramedStyle);
         application.setWindowIcon(themeIcon(QStringLiteral("odograph")));
     }
     const bool dark = theme == Theme::System ? desktopIsDark(application) : theme == Theme::Dark;

@@ -88,6 +88,7 @@ ThemeColours ThemeColours::of(const QPalette &palette)
     if (colours.muted == colours.text)
         colours.muted = QColor(dark ? 0xffa0abb6 : 0xff5b6672);
     colours.border = QColor(dark ? 0xff38424c : 0xffd0d6dc);
+    colours.field = QColor(dark ? 0xff75808c : 0xff7d8790);
     colours.grid = QColor(dark ? 0xff323b44 : 0xffe8ebee);
     colours.accent = palette.color(QPalette::Highlight);
     colours.selection = QColor(dark ? 0xff2c4456 : 0xffe4f2fa);

@@ -19,6 +19,7 @@ bool isDark(const QPalette &palette);
 struct ThemeColours
 {
     QColor card, border, text, muted;
+    QColor field;     ///< frame of what is written or chosen; 3:1 to the grounds it lies on
     QColor grid;      ///< of a chart
     QColor accent;    ///< play button, slider
     QColor selection; ///< ground of a chosen row; its text keeps its colour

@@ -175,6 +175,8 @@ private Q_SLOTS:
             QVERIFY(contrast(colours.text, colours.card) >= 7);
             QVERIFY(contrast(colours.muted, colours.card) >= 4.5);
             QVERIFY(contrast(colours.muted, colours.mapGround) >= 4.5);
+            for (const auto role : {QPalette::Window, QPalette::Base, QPalette::Button})
+                QVERIFY(contrast(colours.field, palette.color(role)) >= 3); // WCAG 2.1, 1.4.11
             QVERIFY(contrast(colours.bubbleText, colours.bubble) >= 7);
             for (const auto state :
                  {BadgeState::Neutral, BadgeState::Good, BadgeState::Warning, BadgeState::Bad})
