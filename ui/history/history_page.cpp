@@ -115,11 +115,11 @@ QWidget *HistoryPage::makeTable()
     m_table->setSortingEnabled(true);
     m_table->sortByColumn(TrialModel::DateColumn, Qt::DescendingOrder);
     m_table->horizontalHeader()->setResizeContentsPrecision(0); // of what is on screen, not of thousands
-    m_table->horizontalHeader()->setSectionResizeMode(TrialModel::TaskColumn, QHeaderView::Stretch);
     m_table->horizontalHeader()->moveSection(TrialModel::StarColumn, 0);
     m_table->horizontalHeader()->setSectionResizeMode(TrialModel::StarColumn, QHeaderView::Fixed);
     m_table->horizontalHeader()->resizeSection(TrialModel::StarColumn, 2 * fontMetrics().height());
     m_table->installEventFilter(this);
+    m_table->viewport()->installEventFilter(this);
     connect(m_table, &QTableView::doubleClicked, this, [this](const QModelIndex &index) {
         if (!(index.flags() & (Qt::ItemIsEditable | Qt::ItemIsUserCheckable)))
             Q_EMIT trialChosen(currentTrial());
@@ -249,12 +249,19 @@ void HistoryPage::endReading(std::vector<TrialRow> rows)
         filter();
     m_table->setColumnHidden(TrialModel::ScoreColumn,
                              std::ranges::none_of(m_trials->allRows(), &TrialRow::isScored));
-    m_table->resizeColumnsToContents();
+    fitTable();
     selectTrial(selected);
     showCount();
     showCurrent();
     showTeams();
     Q_EMIT settled();
+}
+
+void HistoryPage::fitTable()
+{
+    fitColumns(*m_table, TrialModel::TaskColumn,
+               {TrialModel::NameColumn, TrialModel::TeamColumn, TrialModel::ClassColumn,
+                TrialModel::TaskColumn, TrialModel::RobotsColumn, TrialModel::TagsColumn});
 }
 
 void HistoryPage::offerFilters()
@@ -376,7 +383,9 @@ void HistoryPage::showCount()
 
 bool HistoryPage::eventFilter(QObject *watched, QEvent *event)
 {
-    if (event->type() != QEvent::KeyPress)
+    if (watched == m_table->viewport() && event->type() == QEvent::Resize)
+        fitTable();
+    if (event->type() != QEvent::KeyPress || watched == m_table->viewport())
         return QWidget::eventFilter(watched, event);
     const int key = static_cast<QKeyEvent *>(event)->key();
     if (key == Qt::Key_Return || key == Qt::Key_Enter) {

@@ -81,6 +81,7 @@ private:
     QStringList selectedTrials() const; ///< from top to bottom
     void readMore();
     void endReading(std::vector<TrialRow> rows);
+    void fitTable();
     void offerFilters();
     void filter();
     void reload(const QList<qint64> &trials);

@@ -40,8 +40,8 @@ void FramedStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *op
         drawFrame(*option, option->rect, *painter);
 }
 
-void FramedStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex *option, QPainter *painter,
-                                     const QWidget *widget) const
+void FramedStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex *option,
+                                     QPainter *painter, const QWidget *widget) const
 {
     QProxyStyle::drawComplexControl(control, option, painter, widget);
     if (control == CC_SpinBox)

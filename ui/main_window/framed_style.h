@@ -5,8 +5,9 @@
 
 namespace odo {
 
-/// Fusion, but for the frames of fields (lines, numbers, choices): Fusion makes them by darkening the window's colour, which
-/// can hardly be seen on a dark ground. Here they have 3:1 to what is on either side (WCAG 2.1, 1.4.11).
+/// Fusion, but for the frames of fields (lines, numbers, choices): Fusion makes them by darkening the
+/// window's colour, which can hardly be seen on a dark ground. Here they have 3:1 to what is on either side
+/// (WCAG 2.1, 1.4.11).
 class FramedStyle : public QProxyStyle
 {
     Q_OBJECT

@@ -301,7 +301,7 @@ QVariant TrialModel::data(const QModelIndex &index, int role) const
             return tr("Tags, separated by commas: double-click or F2 changes them");
         if (column == ScoreColumn && row.score) // a tool tip guesses at rich text
             return scoreLines(*row.score).join(u'\n').toHtmlEscaped();
-        return column == StarColumn ? QVariant(tr("Star (Ctrl+D)")) : QVariant();
+        return column == StarColumn ? tr("Star (Ctrl+D)") : display(row, column).toHtmlEscaped();
     case Qt::TextAlignmentRole: {
         const bool number = column == DurationColumn || column == TopSpeedColumn || column == ScoreColumn;
         return QVariant::fromValue(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QList>
 #include <vector>
 
 class QTableView;
@@ -10,6 +11,10 @@ namespace odo {
 /// Lets a table look and behave as a list of rows, as all of Odograph's dialogs show them: rows are chosen, cells are not
 /// edited, there is no grid and no row numbers, and Tab goes on to the next widget.
 void showAsList(QTableView &table);
+
+/// Makes the columns as wide as their content. What is left goes to one of them; where they do not all fit,
+/// those that may give way become narrower, the widest first, to eight letters at the least.
+void fitColumns(QTableView &table, int taking, const QList<int> &givingWay);
 
 /// The record that a row shows; nullptr where no row is chosen (-1), or where the row shows none.
 template <class Record>

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/table_list.h"
+
+#include <QHeaderView>
+#include <QTableWidget>
+#include <QTest>
+
+using namespace odo;
+
+class TestTableList : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void aRowThatIsNotThereHasNoRecord()
+    {
+        const std::vector<int> records{7, 8};
+        QCOMPARE(*recordAt(records, 1), 8);
+        QVERIFY(!recordAt(records, -1) && !recordAt(records, 2));
+    }
+
+    void whatIsLeftGoesToOneColumn()
+    {
+        QTableWidget table(1, 3);
+        fill(table, 600);
+        const int before = table.columnWidth(0);
+        fitColumns(table, 1, {0, 1});
+        QCOMPARE(table.horizontalHeader()->length(), table.viewport()->width());
+        QCOMPARE(table.columnWidth(0), before);
+    }
+
+    void theWidestGiveWayFirst()
+    {
+        QTableWidget table(1, 3);
+        table.setItem(0, 0, new QTableWidgetItem(QString(60, u'm')));
+        table.setItem(0, 1, new QTableWidgetItem(QString(12, u'm')));
+        fill(table, 400);
+        const int narrow = table.columnWidth(1), figure = table.columnWidth(2);
+        fitColumns(table, 1, {0, 1});
+        QCOMPARE(table.horizontalHeader()->length(), table.viewport()->width());
+        QCOMPARE(table.columnWidth(1), narrow); // the other one was enough
+        QCOMPARE(table.columnWidth(2), figure);
+    }
+
+    void nothingBecomesTooNarrowToRead()
+    {
+        QTableWidget table(1, 3);
+        table.setItem(0, 0, new QTableWidgetItem(QString(60, u'm')));
+        fill(table, 60);
+        fitColumns(table, 1, {0});
+        QCOMPARE(table.columnWidth(0), 8 * table.fontMetrics().averageCharWidth());
+        QVERIFY(table.horizontalHeader()->length() > table.viewport()->width()); // and can be scrolled
+    }
+
+private:
+    static void fill(QTableWidget &table, int width)
+    {
+        table.horizontalHeader()->setMinimumSectionSize(1);
+        for (int column = 0; column < 3; ++column)
+            if (!table.item(0, column))
+                table.setItem(0, column, new QTableWidgetItem(QStringLiteral("7.5 s")));
+        table.resize(width, 200);
+        table.show();
+        table.resizeColumnsToContents();
+    }
+};
+
+QTEST_MAIN(TestTableList)
+#include "tst_table_list.moc"
