@@ -39,9 +39,11 @@ void drawChartAxes(QPainter &painter, const ChartPlot &plot, const ShownUnit &be
     const AxisTicks ticks = niceTicks(below.perSi * plot.low, below.perSi * plot.high,
                                       std::max(2, int(plot.rect.width() / (1.6 * labelWidth))));
     for (const double value : ticks.values()) {
-        const double x = plot.at(value / below.perSi, 0).x();
+        const QString label = ticks.label(value) + u' ' + below.name;
+        const double last = plot.rect.right() + ChartPlot::rightMargin - metrics.horizontalAdvance(label) / 2;
+        const double x = std::min(plot.at(value / below.perSi, 0).x(), last); // at the end it is not cut
         painter.drawText(QRectF(x - labelWidth, plot.rect.bottom() + 5, 2 * labelWidth, metrics.height()),
-                         Qt::AlignHCenter, ticks.label(value) + u' ' + below.name);
+                         Qt::AlignHCenter, label);
     }
 }
 
