@@ -41,7 +41,9 @@ QTableWidgetItem *colourItem(const RobotRecord &robot)
 {
     QPixmap swatch(swatchSide, swatchSide);
     swatch.fill(QColor(robot.colour.red, robot.colour.green, robot.colour.blue));
-    return new QTableWidgetItem(swatch, QString::fromStdString(robot.colour.toString()));
+    QIcon icon(swatch);
+    icon.addPixmap(swatch, QIcon::Selected); // in a chosen row too it is the colour of the robot
+    return new QTableWidgetItem(icon, QString::fromStdString(robot.colour.toString()));
 }
 
 } // namespace
