@@ -174,7 +174,7 @@ private Q_SLOTS:
         QVERIFY(!record.calibration.lensReason.empty());
         QCOMPARE(record.files.size(), job.calibration().pictures.size());
         for (const StoredPicture &picture : record.files) {
-            QVERIFY2(picture.path.starts_with("run.media/calibration/Cam_1_board_"), picture.path.c_str());
+            QVERIFY2(picture.path.starts_with("run.media/calibration/Cam-1_board_"), picture.path.c_str());
             QCOMPARE(qint64(picture.bytes), QFileInfo(m_folder->filePath(QString::fromStdString(picture.path))).size());
         }
         QVERIFY(m_project->check(true)->empty());

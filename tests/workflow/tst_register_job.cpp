@@ -65,10 +65,10 @@ private Q_SLOTS:
         m_project.reset();
         m_project = std::move(*Project::open(path("run.odo"), Project::Access::ReadWrite));
         const StoredPicture picture = inForce().picture;
-        QCOMPARE(picture.path, std::string("run.media/calibration/A_1_floor.png"));
+        QCOMPARE(picture.path, std::string("run.media/calibration/A-1_floor.png"));
         QVERIFY(m_project->check(true)->empty());
         const auto revisions = revisionsOf(*m_project, "A/1");
-        QCOMPARE(revisions->front().picture, std::filesystem::absolute(path("run.media/calibration/A_1_floor.png")));
+        QCOMPARE(revisions->front().picture, std::filesystem::absolute(path("run.media/calibration/A-1_floor.png")));
         QCOMPARE(revisions->front().markers.size(), std::size_t(4));
         // The markers are found in it again, where they were.
         RegisterSettings again = byPicture();
@@ -83,7 +83,7 @@ private Q_SLOTS:
     {
         RegisterJob job(byPicture());
         QVERIFY(runToEnd(job, *m_project, {}).has_value());
-        const std::filesystem::path kept = path("run.media/calibration/A_1_floor.png");
+        const std::filesystem::path kept = path("run.media/calibration/A-1_floor.png");
         const auto bytes = std::filesystem::file_size(kept);
         QFile file(QString::fromStdString(kept.string()));
         QVERIFY(file.open(QIODevice::ReadWrite) && file.seek(qint64(bytes) / 2) && file.write("changed") == 7);
@@ -119,7 +119,7 @@ private Q_SLOTS:
         // Anew with the lens: the same markers in the same picture.
         const auto again = registerWithLensInForce(*m_project, "A/1");
         QVERIFY2(again.has_value(), again ? "" : again.error().message().c_str());
-        QCOMPARE(again->picture.path, std::string("run.media/calibration/A_1_floor.png"));
+        QCOMPARE(again->picture.path, std::string("run.media/calibration/A-1_floor.png"));
         QVERIFY(m_project->check(true)->empty());
         settings.pictureFile.clear();
         RegisterJob without(settings);
