@@ -29,9 +29,7 @@ Result<std::map<std::string, ClassFigure>> classFigures(Project &project, const 
     }
     std::map<std::string, ClassFigure> figures;
     for (const std::string &metric : metrics) {
-        const auto all = metric == scoreMetric
-                             ? scoreFigures(project, Instant::min(), Instant::max())
-                             : project.analyses().figures(metric, Instant::min(), Instant::max());
+        const auto all = figuresOf(project, metric);
         if (!all)
             return tl::unexpected(all.error());
         std::vector<double> values;

@@ -41,4 +41,10 @@ Result<std::vector<TrialFigure>> scoreFigures(Project &project, Instant from, In
     return figures;
 }
 
+Result<std::vector<TrialFigure>> figuresOf(Project &project, const std::string &metric)
+{
+    return metric == scoreMetric ? scoreFigures(project, Instant::min(), Instant::max())
+                                 : project.analyses().figures(metric, Instant::min(), Instant::max());
+}
+
 } // namespace odo

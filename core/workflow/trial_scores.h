@@ -31,4 +31,8 @@ Result<std::vector<TrialScore>> trialScores(Project &project, Instant from, Inst
 /// The same as figures with the name scoreMetric; runs without a score are left out.
 Result<std::vector<TrialFigure>> scoreFigures(Project &project, Instant from, Instant to);
 
+/// A figure of the newest analysis of each robot, of all trials: a metric by its name, or the score by
+/// scoreMetric.
+Result<std::vector<TrialFigure>> figuresOf(Project &project, const std::string &metric);
+
 } // namespace odo

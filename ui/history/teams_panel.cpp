@@ -72,12 +72,9 @@ void TeamsPanel::offer()
         metrics << QString::fromLatin1(scoreMetric);
         metricNames << metricName(scoreMetric);
     }
-    std::vector<Metric> known;
-    for (const std::string &name : m_project.analyses().metricNames().value_or(std::vector<std::string>()))
-        known.push_back({name, {}, 0, {}});
-    for (const Metric &metric : tellingMetrics(known, known.size())) {
-        metrics << QString::fromStdString(metric.name);
-        metricNames << metricName(metric.name);
+    for (const std::string &name : tellingNames(m_project.analyses().metricNames().value_or(std::vector<std::string>()))) {
+        metrics << QString::fromStdString(name);
+        metricNames << metricName(name);
     }
     fillChoice(*m_class, classes, classesShown, 1);
     fillChoice(*m_task, tasks, tasks, 1);
@@ -94,8 +91,7 @@ void TeamsPanel::showTrials(std::span<const TrialRecord *const> trials)
     const QModelIndex current = m_table->currentIndex();
     const std::string selected = current.isValid() ? m_model->team(current.row()).team : std::string();
     const StandingsChoice choice{chosenWord(*m_class), chosenWord(*m_task), chosenWord(*m_metric)};
-    const auto figures = choice.metric == scoreMetric ? scoreFigures(m_project, Instant::min(), Instant::max())
-                                                      : m_project.analyses().figures(choice.metric, Instant::min(), Instant::max());
+    const auto figures = figuresOf(m_project, choice.metric);
     const auto otherwise = m_project.analyses().trialsMeasuredOtherwise();
     if (!figures || !otherwise) {
         Q_EMIT failed(figures ? otherwise.error() : figures.error());

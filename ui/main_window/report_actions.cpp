@@ -90,11 +90,8 @@ ReportChoices ReportActions::choices() const
         choices.tasks << QString::fromStdString(task.name);
     if (const auto scorings = project.tasks().scorings(); scorings && !scorings->empty())
         choices.figures.push_back(scoreMetric);
-    std::vector<Metric> known;
-    for (const std::string &name : project.analyses().metricNames().value_or(std::vector<std::string>()))
-        known.push_back({name, {}, 0, {}});
-    for (const Metric &metric : tellingMetrics(known, known.size()))
-        choices.figures.push_back(metric.name);
+    for (std::string &name : tellingNames(project.analyses().metricNames().value_or(std::vector<std::string>())))
+        choices.figures.push_back(std::move(name));
     return choices;
 }
 

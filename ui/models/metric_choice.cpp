@@ -25,4 +25,15 @@ std::vector<Metric> tellingMetrics(const std::vector<Metric> &all, std::size_t c
     return chosen;
 }
 
+std::vector<std::string> tellingNames(const std::vector<std::string> &names)
+{
+    std::vector<Metric> known;
+    for (const std::string &name : names)
+        known.push_back({name, {}, 0, {}});
+    std::vector<std::string> ordered;
+    for (Metric &metric : tellingMetrics(known, known.size()))
+        ordered.push_back(std::move(metric.name));
+    return ordered;
+}
+
 } // namespace odo

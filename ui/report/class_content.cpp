@@ -62,11 +62,8 @@ Result<std::string> usualMetric(Project &project, const std::string &task)
     const auto names = project.analyses().metricNames();
     if (!names)
         return tl::unexpected(names.error());
-    std::vector<Metric> known;
-    for (const std::string &name : *names)
-        known.push_back({name, {}, 0, {}});
-    const std::vector<Metric> telling = tellingMetrics(known, 1);
-    return telling.empty() ? std::string() : telling.front().name;
+    const std::vector<std::string> telling = tellingNames(*names);
+    return telling.empty() ? std::string() : telling.front();
 }
 
 } // namespace
@@ -95,9 +92,7 @@ Result<ClassContentPtr> readClassContent(Project &project, const ClassReportSett
             return tl::unexpected(metric.error());
         chosen.metric = std::move(*metric);
     }
-    const auto figures = chosen.metric == scoreMetric
-                             ? scoreFigures(project, Instant::min(), Instant::max())
-                             : project.analyses().figures(chosen.metric, Instant::min(), Instant::max());
+    const auto figures = figuresOf(project, chosen.metric);
     if (!figures)
         return tl::unexpected(figures.error());
     const auto otherwise = project.analyses().trialsMeasuredOtherwise();
