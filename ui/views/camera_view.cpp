@@ -11,13 +11,6 @@ namespace odo {
 
 namespace {
 
-QString viewTitle(const SceneView &view)
-{
-    const QString name = QString::fromStdString(view.camera);
-    constexpr qsizetype shortName = 2; // "A" alone says little
-    return name.size() <= shortName ? CameraView::tr("Camera %1").arg(name) : name;
-}
-
 QString viewRemark(const TrialScene &scene, std::size_t index)
 {
     const RecordingRecord &recording = scene.views[index].recording;
@@ -36,6 +29,13 @@ QString viewRemark(const TrialScene &scene, std::size_t index)
 }
 
 } // namespace
+
+QString viewTitle(const SceneView &view)
+{
+    const QString name = QString::fromStdString(view.camera);
+    constexpr qsizetype shortName = 2; // "A" alone says little
+    return name.size() <= shortName ? CameraView::tr("Camera %1").arg(name) : name;
+}
 
 CameraView::CameraView(Timeline &timeline, QWidget *parent)
     : Card(tr("Camera"), parent), m_area(new PictureArea(timeline, this))

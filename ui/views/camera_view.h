@@ -10,6 +10,9 @@ namespace odo {
 class PictureArea;
 class Timeline;
 
+/// What a view is called: "Camera A", or its longer name.
+QString viewTitle(const SceneView &view);
+
 /// One view of a trial: its picture at the shared time, and on it the robots' ellipses, their trails, the
 /// world's axes and the floor grid, all through the registered camera.
 class CameraView : public Card

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/chart_area.h"
 
-#include "ui/models/figure_text.h"
 #include "ui/models/shown_units.h"
 #include "ui/models/timeline.h"
 #include "ui/views/chart_span.h"
-#include "ui/views/curve_painting.h"
 #include "ui/views/theme.h"
 
 #include <QApplication>
@@ -62,37 +60,14 @@ void ChartArea::rebuild()
 {
     if (m_span.scene() != m_scene) // a scene comes to the span first, and to the charts one after the other
         return;
-    m_curves.clear();
-    std::vector<const CurveRun *> runs;
-    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot)
-        m_curves.push_back(curvesOf(robot));
-    for (const RobotCurves &curves : m_curves)
-        for (const CurveRun &run : curves.runs)
-            runs.push_back(&run);
-    m_range = valueRange(runs, m_quantity);
+    m_curves = TrialCurves(m_scene, m_quantity, m_span.places());
     setTicks();
-}
-
-ChartArea::RobotCurves ChartArea::curvesOf(std::size_t robot) const
-{
-    const auto &analysis = m_scene->robots[robot].analysis;
-    if (!analysis)
-        return {};
-    const Profile &profile = analysis->profile;
-    const std::vector<double> &places = m_span.places(robot);
-    RobotCurves curves;
-    curves.values = curveValues(profile, m_quantity);
-    curves.runs = curveRuns(curves.values, m_quantity, places);
-    std::erase_if(curves.runs, [](const CurveRun &run) { return run.line.size() < 2; });
-    curves.measured = measuredPoints(profile, m_quantity, places);
-    curves.spikes = spikePoints(profile, m_quantity, places);
-    return curves;
 }
 
 void ChartArea::setTicks()
 {
     const int most = std::max(2, int(plotRect().height() / 23));
-    m_valueTicks = coveringTicks(m_range.low, m_range.high, most);
+    m_valueTicks = coveringTicks(m_curves.range().low, m_curves.range().high, most);
     forget();
 }
 
@@ -115,21 +90,7 @@ void ChartArea::drawStill(QPainter &painter) const
 {
     const bool isTime = m_span.against() == ChartSpan::Against::Time;
     drawChartAxes(painter, plot(), isTime ? ShownUnit{QStringLiteral("s"), 1} : shownUnits().distance, font(), palette());
-    bool isEmpty = true;
-    for (const RobotCurves &curves : m_curves)
-        drawCurvePoints(painter, plot(), curves.measured, ThemeColours::of(palette()).point);
-    for (std::size_t robot = 0; robot < m_curves.size(); ++robot)
-        for (const CurveRun &run : m_curves[robot].runs) {
-            drawCurveRun(painter, plot(), run, {seriesColour(int(robot), palette()), seriesDash(int(robot))});
-            isEmpty = false;
-        }
-    painter.setRenderHint(QPainter::Antialiasing);
-    for (const RobotCurves &curves : m_curves)
-        drawChartSpikes(painter, plot(), curves.spikes, palette());
-    if (m_scene && isEmpty) {
-        painter.setPen(ThemeColours::of(palette()).muted);
-        painter.drawText(plotRect(), Qt::AlignCenter, tr("No curve yet: track the trial"));
-    }
+    m_curves.draw(painter, plot(), palette());
 }
 
 void ChartArea::drawFit(QPainter &painter) const
@@ -144,41 +105,15 @@ void ChartArea::drawFit(QPainter &painter) const
     drawChartFit(painter, plot(), values, palette());
 }
 
-std::optional<CurveValue> ChartArea::valueAt(std::size_t robot, Nanoseconds time) const
-{
-    const auto &analysis = m_scene->robots[robot].analysis;
-    if (!analysis)
-        return std::nullopt;
-    const std::vector<Sample> &samples = analysis->profile.samples;
-    const auto after =
-        std::upper_bound(samples.begin(), samples.end(), time,
-                         [](Nanoseconds wanted, const Sample &sample) { return wanted < sample.time; });
-    return after == samples.begin()
-               ? std::nullopt
-               : m_curves[robot].values[static_cast<std::size_t>(after - samples.begin()) - 1];
-}
-
 void ChartArea::drawCursor(QPainter &painter) const
 {
     if (m_timeline.frameCount() == 0)
         return;
     const Nanoseconds now = m_timeline.currentTime();
-    const auto isVisible = [this](double place) { return place >= m_span.low() && place <= m_span.high(); };
-    if (const double place = m_span.cursorPlace(now); isVisible(place))
+    if (const double place = m_span.cursorPlace(now); place >= m_span.low() && place <= m_span.high())
         drawChartCursor(painter, plot(), place, palette());
-    const QString unit = curveUnit(m_quantity);
-    double top = plotRect().top();
-    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
-        const auto value = valueAt(robot, now);
-        const double place = m_span.placeOf(robot, now);
-        if (!value || !isVisible(place))
-            continue;
-        QString text = figureText(value->value, value->sigma, unit).text();
-        if (m_scene->robots.size() > 1)
-            text.prepend(QString::fromStdString(m_scene->robots[robot].robot.name) + QStringLiteral(": "));
-        top = drawChartBubble(painter, plot(), {place, value->value}, top, text,
-                              seriesColour(int(robot), palette()), palette());
-    }
+    m_curves.drawValues(
+        painter, plot(), now, [this, now](std::size_t robot) { return m_span.placeOf(robot, now); }, palette());
 }
 
 void ChartArea::paintEvent(QPaintEvent *)

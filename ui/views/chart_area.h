@@ -5,12 +5,11 @@
 #include "core/trajectory/curve_fit.h"
 #include "ui/models/trial_scene.h"
 #include "ui/views/chart_painting.h"
-#include "ui/views/profile_curve.h"
 #include "ui/views/still_layer.h"
+#include "ui/views/trial_curves.h"
 
 #include <QWidget>
 #include <optional>
-#include <vector>
 
 namespace odo {
 
@@ -58,15 +57,7 @@ protected:
     void wheelEvent(QWheelEvent *event) override;
 
 private:
-    /// One robot's curves.
-    struct RobotCurves
-    {
-        std::vector<std::optional<CurveValue>> values; ///< one a sample
-        std::vector<CurveRun> runs;
-        QList<QPointF> measured, spikes;
-    };
     void rebuild();
-    RobotCurves curvesOf(std::size_t robot) const;
     void setTicks();
     void forget();
     QRectF plotRect() const;
@@ -74,16 +65,14 @@ private:
     void drawStill(QPainter &painter) const;
     void drawFit(QPainter &painter) const;
     void drawCursor(QPainter &painter) const;
-    std::optional<CurveValue> valueAt(std::size_t robot, Nanoseconds time) const;
     Nanoseconds timeAt(double x) const;
 
     Timeline &m_timeline;
     ChartSpan &m_span;
     Quantity m_quantity;
     TrialScenePtr m_scene;
-    std::vector<RobotCurves> m_curves; ///< one a robot
+    TrialCurves m_curves;
     std::optional<FitOverlay> m_fit;
-    ValueRange m_range;
     AxisTicks m_valueTicks;
     std::optional<double> m_pressedX; ///< of the left button
     bool m_isDragged = false;

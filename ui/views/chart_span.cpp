@@ -3,6 +3,7 @@
 
 #include "core/trajectory/driven_way.h"
 #include "ui/models/timeline.h"
+#include "ui/views/profile_curve.h"
 
 #include <QAction>
 #include <algorithm>
@@ -68,11 +69,7 @@ void ChartSpan::makePlaces()
         std::vector<double> places;
         if (const auto &analysis = m_scene->robots[robot].analysis) {
             const Profile &profile = analysis->profile;
-            if (m_against == Against::Distance)
-                places = drivenWay(profile.samples, profile.points);
-            else
-                for (const Sample &sample : profile.samples)
-                    places.push_back(toSeconds(sample.time));
+            places = m_against == Against::Distance ? drivenWay(profile.samples, profile.points) : sampleTimes(profile);
             if (m_against == Against::Distance && !places.empty())
                 m_wholeHigh = std::max(m_wholeHigh, places.back());
         }

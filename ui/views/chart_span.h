@@ -45,6 +45,8 @@ public:
 
     /// Where each sample of a robot lies; they never fall. Empty for a robot that was not tracked.
     const std::vector<double> &places(std::size_t robot) const { return m_places.at(robot); }
+    /// Of all robots.
+    const std::vector<std::vector<double>> &places() const { return m_places; }
     /// Where a robot is at a time, straight between its samples; of one that was not tracked the time itself,
     /// or 0.
     double placeOf(std::size_t robot, Nanoseconds time) const;

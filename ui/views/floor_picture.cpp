@@ -173,6 +173,18 @@ QImage toImage(const Accumulator &accumulator, const Plan &plan)
 
 } // namespace
 
+Eigen::AlignedBox2d floorExtent(const Eigen::AlignedBox2d &bounds)
+{
+    const Eigen::Vector2d beyond = Eigen::Vector2d::Constant(0.2 * bounds.sizes().maxCoeff());
+    return {bounds.min() - beyond, bounds.max() + beyond};
+}
+
+int floorSidePx(const Eigen::AlignedBox2d &extent, double pixelsPerMetre)
+{
+    return static_cast<int>(
+        std::clamp(std::ceil(extent.sizes().maxCoeff() * pixelsPerMetre), double(leastSide), double(longestSide)));
+}
+
 FloorPicture makeFloorPicture(const TrialScene &scene, const Eigen::AlignedBox2d &extent, int longestSidePx,
                               const CancelToken &cancel)
 {
@@ -204,26 +216,19 @@ FloorPictureMaker::~FloorPictureMaker()
 void FloorPictureMaker::make(TrialScenePtr scene, const Eigen::AlignedBox2d &bounds, double pixelsPerMetre)
 {
     m_scene = std::move(scene);
-    const Eigen::Vector2d beyond = Eigen::Vector2d::Constant(0.2 * bounds.sizes().maxCoeff());
-    m_extent = {bounds.min() - beyond, bounds.max() + beyond};
-    m_sidePx = sideFor(pixelsPerMetre);
+    m_extent = floorExtent(bounds);
+    m_sidePx = floorSidePx(m_extent, pixelsPerMetre);
     restart();
 }
 
 void FloorPictureMaker::setScale(double pixelsPerMetre)
 {
     constexpr double coarserAllowed = 1.4;
-    const int side = sideFor(pixelsPerMetre);
+    const int side = floorSidePx(m_extent, pixelsPerMetre);
     if (!m_scene || side <= coarserAllowed * m_sidePx)
         return;
     m_sidePx = side;
     restart();
-}
-
-int FloorPictureMaker::sideFor(double pixelsPerMetre) const
-{
-    return static_cast<int>(
-        std::clamp(std::ceil(m_extent.sizes().maxCoeff() * pixelsPerMetre), double(leastSide), double(longestSide)));
 }
 
 void FloorPictureMaker::restart()

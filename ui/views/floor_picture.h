@@ -18,6 +18,11 @@ struct FloorPicture
     Eigen::AlignedBox2d extent; ///< of the image on the floor, metres
 };
 
+/// What is made of the floor where these bounds must be seen: a little more, so that the picture does not end at the markers.
+Eigen::AlignedBox2d floorExtent(const Eigen::AlignedBox2d &bounds);
+/// How many pixels the longer side of it has, where it is shown this large.
+int floorSidePx(const Eigen::AlignedBox2d &extent, double pixelsPerMetre);
+
 /// Each point of the floor takes its colour from the views that see it, the one with the finest resolution
 /// there weighing most; the median over a few frames of each view removes whatever moves. Any thread; slow
 /// (decodes). A null image when nothing could be seen or the work was cancelled.
@@ -44,7 +49,6 @@ Q_SIGNALS:
     void ready(const odo::FloorPicture &picture);
 
 private:
-    int sideFor(double pixelsPerMetre) const;
     void restart();
     void begin();
     void finish(const FloorPicture &picture, bool givenUp);

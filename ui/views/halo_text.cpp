@@ -18,10 +18,13 @@ void drawHaloText(QPainter &painter, const QPointF &baseline, const QString &tex
     painter.restore();
 }
 
-void drawTag(QPainter &painter, const QPointF &leftMiddle, const QString &text, const QColor &colour,
+void drawTag(QPainter &painter, const QPointF &leftMiddle, const QString &fullText, const QColor &colour,
              const QRectF &frame)
 {
+    constexpr double shortest = 160;
     const QFontMetricsF metrics(painter.font());
+    const QString text = metrics.elidedText(fullText, Qt::ElideRight,
+                                            std::min(frame.width() - 14, std::max(shortest, frame.width() / 2)));
     QRectF box(leftMiddle.x(), leftMiddle.y() - metrics.height() / 2 - 1,
                metrics.horizontalAdvance(text) + 10, metrics.height() + 2);
     box.moveLeft(std::max(frame.left() + 2, std::min(box.left(), frame.right() - 2 - box.width())));

@@ -2,11 +2,10 @@
 #include "ui/views/map_area.h"
 
 #include "ui/models/figure_text.h"
-#include "ui/models/profile_place.h"
 #include "ui/models/timeline.h"
-#include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
 #include "ui/views/trail_painting.h"
+#include "ui/views/trial_map.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -117,58 +116,15 @@ void MapArea::paintLegend(QPainter &painter) const
 
 void MapArea::paintStill(QPainter &painter) const
 {
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    if (!m_floor.image.isNull()) {
-        constexpr double muted = 0.55; // the trail comes first
-        painter.setOpacity(muted);
-        painter.drawImage(QRectF(fromWorld({m_floor.extent.min().x(), m_floor.extent.max().y()}),
-                                 fromWorld({m_floor.extent.max().x(), m_floor.extent.min().y()})),
-                          m_floor.image);
-        painter.setOpacity(1);
-    }
-    drawMapFoot(painter, plan(), palette());
-    drawMapGrid(painter, plan(), palette(), !m_floor.image.isNull());
-    if (m_scene->layout)
-        drawMapMarkers(painter, plan(), *m_scene->layout, palette());
-    const auto toScreen = [this](const Eigen::Vector2d &point) { return fromWorld(point); };
-    if (m_scene->task)
-        drawReferencePath(painter, m_scene->task->path, toScreen, palette());
+    drawMapGround(painter, plan(), *m_scene, m_floor, palette());
     for (const SceneRobot &robot : m_scene->robots) {
         if (robot.analysis && m_colouring == MapColouring::Speed)
             drawSpeedTrail(painter, plan(), robot.analysis->profile, m_topSpeedMps, palette());
     }
     if (m_colouring == MapColouring::Disagreement)
         paintDisagreements(painter);
-    if (m_scene->task)
-        drawGates(painter, m_scene->task->gates, toScreen, palette());
-    for (const SceneRobot &robot : m_scene->robots) {
-        if (robot.analysis)
-            drawMapSpikes(painter, plan(), robot.analysis->profile, palette());
-    }
+    drawMapMarks(painter, plan(), *m_scene, palette());
     paintLegend(painter);
-}
-
-void MapArea::paintRobot(QPainter &painter, std::size_t robot) const
-{
-    const SceneRobot &shown = m_scene->robots[robot];
-    if (!shown.analysis)
-        return;
-    const Profile &profile = shown.analysis->profile;
-    const std::ptrdiff_t index = pointIndexAt(profile, m_timeline.currentTime());
-    if (index < 0)
-        return;
-    const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
-    const bool alone = m_scene->robots.size() == 1;
-    MapRobot sign{&shown.robot,
-                  point.position,
-                  point.sigmaXM,
-                  point.sigmaYM,
-                  drivenHeadingAt(profile, index),
-                  alone ? ThemeColours::of(palette()).spike : seriesColour(int(robot), palette()),
-                  {}};
-    if (!alone)
-        sign.label = QString::fromStdString(shown.robot.name);
-    drawMapRobot(painter, plan(), sign, palette());
 }
 
 void MapArea::paintEvent(QPaintEvent *)
@@ -181,8 +137,7 @@ void MapArea::paintEvent(QPaintEvent *)
     }
     drawStill(painter);
     painter.setRenderHint(QPainter::Antialiasing);
-    for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
-        paintRobot(painter, robot);
+    drawTrialRobots(painter, plan(), *m_scene, m_timeline.currentTime(), palette());
 }
 
 void MapArea::mousePressEvent(QMouseEvent *event)

@@ -47,7 +47,6 @@ private:
     void paintStill(QPainter &painter) const override;
     void paintDisagreements(QPainter &painter) const;
     void paintLegend(QPainter &painter) const;
-    void paintRobot(QPainter &painter, std::size_t robot) const;
 
     Timeline &m_timeline;
     FloorPictureMaker m_maker;

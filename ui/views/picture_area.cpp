@@ -124,18 +124,14 @@ void PictureArea::renderFloorLayer()
     m_floorLayer = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
     m_floorLayer.setDevicePixelRatio(devicePixelRatioF());
     m_floorLayer.fill(Qt::transparent);
-    const SceneView *view = sceneView();
-    if (!view || !view->floorView)
+    if (!sceneView())
         return;
     QPainter painter(&m_floorLayer);
     painter.setFont(font());
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipRect(pictureRect());
-    const PictureMap toWidget = [this](const QPointF &pixel) { return fromPicture(pixel); };
-    paintFloorGrid(painter, *m_scene, *view->floorView, toWidget);
-    for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
-        paintTrail(painter, *m_scene, robot, *view->floorView, toWidget, m_trailColour);
-    paintAxes(painter, *m_scene, *view->floorView, toWidget);
+    paintFloor(
+        painter, *m_scene, m_view, [this](const QPointF &pixel) { return fromPicture(pixel); }, m_trailColour);
 }
 
 void PictureArea::paintRobots(QPainter &painter, qint64 frame) const

@@ -220,6 +220,17 @@ QPointF paintEllipse(QPainter &painter, const Ellipse &ellipse, const QString &n
     return centre - QPointF(0, halfHeight);
 }
 
+void paintFloor(QPainter &painter, const TrialScene &scene, std::size_t view, const PictureMap &map, const QColor &colour)
+{
+    const auto &floorView = scene.views.at(view).floorView;
+    if (!floorView)
+        return;
+    paintFloorGrid(painter, scene, *floorView, map);
+    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot)
+        paintTrail(painter, scene, robot, *floorView, map, colour);
+    paintAxes(painter, scene, *floorView, map);
+}
+
 void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, std::size_t robot,
                 std::int64_t frame, const PictureMap &map)
 {

@@ -45,6 +45,10 @@ QPointF paintEllipse(QPainter &painter, const Ellipse &ellipse, const QString &n
 /// A robot's smoothed track at the height that its positions were computed for.
 void paintTrail(QPainter &painter, const TrialScene &scene, std::size_t robot, const FloorView &view,
                 const PictureMap &map, const QColor &colour = trailColour);
+/// What does not move in a picture: the floor's grid, the trails of all robots, and the axes. Nothing where the view is not
+/// registered.
+void paintFloor(QPainter &painter, const TrialScene &scene, std::size_t view, const PictureMap &map,
+                const QColor &colour = trailColour);
 /// The ellipse that the tracker found in a frame of this view, the robot's name, and the reason when it is a
 /// spike.
 void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, std::size_t robot,

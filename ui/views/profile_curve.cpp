@@ -53,6 +53,14 @@ double curveFactor(Quantity quantity)
     return unitOf(quantity).perSi;
 }
 
+std::vector<double> sampleTimes(const Profile &profile)
+{
+    std::vector<double> times;
+    for (const Sample &sample : profile.samples)
+        times.push_back(toSeconds(sample.time));
+    return times;
+}
+
 std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values, Quantity quantity,
                                 const std::vector<double> &places)
 {

@@ -17,6 +17,9 @@ QString curveUnit(Quantity quantity);
 /// By how much a value in SI is multiplied for curveUnit.
 double curveFactor(Quantity quantity);
 
+/// When each sample was taken, in seconds: its place where the axis below is the time.
+std::vector<double> sampleTimes(const Profile &profile);
+
 /// A stretch without gaps. x: the places of the samples, y: as of curveValues.
 struct CurveRun
 {

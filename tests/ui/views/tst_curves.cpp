@@ -129,9 +129,7 @@ private Q_SLOTS:
     {
         Profile profile = exampleScene({.frames = 60})->robots[0].analysis->profile;
         profile.points[20].valid = profile.points[21].valid = false;
-        std::vector<double> places;
-        for (const Sample &sample : profile.samples)
-            places.push_back(toSeconds(sample.time));
+        const std::vector<double> places = sampleTimes(profile);
         const auto runs = curveRuns(curveValues(profile, Quantity::Speed), Quantity::Speed, places);
         QCOMPARE(runs.size(), std::size_t(2));
         QCOMPARE(runs[0].line.size(), 20);
@@ -142,9 +140,7 @@ private Q_SLOTS:
     void measuredPointsLeaveSpikesOut()
     {
         const Profile profile = exampleScene({.frames = 300})->robots[0].analysis->profile;
-        std::vector<double> places;
-        for (const Sample &sample : profile.samples)
-            places.push_back(toSeconds(sample.time));
+        const std::vector<double> places = sampleTimes(profile);
         const auto spike = static_cast<std::size_t>(profile.spikes[1].sampleIndex); // a jump
         QVERIFY(measuredSpeed(profile, spike).has_value());
         for (const QPointF &point : measuredPoints(profile, Quantity::Speed, places)) {

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/trial_curves.h"
+
+#include "ui/models/figure_text.h"
+#include "ui/views/curve_painting.h"
+#include "ui/views/theme.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <algorithm>
+
+namespace odo {
+namespace {
+
+class Words
+{
+    Q_DECLARE_TR_FUNCTIONS(TrialCurves)
+};
+
+} // namespace
+
+TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const std::vector<std::vector<double>> &places)
+    : m_scene(std::move(scene)), m_quantity(quantity)
+{
+    std::vector<const CurveRun *> runs;
+    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
+        const auto &analysis = m_scene->robots[robot].analysis;
+        m_curves.push_back(analysis ? curvesOf(analysis->profile, places.at(robot)) : RobotCurves());
+    }
+    for (const RobotCurves &curves : m_curves)
+        for (const CurveRun &run : curves.runs)
+            runs.push_back(&run);
+    m_range = valueRange(runs, m_quantity);
+}
+
+TrialCurves::RobotCurves TrialCurves::curvesOf(const Profile &profile, const std::vector<double> &places) const
+{
+    RobotCurves curves;
+    curves.values = curveValues(profile, m_quantity);
+    curves.runs = curveRuns(curves.values, m_quantity, places);
+    std::erase_if(curves.runs, [](const CurveRun &run) { return run.line.size() < 2; });
+    curves.measured = measuredPoints(profile, m_quantity, places);
+    curves.spikes = spikePoints(profile, m_quantity, places);
+    return curves;
+}
+
+std::optional<CurveValue> TrialCurves::valueAt(std::size_t robot, Nanoseconds time) const
+{
+    const auto &analysis = m_scene->robots[robot].analysis;
+    if (!analysis)
+        return std::nullopt;
+    const std::vector<Sample> &samples = analysis->profile.samples;
+    const auto after =
+        std::upper_bound(samples.begin(), samples.end(), time,
+                         [](Nanoseconds wanted, const Sample &sample) { return wanted < sample.time; });
+    return after == samples.begin()
+               ? std::nullopt
+               : m_curves[robot].values[static_cast<std::size_t>(after - samples.begin()) - 1];
+}
+
+void TrialCurves::draw(QPainter &painter, const ChartPlot &plot, const QPalette &palette) const
+{
+    bool isEmpty = true;
+    for (const RobotCurves &curves : m_curves)
+        drawCurvePoints(painter, plot, curves.measured, ThemeColours::of(palette).point);
+    for (std::size_t robot = 0; robot < m_curves.size(); ++robot)
+        for (const CurveRun &run : m_curves[robot].runs) {
+            drawCurveRun(painter, plot, run, {seriesColour(int(robot), palette), seriesDash(int(robot))});
+            isEmpty = false;
+        }
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const RobotCurves &curves : m_curves)
+        drawChartSpikes(painter, plot, curves.spikes, palette);
+    if (m_scene && isEmpty) {
+        painter.setPen(ThemeColours::of(palette).muted);
+        painter.drawText(plot.rect, Qt::AlignCenter, Words::tr("No curve yet: track the trial"));
+    }
+}
+
+void TrialCurves::drawValues(QPainter &painter, const ChartPlot &plot, Nanoseconds time,
+                             const std::function<double(std::size_t robot)> &placeOf, const QPalette &palette) const
+{
+    const QString unit = curveUnit(m_quantity);
+    double top = plot.rect.top();
+    for (std::size_t robot = 0; robot < m_curves.size(); ++robot) {
+        const auto value = valueAt(robot, time);
+        const double place = placeOf(robot);
+        if (!value || place < plot.low || place > plot.high)
+            continue;
+        QString text = figureText(value->value, value->sigma, unit).text();
+        if (m_curves.size() > 1)
+            text.prepend(QString::fromStdString(m_scene->robots[robot].robot.name) + QStringLiteral(": "));
+        top = drawChartBubble(painter, plot, {place, value->value}, top, text, seriesColour(int(robot), palette),
+                              palette);
+    }
+}
+
+} // namespace odo

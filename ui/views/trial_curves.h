@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/trial_scene.h"
+#include "ui/views/chart_painting.h"
+#include "ui/views/profile_curve.h"
+
+#include <functional>
+#include <vector>
+
+namespace odo {
+
+/// The curves of one quantity of all robots of a trial, for the screen and for whatever else shows them: measured
+/// points, lines with their bands, and spikes. A value; painting on any thread.
+class TrialCurves
+{
+public:
+    TrialCurves() = default;
+    /// places: where each sample of each robot lies on the axis below, a list a robot (ChartSpan::places, or
+    /// sampleTimes); empty for a robot that was not tracked.
+    TrialCurves(TrialScenePtr scene, Quantity quantity, const std::vector<std::vector<double>> &places);
+
+    /// Of all curves; 0 to 1 where there is none.
+    const ValueRange &range() const { return m_range; }
+    /// What was measured of a robot last at a time; nullopt: nothing, or not yet.
+    std::optional<CurveValue> valueAt(std::size_t robot, Nanoseconds time) const;
+
+    /// All but the axes; a sentence where no robot was tracked. Spikes beyond the axis are shown at its end.
+    void draw(QPainter &painter, const ChartPlot &plot, const QPalette &palette) const;
+    /// Each robot's value at a time beside its place on the axis below, where that is visible.
+    void drawValues(QPainter &painter, const ChartPlot &plot, Nanoseconds time,
+                    const std::function<double(std::size_t robot)> &placeOf, const QPalette &palette) const;
+
+private:
+    struct RobotCurves
+    {
+        std::vector<std::optional<CurveValue>> values; ///< one a sample
+        std::vector<CurveRun> runs;
+        QList<QPointF> measured, spikes;
+    };
+    RobotCurves curvesOf(const Profile &profile, const std::vector<double> &places) const;
+
+    TrialScenePtr m_scene; ///< null: nothing to show
+    Quantity m_quantity = Quantity::Speed;
+    std::vector<RobotCurves> m_curves; ///< one a robot
+    ValueRange m_range;
+};
+
+} // namespace odo
