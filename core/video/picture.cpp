@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <libyuv/convert_argb.h>
+#include <libyuv/convert_from_argb.h>
 #include <libyuv/scale.h>
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
@@ -118,6 +119,19 @@ ScreenPicture toScreen(const Frame &frame, int width, int height)
             v.view.data, static_cast<int>(v.view.stride), to, width * 4, matrixOf(frame.format), width,
             height);
     return picture;
+}
+
+Frame fromScreen(const std::uint32_t *pixels, int width, int height, std::ptrdiff_t strideBytes, Nanoseconds time)
+{
+    FrameFormat format;
+    format.width = width;
+    format.height = height;
+    format.siting = ChromaSiting::Center; // libyuv takes the mean of four pixels
+    auto buffer = std::make_shared<FrameBuffer>(format);
+    libyuv::ARGBToI420(reinterpret_cast<const std::uint8_t *>(pixels), static_cast<int>(strideBytes), buffer->yRow(0),
+                       width, buffer->uRow(0), buffer->chromaWidth(), buffer->vRow(0), buffer->chromaWidth(), width,
+                       height);
+    return FrameBuffer::toFrame(std::move(buffer), 0, time);
 }
 
 Result<Frame> readPicture(const std::filesystem::path &file)

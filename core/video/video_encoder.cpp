@@ -121,7 +121,7 @@ Result<libav::CodecPtr> openEncoder(const FrameFormat &format, const VideoWriter
     encoder->time_base = encodingTimeBase;
     encoder->framerate = av_d2q(options.nominalFramesPerSecond, 100'000);
     encoder->pix_fmt = pixelFormatFor(format, options.codec == VideoCodec::Mjpeg && format.fullRange);
-    encoder->thread_count = 1; // the same bytes on every machine
+    encoder->thread_count = options.threads;
     encoder->flags |= AV_CODEC_FLAG_BITEXACT | (globalHeader ? AV_CODEC_FLAG_GLOBAL_HEADER : 0);
     describeColour(format, *encoder);
     libav::Options codecOptions;

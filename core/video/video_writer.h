@@ -18,13 +18,15 @@ struct VideoWriterOptions
         30;                  ///< for rate control and players; the frames' own times are what is written
     int bitRate = 8'000'000; ///< H264 only, bits a second
     int mjpegQuality = 3;    ///< libav's qscale, 2 (best) to 31
+    int threads = 1;         ///< of the encoder; 1: the same bytes on every machine, 0: as many as it likes
     int maxBFrames = 0;      ///< H264 in MP4 only: frames that are coded out of order
 };
 
 /// Writes frames with their exact times (variable rate allowed, microseconds, counted from the first frame)
 /// to a file that appears under its name only when finish() succeeded: it is written beside it as ".part"
 /// first, and takes the place of an older file of that name. The ending decides the container: .mkv or .mp4
-/// (not for FFV1). The same frames and options give the same bytes on every machine. Not thread-safe.
+/// (not for FFV1). The same frames and options give the same bytes on every machine
+/// (with one thread). Not thread-safe.
 class VideoWriter
 {
 public:
