@@ -43,7 +43,7 @@ constexpr NamedCommand commands[] = {
     {"show", "show a trial's figures, spikes and provenance", runShow, false},
     {"compare", "compare two runs: time difference, sectors, figures", runCompare, true},
     {"report", "write a printable report of trials or of a class", runReport, true},
-    {"export", "write a trial's samples to a file", runExport, false},
+    {"export", "write a trial's samples to a file, or its annotated video", runExport, false},
     {"snapshot", "paint the window into a picture file", runSnapshot, true},
     {"target", "write a board or floor markers to print", runTarget, true},
     {"check", "check a project and its recordings", runCheck, false},
@@ -96,8 +96,12 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
     std::unique_ptr<QCoreApplication> application;
-    const bool opensWindow = std::any_of(argv, argv + argc, [](const char *a) { return std::strcmp(a, "--open") == 0; });
-    if (command.needsWindow) {
+    const auto says = [&](const char *word) {
+        return std::any_of(argv, argv + argc, [word](const char *a) { return std::strcmp(a, word) == 0; });
+    };
+    const bool opensWindow = says("--open");
+    const bool paints = command.needsWindow || (command.run == runExport && (says("video") || says("--format=video")));
+    if (paints) {
         // A picture of the window needs no display, and must look the same with one.
         qputenv("QT_QPA_PLATFORM", "offscreen");
         application = std::make_unique<QApplication>(argc, argv);

@@ -84,6 +84,10 @@
         <source>Export %n trial(s): choose a folder</source>
         <translation><numerusform>Export %n trial: choose a folder</numerusform><numerusform>Export %n trials: choose a folder</numerusform></translation>
     </message>
+    <message numerus="yes">
+        <source>Videos of %n trial(s)</source>
+        <translation><numerusform>Video of %n trial</numerusform><numerusform>Videos of %n trials</numerusform></translation>
+    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/commands/export_video.h"
 #include "core/exchange/text_file.h"
 #include "core/exchange/track_csv.h"
 #include "core/exchange/track_text.h"
@@ -62,22 +63,27 @@ Result<std::string> fileText(const CommandCall &call, const std::string &formatN
 Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("export"),
-                      QStringLiteral("P.odo TRIAL -o FILE [--robot R] [--format csv|tum|json|tracker] "
-                                     "[--csv-style analysis|international|continental]"),
+                      QStringLiteral("P.odo TRIAL -o FILE [--robot R] [--format csv|tum|json|tracker|video] "
+                                     "[--csv-style analysis|international|continental] "
+                                     "[--speed 0.25] [--size 1920x1080] [--theme light|dark]"),
                       2, 2,
-                      {{{QStringLiteral("o"), output}, QStringLiteral("The file to write."), QStringLiteral("FILE")},
+                      QList<QCommandLineOption>{
+                       {{QStringLiteral("o"), output}, QStringLiteral("The file to write."), QStringLiteral("FILE")},
                        {robot, QStringLiteral("The robot, where there are several."), QStringLiteral("R")},
                        {format, QStringLiteral("Of the file."), QStringLiteral("FORMAT"), QStringLiteral("csv")},
-                       {csvStyle, QStringLiteral("For which program."), QStringLiteral("STYLE"), QStringLiteral("analysis")}}},
+                       {csvStyle, QStringLiteral("For which program."), QStringLiteral("STYLE"), QStringLiteral("analysis")}} +
+                          videoOptions()},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (!call.isSet(output))
         return call.wrongCall(QStringLiteral("-o is missing"));
-    static const std::vector<std::string> formats = {"csv", "tum", "json", "tracker"};
+    static const std::vector<std::string> formats = {"csv", "tum", "json", "tracker", "video"};
     const std::string formatName = call.value(format);
     if (std::find(formats.begin(), formats.end(), formatName) == formats.end())
-        return call.wrongCall(QStringLiteral("--format is csv, tum, json or tracker"));
+        return call.wrongCall(QStringLiteral("--format is csv, tum, json, tracker or video"));
+    if (formatName == "video")
+        return exportVideo(call, call.value(output));
     const auto project = call.openProject(0, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());

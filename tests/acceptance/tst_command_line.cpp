@@ -144,6 +144,9 @@ private Q_SLOTS:
         QCOMPARE(good("show %P run1 --json").json().value(QStringLiteral("team")).toString(), QStringLiteral("Falcon"));
         for (const char *format : {"csv", "tum", "json", "tracker"})
             QCOMPARE(good((QByteArray("export %P run1 -o %/out.txt --format ") + format).constData()).exitStatus, 0);
+        const QJsonObject video = good("export %P run1 -o %/run1.mp4 --format video --speed 0.5 --size 640x360 --theme dark --json").json();
+        QVERIFY(video.value(QStringLiteral("pictures")).toInt() >= 58);
+        QVERIFY(QFileInfo(m_folder.filePath(QStringLiteral("run1.mp4"))).size() > 10'000);
         QCOMPARE(good("check %P").exitStatus, 0);
         QCOMPARE(good("snapshot %P run1 -o %/run1.png --size 1000x700").exitStatus, 0);
         QCOMPARE(good("target tags -o %/tags.pdf --labels O,U,V,D,C --json").json().value(QStringLiteral("sheets")).toInt(), 5);
@@ -273,6 +276,11 @@ private Q_SLOTS:
         row("export %P run1 -o %/out.csv --format xls", 2, "--format");
         row("export %P run1 -o %/out.csv --robot blue", 1, "blue");
         row("export %P uneven -o %/out.csv", 1, "track");
+        row("export %P run1 -o %/out.mp4 --format video --speed 2", 2, "--speed");
+        row("export %P run1 -o %/out.mp4 --format video --size 641x360", 2, "--size");
+        row("export %P run1 -o %/out.mp4 --format video --theme pink", 2, "--theme");
+        row("export %P run1 -o %/out.avi --format video", 1, ".mp4");
+        row("export %P nothing -o %/out.mp4 --format video", 1, "nothing");
         row("snapshot %P run1", 2, "-o is missing");
         row("snapshot %P nowhere -o %/x.png", 1, "nowhere");
         row("snapshot %P run1 -o %/x.png --size 10x10", 2, "--size");

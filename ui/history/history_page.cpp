@@ -159,7 +159,9 @@ void HistoryPage::addTrialActions()
     connect(exportAll, &QAction::triggered, this, [this] { Q_EMIT exportRequested(selectedTrials()); });
     auto *report = new QAction(themeIcon(QStringLiteral("print")), tr("&Report…"), m_table);
     connect(report, &QAction::triggered, this, [this] { Q_EMIT reportRequested(selectedTrials()); });
-    m_table->addActions({measureAgain, exportAll, report});
+    auto *videos = new QAction(tr("Export &videos…"), m_table);
+    connect(videos, &QAction::triggered, this, [this] { Q_EMIT videosRequested(selectedTrials()); });
+    m_table->addActions({measureAgain, exportAll, videos, report});
     m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 

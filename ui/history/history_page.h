@@ -57,6 +57,7 @@ Q_SIGNALS:
     void trialChosen(const QString &name);            ///< to be opened in Review
     void compareRequested(const QStringList &trials); ///< two or more
     void exportRequested(const QStringList &trials);
+    void videosRequested(const QStringList &trials); ///< annotated ones are to be made
     void reportRequested(const QStringList &trials);
     void reprocessRequested(const QStringList &trials); ///< to be measured again
     void emptyBinRequested(const odo::BinContent &content); ///< confirmed

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/history_actions.h"
 
+#include "core/exchange/file_name.h"
 #include "core/project/project.h"
 #include "core/workflow/empty_bin.h"
 #include "core/workflow/export_job.h"
@@ -8,9 +9,11 @@
 #include "core/workflow/reprocess_job.h"
 #include "ui/history/changes_dialog.h"
 #include "ui/main_window/trial_batch.h"
+#include "ui/main_window/video_dialog.h"
 #include "ui/main_window/workspace.h"
 #include "ui/views/command_names.h"
 #include "ui/views/path_field.h"
+#include "ui/views/theme.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
@@ -88,6 +91,28 @@ void HistoryActions::exportTrials(const QStringList &trials)
         return std::make_shared<ExportJob>(trial, path, CsvStyle::Analysis);
     };
     if (const Result<void> started = m_batch->start(trials, {tr("Exporting %1 (%2 of %3)"), make, {}});
+        !started)
+        Q_EMIT failed(started.error());
+}
+
+void HistoryActions::exportVideos(const QStringList &trials)
+{
+    const QString title = tr("Videos of %n trial(s)", "", static_cast<int>(trials.size()));
+    VideoDialog dialog(title, isDark(m_window.palette()), &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const QString folder = QFileDialog::getExistingDirectory(
+        &m_window, title, QStandardPaths::writableLocation(QStandardPaths::MoviesLocation));
+    if (folder.isEmpty())
+        return;
+    m_doneWords = tr("Videos made: %1 of %2.");
+    const auto make = [path = pathOf(folder), settings = dialog.settings()](const std::string &trial) {
+        AnnotatedVideoSettings own = settings;
+        own.file = path / (fileNameOf(trial) + ".mp4");
+        own.replaces = false;
+        return std::make_shared<AnnotatedVideoJob>(trial, own);
+    };
+    if (const Result<void> started = m_batch->start(trials, {tr("Making the video of %1 (%2 of %3)"), make, {}});
         !started)
         Q_EMIT failed(started.error());
 }

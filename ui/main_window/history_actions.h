@@ -28,6 +28,8 @@ public:
     void askRoster();
     /// Into a folder that is asked for.
     void exportTrials(const QStringList &trials);
+    /// Their annotated videos, likewise; it asks how they are to look.
+    void exportVideos(const QStringList &trials);
     /// With the registrations in force; the older analyses stay.
     void reprocessTrials(const QStringList &trials);
     /// Removes trials for good, by a job.

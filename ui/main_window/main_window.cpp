@@ -293,6 +293,7 @@ void MainWindow::addPage(Mode mode)
         connect(history, &HistoryPage::emptyBinRequested, m_many, &HistoryActions::emptyBin);
         connect(history, &HistoryPage::reportRequested, m_reports, &ReportActions::askTrials);
         connect(history, &HistoryPage::exportRequested, m_many, &HistoryActions::exportTrials);
+        connect(history, &HistoryPage::videosRequested, m_many, &HistoryActions::exportVideos);
         connect(history, &HistoryPage::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
         m_viewMenu->addAction(history->pseudonyms());
         break;

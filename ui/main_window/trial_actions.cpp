@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/trial_actions.h"
 
+#include "core/exchange/file_name.h"
 #include "core/project/changing.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -15,15 +16,22 @@
 #include "ui/main_window/robot_dialog.h"
 #include "ui/main_window/track_dialog.h"
 #include "ui/main_window/trial_export.h"
+#include "ui/main_window/video_dialog.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/camera_list_model.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/shown_team.h"
 #include "ui/views/command_names.h"
+#include "ui/views/path_field.h"
+#include "ui/views/theme.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QMenu>
+#include <QStandardPaths>
 #include <QWidget>
 
 namespace odo {
@@ -95,9 +103,10 @@ TrialActions::TrialActions(Workspace &workspace, QWidget &window)
       m_importTracks(new QAction(themeIcon(QStringLiteral("import")), tr("Import finished tra&cks…"), this)),
       m_track(new QAction(themeIcon(QStringLiteral("track")), tr("&Track…"), this)),
       m_export(new QAction(themeIcon(QStringLiteral("export")), tr("&Export…"), this)),
+      m_video(new QAction(tr("Export &video…"), this)),
       m_addRobot(new QAction(themeIcon(QStringLiteral("add")), tr("Add &robot…"), this))
 {
-    nameCommands({{m_import, "import"}, {m_importTracks, "importTracks"}, {m_track, "track"}, {m_export, "export"}, {m_addRobot, "addRobot"}});
+    nameCommands({{m_import, "import"}, {m_importTracks, "importTracks"}, {m_track, "track"}, {m_export, "export"}, {m_video, "exportVideo"}, {m_addRobot, "addRobot"}});
     m_import->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_I));
     m_track->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
     connect(m_import, &QAction::triggered, this, [this] { askImport(); });
@@ -106,6 +115,7 @@ TrialActions::TrialActions(Workspace &workspace, QWidget &window)
     connect(m_track, &QAction::triggered, this, [this] { askTrack(m_trial); });
     m_export->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_E));
     connect(m_export, &QAction::triggered, this, &TrialActions::askExport);
+    connect(m_video, &QAction::triggered, this, &TrialActions::askVideo);
     connect(m_addRobot, &QAction::triggered, this, &TrialActions::askRobot);
     connect(&m_workspace, &Workspace::opened, this, &TrialActions::updateActions);
     connect(&m_workspace, &Workspace::jobStarted, this, &TrialActions::updateActions);
@@ -116,7 +126,7 @@ TrialActions::TrialActions(Workspace &workspace, QWidget &window)
 
 void TrialActions::fillMenu(QMenu &menu)
 {
-    menu.addActions({m_import, m_importTracks, m_addRobot, m_track, m_export});
+    menu.addActions({m_import, m_importTracks, m_addRobot, m_track, m_export, m_video});
 }
 
 void TrialActions::setCurrentTrial(const QString &name)
@@ -132,6 +142,7 @@ void TrialActions::updateActions()
     m_import->setEnabled(writable && !m_workspace.isBusy());
     m_importTracks->setEnabled(m_import->isEnabled());
     m_export->setEnabled(!m_trial.isEmpty());
+    m_video->setEnabled(!m_trial.isEmpty() && !m_workspace.isBusy());
     m_track->setEnabled(writable && !m_workspace.isBusy() && !m_trial.isEmpty());
 }
 
@@ -247,6 +258,30 @@ void TrialActions::askExport()
         Q_EMIT failed(exported.error());
     else if (!exported->isEmpty())
         Q_EMIT done(*exported);
+}
+
+void TrialActions::askVideo()
+{
+    VideoDialog dialog(tr("Video of %1").arg(m_trial), isDark(m_window.palette()), &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::MoviesLocation));
+    const QString offered = QString::fromStdString(fileNameOf(m_trial.toStdString()) + ".mp4");
+    QString file = QFileDialog::getSaveFileName(&m_window, tr("Video of %1").arg(m_trial), folder.filePath(offered),
+                                                tr("MP4 videos (*.mp4)"));
+    if (file.isEmpty())
+        return;
+    if (QFileInfo(file).suffix() != QLatin1String("mp4"))
+        file += QStringLiteral(".mp4");
+    AnnotatedVideoSettings settings = dialog.settings();
+    settings.file = pathOf(file);
+    const auto job = std::make_shared<AnnotatedVideoJob>(m_trial.toStdString(), settings);
+    const Result<void> started =
+        m_workspace.start(job, tr("Making the video of %1").arg(m_trial), [this, file, trial = m_trial] {
+            Q_EMIT done(tr("The video of %1 is there: %2").arg(trial, QDir::toNativeSeparators(file)));
+        });
+    if (!started)
+        Q_EMIT failed(started.error());
 }
 
 bool TrialActions::askRobot()

@@ -23,7 +23,7 @@ class TrialActions : public QObject
 public:
     TrialActions(Workspace &workspace, QWidget &window);
     void fillMenu(QMenu &menu);
-    /// The trial that Track and Export mean; empty: none.
+    /// The trial that Track, Export and Export video mean; empty: none.
     void setCurrentTrial(const QString &name);
     void askImport(const QStringList &videos = {});
     /// Of tracks that another program measured.
@@ -40,13 +40,14 @@ Q_SIGNALS:
 
 private:
     void askExport();
+    void askVideo();
     bool askRobot();
     void updateActions();
 
     Workspace &m_workspace;
     QWidget &m_window;
     QString m_trial;
-    QAction *m_import, *m_importTracks, *m_track, *m_export, *m_addRobot;
+    QAction *m_import, *m_importTracks, *m_track, *m_export, *m_video, *m_addRobot;
 };
 
 } // namespace odo

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/annotated_video.h"
+
+#include "core/project/project.h"
+#include "core/video/frame_stream.h"
+#include "core/video/picture.h"
+#include "core/video/video_writer.h"
+#include "ui/report/annotated_picture.h"
+#include "ui/views/screen_image.h"
+#include "ui/views/theme.h"
+
+#include <QGuiApplication>
+
+namespace odo {
+namespace {
+
+/// Reads one view from its beginning to its end, a few frames ahead on a thread of its own.
+class ViewFilm
+{
+public:
+    static Result<ViewFilm> open(const SceneView &view, QSize sizePx)
+    {
+        constexpr std::size_t ahead = 4;
+        auto stream = FrameStream::open(view.file, ahead);
+        if (!stream)
+            return tl::unexpected(stream.error());
+        return ViewFilm(std::move(*stream), sizePx);
+    }
+    /// The picture of a frame at or after the one before; null where it is damaged or the file has ended.
+    QImage pictureOf(std::int64_t frame)
+    {
+        while (!m_hasEnded && (!m_last || m_last->index < frame)) {
+            auto next = m_stream->pop();
+            m_hasEnded = !next || !*next;
+            if (!m_hasEnded) {
+                m_last = std::move(**next);
+                m_picture = {};
+            }
+        }
+        if (!m_last || m_last->index != frame)
+            return {};
+        if (m_picture.isNull())
+            m_picture = toImage(toScreen(*m_last, m_sizePx.width(), m_sizePx.height()));
+        return m_picture;
+    }
+
+private:
+    ViewFilm(std::unique_ptr<FrameStream> stream, QSize sizePx) : m_stream(std::move(stream)), m_sizePx(sizePx) {}
+
+    std::unique_ptr<FrameStream> m_stream;
+    QSize m_sizePx;
+    std::optional<Frame> m_last;
+    QImage m_picture; ///< of m_last; null: not made yet
+    bool m_hasEnded = false;
+};
+
+} // namespace
+
+std::vector<Nanoseconds> shownTimes(const std::vector<Nanoseconds> &frameTimes, double speed)
+{
+    constexpr double mostPicturesPerS = 60; // players and screens show no more
+    constexpr double jitter = 0.9;          // frames of a camera are not exactly equally far apart
+    const Nanoseconds least = fromSeconds(jitter * speed / mostPicturesPerS);
+    std::vector<Nanoseconds> shown;
+    for (const Nanoseconds time : frameTimes) {
+        if (shown.empty() || time - shown.back() >= least)
+            shown.push_back(time);
+    }
+    return shown;
+}
+
+bool AnnotatedVideoSettings::isSpeed(double speed)
+{
+    return speed >= 0.1 && speed <= 1;
+}
+
+bool AnnotatedVideoSettings::isSize(QSize sizePx)
+{
+    const auto isLength = [](int px, int least, int most) { return px >= least && px <= most && px % 2 == 0; };
+    return isLength(sizePx.width(), 320, 3840) && isLength(sizePx.height(), 180, 2160);
+}
+
+AnnotatedVideoJob::AnnotatedVideoJob(std::string trial, AnnotatedVideoSettings settings)
+    : m_trial(std::move(trial)), m_settings(std::move(settings))
+{
+}
+
+std::string AnnotatedVideoJob::what() const
+{
+    return "annotated video of '" + m_trial + "'";
+}
+
+Result<void> AnnotatedVideoJob::prepare(Project &project)
+{
+    const QSize size = m_settings.sizePx;
+    if (!AnnotatedVideoSettings::isSize(size))
+        return fail(ErrorCode::InvalidInput, what(),
+                    "its size of " + std::to_string(size.width()) + "x" + std::to_string(size.height()) +
+                        " is odd, or not from 320x180 to 3840x2160",
+                    "choose another, such as 1920x1080");
+    if (!AnnotatedVideoSettings::isSpeed(m_settings.speed))
+        return fail(ErrorCode::InvalidInput, what(), "its speed is not from 0.1 to 1", "choose another, such as 0.25");
+    auto scene = loadTrialScene(project, m_trial);
+    if (!scene)
+        return tl::unexpected(scene.error());
+    m_scene = std::move(*scene);
+    if (m_scene->frameTimes().empty())
+        return fail(ErrorCode::NotFound, what(), "the trial has no recording", "choose one that was recorded");
+    std::error_code problem;
+    for (const SceneView &view : m_scene->views)
+        if (!std::filesystem::exists(view.file, problem))
+            return fail(ErrorCode::NotFound, what(),
+                        "the recording of camera " + view.camera + " is not at '" + view.file.string() + "'",
+                        "bring the file back to its place");
+    if (!m_settings.replaces && std::filesystem::exists(m_settings.file, problem))
+        return fail(ErrorCode::AlreadyExists, "file '" + m_settings.file.string() + "'", "it is there already",
+                    "choose an empty folder");
+    m_font = QGuiApplication::font();
+    return {};
+}
+
+Result<void> AnnotatedVideoJob::run(const JobControl &control)
+{
+    constexpr double floorPart = 0.05;
+    control.report(0, "painting the floor");
+    AnnotatedPicture painter(m_scene, {m_settings.sizePx, m_settings.isDark ? darkPalette() : lightPalette(), m_font,
+                                       m_settings.speed});
+    if (const int side = painter.floorSidePx(); side > 0)
+        painter.setFloor(makeFloorPicture(*m_scene, painter.floorExtent(), side, control.cancel));
+    const JobControl rest{control.cancel, [&](double fraction, const std::string &text) {
+                              control.report(floorPart + (1 - floorPart) * fraction, text);
+                          }};
+    return writePictures(rest, painter);
+}
+
+Result<void> AnnotatedVideoJob::writePictures(const JobControl &control, AnnotatedPicture &painter)
+{
+    const std::vector<Nanoseconds> times = shownTimes(m_scene->frameTimes(), m_settings.speed);
+    const double spanS = toSeconds(times.back() - times.front()) / m_settings.speed;
+    VideoWriterOptions options;
+    options.nominalFramesPerSecond = spanS > 0 ? double(times.size() - 1) / spanS : 1;
+    options.threads = 0;
+    std::vector<ViewFilm> films;
+    for (std::size_t view = 0; view < m_scene->views.size(); ++view) {
+        auto film = ViewFilm::open(m_scene->views[view], painter.viewSizePx(view));
+        if (!film)
+            return tl::unexpected(film.error());
+        films.push_back(std::move(*film));
+    }
+    FrameFormat format;
+    format.width = m_settings.sizePx.width();
+    format.height = m_settings.sizePx.height();
+    format.siting = ChromaSiting::Center;
+    auto writer = VideoWriter::create(m_settings.file, format, options);
+    if (!writer)
+        return tl::unexpected(writer.error());
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (control.isCancelled())
+            return cancelled(what());
+        std::vector<ViewMoment> moments;
+        for (std::size_t view = 0; view < films.size(); ++view) {
+            const auto frame = m_scene->frameAt(view, times[i]);
+            moments.push_back(frame ? ViewMoment{films[view].pictureOf(*frame), *frame} : ViewMoment());
+        }
+        const QImage picture = painter.paint(times[i], moments);
+        const Nanoseconds at = fromSeconds(toSeconds(times[i] - times.front()) / m_settings.speed);
+        const Frame frame = fromScreen(reinterpret_cast<const std::uint32_t *>(picture.constBits()), picture.width(),
+                                       picture.height(), picture.bytesPerLine(), at);
+        if (auto written = (*writer)->write(frame); !written)
+            return written;
+        control.report(double(i + 1) / double(times.size()),
+                       "picture " + std::to_string(i + 1) + " of " + std::to_string(times.size()));
+    }
+    m_pictureCount = static_cast<int>(times.size());
+    m_durationS = double(times.size()) / options.nominalFramesPerSecond;
+    return (*writer)->finish();
+}
+
+} // namespace odo
