@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 
+#include "core/base/crash_report.h"
 #include "core/base/units.h"
 #include "core/workflow/recover_job.h"
 
@@ -123,6 +124,8 @@ tl::unexpected<Error> CommandCall::wrongCall(const QString &why) const
 
 Result<std::unique_ptr<Project>> CommandCall::openProject(int index, Project::Access access) const
 {
+    std::error_code unknown;
+    noteOpenProject(std::filesystem::absolute(text(index), unknown));
     auto project = Project::open(text(index), access);
     if (!project || access == Project::Access::ReadOnly)
         return project;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/commands.h"
 #include "app/workbench.h"
+#include "core/base/crash_report.h"
 
 #include <QApplication>
 #include <QFileInfo>
@@ -131,6 +132,7 @@ int openWorkbench(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    watchForCrashes(stateFolder(), ODOGRAPH_VERSION); // where it cannot, the program does its work all the same
     const std::string_view first = argc > 1 ? argv[1] : "";
     if (first == "--help" || first == "-h" || first == "help") {
         printHelp();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workbench.h"
 
+#include "core/base/crash_report.h"
 #include "core/project/project.h"
 #include "ui/main_window/appearance.h"
+#include "ui/main_window/crash_notice.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/paint_window.h"
 #include "ui/main_window/plural_forms.h"
@@ -23,7 +25,10 @@ Result<void> runWorkbench(const std::optional<std::filesystem::path> &project)
             return sound; // on the terminal, without a window
     }
     MainWindow window;
+    QObject::connect(&window.workspace(), &Workspace::opened, &window,
+                     [&window] { noteOpenProject(window.workspace().project()->file()); });
     window.show();
+    tellCrashes(window, stateFolder(), project);
     if (project)
         window.beginOpening(*project);
     QApplication::exec();

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/crash_report.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace odo {
+namespace {
+
+constexpr std::string_view newPrefix = "crash-", toldPrefix = "told-crash-";
+
+bool isReport(const std::filesystem::directory_entry &entry, std::string_view prefix)
+{
+    constexpr std::uintmax_t longest = 1'000'000;
+    std::error_code problem;
+    const std::string name = entry.path().filename().string();
+    return name.starts_with(prefix) && name.ends_with(".txt") && entry.is_regular_file(problem) &&
+           !entry.is_symlink(problem) && entry.file_size(problem) <= longest;
+}
+
+std::vector<std::filesystem::path> reportsOf(const std::filesystem::path &folder, std::string_view prefix)
+{
+    std::vector<std::filesystem::path> files;
+    std::error_code problem;
+    for (const auto &entry : std::filesystem::directory_iterator(folder, problem))
+        if (isReport(entry, prefix))
+            files.push_back(entry.path());
+    std::ranges::sort(files); // the time is in the name
+    return files;
+}
+
+/// The rest of the line that begins with a word; empty where there is none.
+std::string lineAfter(const std::string &text, const std::string &word)
+{
+    const auto begin = text.find("\n" + word);
+    if (begin == std::string::npos)
+        return {};
+    const auto from = begin + 1 + word.size();
+    return text.substr(from, text.find('\n', from) - from);
+}
+
+} // namespace
+
+std::filesystem::path stateFolder()
+{
+    if (const char *folder = std::getenv("XDG_STATE_HOME"); folder && folder[0] == '/')
+        return std::filesystem::path(folder) / "odograph";
+    if (const char *home = std::getenv("HOME"); home && home[0] == '/')
+        return std::filesystem::path(home) / ".local/state/odograph";
+    return {};
+}
+
+std::vector<CrashReport> newCrashReports(const std::filesystem::path &folder)
+{
+    std::vector<CrashReport> reports;
+    for (const std::filesystem::path &file : reportsOf(folder, newPrefix)) {
+        std::ifstream stream(file, std::ios::binary);
+        const std::string text(std::istreambuf_iterator<char>(stream), {});
+        CrashReport report{file, lineAfter(text, "signal: "), std::nullopt};
+        if (const std::string project = lineAfter(text, "project: "); !project.empty())
+            report.project = project;
+        reports.push_back(std::move(report));
+    }
+    return reports;
+}
+
+std::filesystem::path keepToldReport(const CrashReport &report)
+{
+    constexpr std::size_t mostKept = 10;
+    const std::filesystem::path folder = report.file.parent_path(),
+                                told = folder / ("told-" + report.file.filename().string());
+    std::error_code problem;
+    std::filesystem::rename(report.file, told, problem);
+    if (problem)
+        return report.file;
+    const std::vector<std::filesystem::path> kept = reportsOf(folder, toldPrefix);
+    for (std::size_t i = 0; i + mostKept < kept.size(); ++i)
+        std::filesystem::remove(kept[i], problem);
+    return told;
+}
+
+} // namespace odo
