@@ -179,7 +179,7 @@ void TestSchoolDay::aSpikeIsOverruled()
     review->setFocus();
     QTest::keyClick(review, Qt::Key_U);
     wait();
-    QVERIFY2(message().contains(QStringLiteral("is used")), qPrintable(message()));
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains(QStringLiteral("is used")), qPrintable(message()), 20000);
     const auto &samples = review->scene()->robots.front().analysis->profile.samples;
     const auto sample = std::ranges::find(samples, frame, &Sample::frame);
     QVERIFY(hasFlag(sample->flags, SampleFlag::ByHand) && !isRejected(sample->flags));
