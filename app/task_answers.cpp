@@ -46,7 +46,7 @@ QString timeText(double timeS, double sigmaS)
 QJsonObject taskJson(const TaskRecord &record)
 {
     const Task &task = record.task;
-    QJsonArray gates, points;
+    QJsonArray gates, points, zones;
     for (const Gate &gate : task.gates)
         gates.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(gate.name)},
                                  {QStringLiteral("role"), fromView(gateRoleWord(gate.role))},
@@ -54,6 +54,14 @@ QJsonObject taskJson(const TaskRecord &record)
                                  {QStringLiteral("to_mm"), pointJson(gate.to)}});
     for (const Eigen::Vector2d &point : task.path.points)
         points.append(pointJson(point));
+    for (const Zone &zone : task.zones) {
+        QJsonArray corners;
+        for (const Eigen::Vector2d &corner : zone.corners)
+            corners.append(pointJson(corner));
+        zones.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(zone.name)},
+                                 {QStringLiteral("rule"), fromView(zoneRuleWord(zone.rule))},
+                                 {QStringLiteral("corners_mm"), corners}});
+    }
     const auto limit = [](const std::optional<double> &value) {
         return value ? QJsonValue(toMillimetres(*value)) : QJsonValue();
     };
@@ -65,7 +73,8 @@ QJsonObject taskJson(const TaskRecord &record)
                               : QJsonObject{{QStringLiteral("points_mm"), points},
                                             {QStringLiteral("closed"), task.path.closed}}},
             {QStringLiteral("limits"), QJsonObject{{QStringLiteral("speed_mm_s"), limit(task.limits.maxSpeedMps)},
-                                                   {QStringLiteral("acceleration_mm_s2"), limit(task.limits.maxAccelMps2)}}}};
+                                                   {QStringLiteral("acceleration_mm_s2"), limit(task.limits.maxAccelMps2)}}},
+            {QStringLiteral("zones"), zones}};
 }
 
 void insertTaskAnswers(QJsonObject &robot, const Profile &profile)
@@ -116,8 +125,10 @@ QStringList taskLines(const Profile &profile)
 
 QString taskRemark(const Profile &profile)
 {
-    static constexpr std::array<std::pair<std::string_view, const char *>, 3> told{
-        {{"gate_time", "gate time"}, {"best_lap", "best lap"}, {"cross_track_rms", "off the path (RMS)"}}};
+    static constexpr std::array<std::pair<std::string_view, const char *>, 4> told{{{"gate_time", "gate time"},
+                                                                                  {"best_lap", "best lap"},
+                                                                                  {"cross_track_rms", "off the path (RMS)"},
+                                                                                  {"zone_time", "in breach of zones"}}};
     QString remark;
     for (const Metric &metric : profile.metrics) {
         for (const auto &[name, words] : told) {

@@ -15,12 +15,13 @@ namespace {
 QString summary(const TaskRecord &task)
 {
     const std::string_view kind = taskTemplateWord(task.task.kind);
-    return QStringLiteral("  %1  %2  %3 gates%4%5")
+    return QStringLiteral("  %1  %2  %3 gates%4%5%6")
         .arg(QString::fromStdString(task.name), -24)
         .arg(QString::fromUtf8(kind.data(), qsizetype(kind.size())), -13)
         .arg(task.task.gates.size())
         .arg(task.task.path.points.empty() ? QString() : QStringLiteral(", reference path"),
-             task.task.limits.maxSpeedMps || task.task.limits.maxAccelMps2 ? QStringLiteral(", limits") : QString());
+             task.task.limits.maxSpeedMps || task.task.limits.maxAccelMps2 ? QStringLiteral(", limits") : QString(),
+             task.task.zones.empty() ? QString() : QStringLiteral(", %1 zones").arg(task.task.zones.size()));
 }
 
 Result<void> addTask(const CommandCall &call)

@@ -28,7 +28,7 @@ public:
     {
         if (root.kind != Kind::Mapping)
             return failure(root.line, "the file holds no task");
-        if (auto known = onlyKeys(root, {"template", "gates", "reference_path", "limits", "name"}); !known)
+        if (auto known = onlyKeys(root, {"template", "gates", "reference_path", "limits", "zones", "name"}); !known)
             return tl::unexpected(known.error());
         Task task;
         for (const auto &[key, node] : root.entries) {
@@ -43,6 +43,8 @@ public:
                 done = readPath(node, task);
             else if (key == "limits")
                 done = readLimits(node, task);
+            else if (key == "zones")
+                done = readZones(node, task);
             if (!done)
                 return tl::unexpected(done.error());
         }
@@ -172,7 +174,7 @@ private:
             if (key == "closed")
                 continue;
             ++curves;
-            const auto path = key == "points_mm" ? points(node, value)
+            const auto path = key == "points_mm" ? pointsPath(node, value)
                               : key == "circle"  ? circle(value)
                               : key == "slalom"  ? slalom(value)
                                                  : figureEight(value);
@@ -188,17 +190,26 @@ private:
         return {};
     }
 
-    Result<ReferencePath> points(const YamlNode &parent, const YamlNode &list) const
+    Result<std::vector<Eigen::Vector2d>> points(const YamlNode &list, const std::string &name) const
     {
-        ReferencePath path;
+        std::vector<Eigen::Vector2d> read;
         if (list.kind != Kind::Sequence)
-            return failure(list.line, "'points_mm' is not a list in brackets");
+            return failure(list.line, "'" + name + "' is not a list in brackets");
         for (const YamlNode &item : list.items) {
-            const auto read = point(item, "points_mm");
-            if (!read)
-                return tl::unexpected(read.error());
-            path.points.push_back(*read);
+            const auto one = point(item, name);
+            if (!one)
+                return tl::unexpected(one.error());
+            read.push_back(*one);
         }
+        return read;
+    }
+
+    Result<ReferencePath> pointsPath(const YamlNode &parent, const YamlNode &list) const
+    {
+        auto read = points(list, "points_mm");
+        if (!read)
+            return tl::unexpected(read.error());
+        ReferencePath path{std::move(*read), false};
         if (const YamlNode *closed = parent.find("closed")) {
             if (closed->text != "true" && closed->text != "false")
                 return failure(closed->line, "'closed' is neither true nor false");
@@ -260,6 +271,47 @@ private:
             if (!limit)
                 return tl::unexpected(limit.error());
             (key == "speed_mm_s" ? into.limits.maxSpeedMps : into.limits.maxAccelMps2) = *limit;
+        }
+        return {};
+    }
+
+    Result<Zone> readZone(const YamlNode &node) const
+    {
+        if (auto known = onlyKeys(node, {"name", "rule", "corners_mm", "rectangle_mm"}); !known)
+            return tl::unexpected(known.error());
+        const auto name = entry(node, "name"), rule = entry(node, "rule");
+        if (!name || !rule)
+            return tl::unexpected(name ? rule.error() : name.error());
+        const auto parsed = parseZoneRule((*rule)->text);
+        if (!parsed)
+            return at((*rule)->line, parsed.error());
+        const YamlNode *corners = node.find("corners_mm"), *rectangle = node.find("rectangle_mm");
+        if ((corners == nullptr) == (rectangle == nullptr))
+            return failure(node.line, "the zone is given " + std::string(corners ? "twice" : "by nothing"),
+                           "give corners_mm, all the way round, or two opposite corners as rectangle_mm");
+        auto read = corners ? points(*corners, "corners_mm") : points(*rectangle, "rectangle_mm");
+        if (!read)
+            return tl::unexpected(read.error());
+        if (corners)
+            return Zone{(*name)->text, *parsed, std::move(*read)};
+        if (read->size() != 2)
+            return failure(rectangle->line, "'rectangle_mm' is not two corners", "give two opposite corners: [[x, y], [x, y]]");
+        return rectangularZone((*name)->text, *parsed, read->front(), read->back());
+    }
+
+    Result<void> readZones(const YamlNode &node, Task &into) const
+    {
+        if (node.kind != Kind::Sequence)
+            return failure(node.line, "'zones' is not a list in brackets");
+        for (const YamlNode &item : node.items) {
+            auto zone = readZone(item);
+            if (!zone)
+                return tl::unexpected(zone.error());
+            if (auto valid = checkZone(*zone); !valid)
+                return at(item.line, valid.error());
+            into.zones.push_back(std::move(*zone));
+            if (auto valid = checkZoneAmong(into.zones); !valid)
+                return at(item.line, valid.error());
         }
         return {};
     }

@@ -14,7 +14,7 @@ namespace {
 bool isOfTask(const std::string &name)
 {
     static constexpr std::array<std::string_view, 4> names{"gate_time", "laps", "best_lap", "mean_lap"};
-    return name.starts_with("cross_track") || name == "path_completed" ||
+    return name.starts_with("cross_track") || name.starts_with("zone_") || name == "path_completed" ||
            std::ranges::find(names, name) != names.end();
 }
 

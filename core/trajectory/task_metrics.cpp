@@ -4,6 +4,7 @@
 #include "core/trajectory/gate_passages.h"
 #include "core/trajectory/motion_stretches.h"
 #include "core/trajectory/path_following.h"
+#include "core/trajectory/zone_breaches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -151,6 +152,8 @@ TaskFigures measureTask(const Task &task, const std::vector<Sample> &samples, co
     addTimes(figures.metrics, task, figures.passages);
     if (!task.path.points.empty())
         addPath(figures.metrics, task.path, samples, points);
+    const std::vector<Metric> zones = measureZones(task.zones, samples, points);
+    figures.metrics.insert(figures.metrics.end(), zones.begin(), zones.end());
     return figures;
 }
 

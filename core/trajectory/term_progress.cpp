@@ -112,9 +112,10 @@ void rankTeams(std::vector<TeamFigures> &teams, bool isLessBetter)
 
 bool isLessBetter(const std::string &metric)
 {
-    static constexpr std::array<std::string_view, 11> less{"duration",        "gate_time",       "best_lap",         "mean_lap",
+    static constexpr std::array<std::string_view, 14> less{"duration",        "gate_time",       "best_lap",         "mean_lap",
                                                            "moving_time",     "standing_time",   "stops",            "path_length",
-                                                           "cross_track_rms", "cross_track_max", "cross_track_mean"};
+                                                           "cross_track_rms", "cross_track_max", "cross_track_mean", "zone_breaches",
+                                                           "zone_time",       "zone_depth"};
     return std::ranges::find(less, metric) != less.end();
 }
 

@@ -59,7 +59,7 @@ Result<std::vector<std::string>> tasksWithPlaces(Project &project)
         return tl::unexpected(tasks.error());
     std::vector<std::string> names;
     for (const TaskRecord &record : *tasks)
-        if (!record.task.gates.empty() || !record.task.path.points.empty())
+        if (!record.task.gates.empty() || !record.task.path.points.empty() || !record.task.zones.empty())
             names.push_back(record.name);
     return names;
 }

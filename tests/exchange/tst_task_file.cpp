@@ -53,6 +53,18 @@ private Q_SLOTS:
             QVERIFY(task->gates.empty() && task->path.points.empty() && !task->limits.maxSpeedMps);
         }
     }
+    void zonesAreRead()
+    {
+        const auto task = readText("{\"zones\": [\n"
+                                   "{\"name\": \"Field\", \"rule\": \"stay_inside\", \"rectangle_mm\": [[3000, 0], [0, 2200]]},\n"
+                                   "{\"name\": \"Pond\", \"rule\": \"stay_outside\", \"corners_mm\": [[500, 500], [900, 500], [700, 800]]}]}");
+        QVERIFY2(task.has_value(), task ? "" : task.error().message().c_str());
+        QCOMPARE(task->zones.size(), std::size_t(2));
+        QVERIFY(task->zones[0].rule == ZoneRule::StayInside && task->zones[0].corners.size() == 4);
+        QVERIFY(task->zones[0].corners[2] == Eigen::Vector2d(3, 2.2));
+        QVERIFY(task->zones[1].rule == ZoneRule::StayOutside && task->zones[1].corners[2] == Eigen::Vector2d(0.7, 0.8));
+        QVERIFY(readText("{\"zones\": []}")->zones.empty());
+    }
     void curvesAreSampled()
     {
         const auto circle = readText("{\"reference_path\": {\"circle\": {\"centre_mm\": [1500, 1100], \"radius_mm\": 750}}}");
@@ -85,7 +97,7 @@ private Q_SLOTS:
         row("no task", "[1, 2]", ":1: the file holds no task");
         row("not closed", "{\n\"template\": \"circle\",", ":1: a bracket is not closed");
         row("unknown key", "{\n\"template\": \"free\",\n\"gatez\": []}",
-            ":3: the key 'gatez' is not known; use template, gates, reference_path, limits or name");
+            ":3: the key 'gatez' is not known; use template, gates, reference_path, limits, zones or name");
         row("twice", "{\"template\": \"free\",\n\"template\": \"circle\"}", ":2: the key 'template' is there twice");
         row("template", "{\n\"template\": \"spiral\"}",
             ":2: template 'spiral': there is no such template; use free, straight_line, circle, figure_eight or slalom");
@@ -114,6 +126,18 @@ private Q_SLOTS:
         row("poles", "{\"reference_path\": {\"slalom\": {\"from_mm\": [0, 0], \"to_mm\": [1, 0], \"swing_mm\": 1,\n\"poles\": 1.5}}}",
             ":2: 'poles' is not a whole number from 1 to 100");
         row("limit", "{\"limits\": {\n\"speed_mm_s\": 0}}", ":2: 'speed_mm_s' is not above zero");
+        row("rule", "{\"zones\": [\n{\"name\": \"a\", \"rule\": \"inside\", \"rectangle_mm\": [[0, 0], [1, 1]]}]}",
+            ":2: rule 'inside': there is no such rule of a zone; use stay_inside or stay_outside");
+        row("no corners", "{\"zones\": [\n{\"name\": \"a\", \"rule\": \"stay_inside\"}]}",
+            ":2: the zone is given by nothing; give corners_mm, all the way round, or two opposite corners as rectangle_mm");
+        row("rectangle", "{\"zones\": [{\"name\": \"a\", \"rule\": \"stay_inside\",\n\"rectangle_mm\": [[0, 0]]}]}",
+            ":2: 'rectangle_mm' is not two corners; give two opposite corners: [[x, y], [x, y]]");
+        row("bow", "{\"zones\": [\n{\"name\": \"a\", \"rule\": \"stay_inside\", \"corners_mm\": [[0, 0], [9, 9], [9, 0], [0, 9]]}]}",
+            ":2: zone 'a': its outline crosses itself; give the corners in order");
+        row("zone twice",
+            "{\"zones\": [{\"name\": \"a\", \"rule\": \"stay_inside\", \"rectangle_mm\": [[0, 0], [9, 9]]},\n"
+            "{\"name\": \"a\", \"rule\": \"stay_inside\", \"rectangle_mm\": [[0, 0], [9, 9]]}]}",
+            ":2: zone 'a': the name is there twice");
         row("closed", "{\"reference_path\": {\"points_mm\": [[0, 0], [1, 0]],\n\"closed\": 1}}", ":2: 'closed' is neither true nor false");
     }
     void errorsNameTheLine()

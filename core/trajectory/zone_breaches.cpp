@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/zone_breaches.h"
+
+#include "core/trajectory/measured_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace odo {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double sigmasToBreach = 3;
+constexpr double leastDepthM = 0.0005;
+
+/// The point of a zone's outline that is nearest.
+Vector2d nearestOnEdge(const Zone &zone, const Vector2d &point)
+{
+    Vector2d nearest = zone.corners.front();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < zone.corners.size(); ++i) {
+        const Vector2d &from = zone.corners[i], along = zone.corners[(i + 1) % zone.corners.size()] - from;
+        const double share = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        const Vector2d here = from + share * along;
+        if (const double distance = (point - here).squaredNorm(); distance < least) {
+            least = distance;
+            nearest = here;
+        }
+    }
+    return nearest;
+}
+
+/// By the edges that a ray to the right crosses (Shimrat 1962).
+bool isWithin(const Zone &zone, const Vector2d &point)
+{
+    bool within = false;
+    for (std::size_t i = 0; i < zone.corners.size(); ++i) {
+        const Vector2d &a = zone.corners[i], &b = zone.corners[(i + 1) % zone.corners.size()];
+        if ((a.y() > point.y()) == (b.y() > point.y()))
+            continue;
+        if (point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+            within = !within;
+    }
+    return within;
+}
+
+/// Where a place of the track stands to a zone's rule.
+struct Standing
+{
+    double timeS = 0;
+    double beyondM = 0; ///< above zero: the rule is broken by so much
+    double ownM = 0, commonM = 0; ///< σ across the nearest edge
+    bool joined = false;
+};
+
+std::vector<Standing> standingsOf(const Zone &zone, const std::vector<MeasuredPlace> &places)
+{
+    std::vector<Standing> standings;
+    for (const MeasuredPlace &place : places) {
+        const Vector2d &point = place.point->position;
+        const Vector2d across = point - nearestOnEdge(zone, point);
+        const double depth = isWithin(zone, point) ? across.norm() : -across.norm();
+        const Vector2d direction = across.norm() > 0 ? Vector2d(across.normalized()) : Vector2d(1, 0);
+        standings.push_back({place.timeS, zone.rule == ZoneRule::StayOutside ? depth : -depth, sigmaAlong(place.own, direction),
+                             sigmaAlong(place.common, direction), place.joined});
+    }
+    return standings;
+}
+
+/// A stretch beyond a shifted edge.
+struct Stretch
+{
+    double fromS = 0, toS = 0;
+    std::size_t deepest = 0;
+    double endsVariance = 0; ///< s², of its two moments by the track's own noise
+    bool sure = false;
+};
+
+/// The moment between two standings at which the shifted edge is crossed; adds its variance.
+double crossing(const Standing &a, const Standing &b, double shiftM, Stretch &into)
+{
+    const double rise = b.beyondM - a.beyondM, share = (shiftM - a.beyondM) / rise;
+    const double step = b.timeS - a.timeS;
+    const double ownM = (1 - share) * a.ownM + share * b.ownM;
+    // A track that touches the edge without speed across it is not known to better than the frames around, times a few.
+    const double sigmaS = std::min(ownM * step / std::abs(rise), 10 * step);
+    into.endsVariance += sigmaS * sigmaS;
+    return a.timeS + share * step;
+}
+
+/// Where the track is beyond an edge that lies by shift further out.
+std::vector<Stretch> stretchesBeyond(const std::vector<Standing> &standings, double shiftM)
+{
+    std::vector<Stretch> stretches;
+    std::optional<Stretch> open;
+    const auto close = [&](double atS) {
+        open->toS = atS;
+        if (open->sure)
+            stretches.push_back(*open);
+        open.reset();
+    };
+    for (std::size_t i = 0; i < standings.size(); ++i) {
+        const Standing &here = standings[i];
+        const bool beyond = here.beyondM > shiftM;
+        const Standing *before = i > 0 && here.joined ? &standings[i - 1] : nullptr;
+        if (open && !before)
+            close(standings[i - 1].timeS);
+        if (beyond && !open) {
+            open = Stretch{here.timeS, here.timeS, i, 0, false};
+            if (before)
+                open->fromS = crossing(*before, here, shiftM, *open);
+        } else if (!beyond && open) {
+            const double atS = crossing(*before, here, shiftM, *open);
+            close(atS);
+        }
+        if (!open)
+            continue;
+        if (here.beyondM > standings[open->deepest].beyondM)
+            open->deepest = i;
+        open->sure = open->sure || here.beyondM - shiftM > std::max(leastDepthM, sigmasToBreach * here.ownM);
+    }
+    if (open)
+        close(standings.back().timeS);
+    return stretches;
+}
+
+double timeOf(const std::vector<Stretch> &stretches)
+{
+    double time = 0;
+    for (const Stretch &stretch : stretches)
+        time += stretch.toS - stretch.fromS;
+    return time;
+}
+
+double commonSigmaM(const std::vector<Standing> &standings)
+{
+    double largest = 0;
+    for (const Standing &standing : standings)
+        largest = std::max(largest, standing.commonM);
+    return largest;
+}
+
+} // namespace
+
+double depthWithin(const Zone &zone, const Vector2d &point)
+{
+    const double distance = (point - nearestOnEdge(zone, point)).norm();
+    return isWithin(zone, point) ? distance : -distance;
+}
+
+std::vector<ZoneBreach> findZoneBreaches(const std::vector<Zone> &zones, const std::vector<Sample> &samples,
+                                         const std::vector<ProfilePoint> &points)
+{
+    const std::vector<MeasuredPlace> places = measuredPlaces(samples, points);
+    std::vector<ZoneBreach> breaches;
+    for (const Zone &zone : zones) {
+        const std::vector<Standing> standings = standingsOf(zone, places);
+        for (const Stretch &stretch : stretchesBeyond(standings, 0)) {
+            const Standing &deepest = standings[stretch.deepest];
+            breaches.push_back({zone.name, fromSeconds(stretch.fromS), fromSeconds(stretch.toS), fromSeconds(deepest.timeS),
+                                deepest.beyondM, std::hypot(deepest.ownM, deepest.commonM)});
+        }
+    }
+    std::ranges::stable_sort(breaches, {}, &ZoneBreach::from);
+    return breaches;
+}
+
+std::vector<Metric> measureZones(const std::vector<Zone> &zones, const std::vector<Sample> &samples,
+                                 const std::vector<ProfilePoint> &points)
+{
+    if (zones.empty())
+        return {};
+    const std::vector<MeasuredPlace> places = measuredPlaces(samples, points);
+    std::size_t count = 0;
+    double timeS = 0, ends = 0, common = 0;
+    for (const Zone &zone : zones) {
+        const std::vector<Standing> standings = standingsOf(zone, places);
+        const std::vector<Stretch> stretches = stretchesBeyond(standings, 0);
+        const double shiftM = commonSigmaM(standings);
+        count += stretches.size();
+        timeS += timeOf(stretches);
+        for (const Stretch &stretch : stretches)
+            ends += stretch.endsVariance;
+        // One calibration shifts the track against all zones: their parts go together.
+        common += std::abs(timeOf(stretchesBeyond(standings, -shiftM)) - timeOf(stretchesBeyond(standings, shiftM))) / 2;
+    }
+    const std::vector<ZoneBreach> breaches = findZoneBreaches(zones, samples, points);
+    const auto deepest = std::ranges::max_element(breaches, {}, &ZoneBreach::depthM);
+    const bool any = deepest != breaches.end();
+    return {{"zone_breaches", "1", double(count), {}},
+            {"zone_time", "s", timeS, std::hypot(std::sqrt(ends), common)},
+            {"zone_depth", "mm", any ? toMillimetres(deepest->depthM) : 0,
+             any ? std::optional(toMillimetres(deepest->sigmaDepthM)) : std::nullopt}};
+}
+
+} // namespace odo

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/profile.h"
+#include "core/trajectory/zone.h"
+
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// A stretch in which the robot's centre was where a zone's rule does not want it: outside of a zone to stay in, inside of one to
+/// keep out of.
+struct ZoneBreach
+{
+    std::string zone; ///< its name
+    Nanoseconds from{0}, to{0}; ///< since the first view's first frame, interpolated between frames
+    Nanoseconds deepest{0};     ///< when it was furthest from where it should have been
+    double depthM = 0;          ///< how far that was, to the zone's edge
+    double sigmaDepthM = 0;     ///< all of it
+};
+
+/// Breaches of all zones by the smoothed track, in order of their beginnings. A breach is beyond doubt: somewhere in it the centre is
+/// beyond the edge by more than three σ of the track's own noise (and 0.5 mm). Where the profile has a gap nothing is judged: a breach
+/// ends before it.
+std::vector<ZoneBreach> findZoneBreaches(const std::vector<Zone> &zones, const std::vector<Sample> &samples,
+                                         const std::vector<ProfilePoint> &points);
+
+/// Figures of the zones, all three where there is any zone: zone_breaches (1), zone_time (s, in breaches; in two zones at once it counts
+/// twice) and zone_depth (mm, of the deepest one, 0 without any). σ of the time: half of what it differs by when all edges lie by the
+/// calibration's σ further in or out, and at each end of a breach the track's own noise over the speed across the edge, as independent.
+/// σ of a depth of 0 is not known.
+std::vector<Metric> measureZones(const std::vector<Zone> &zones, const std::vector<Sample> &samples,
+                                 const std::vector<ProfilePoint> &points);
+
+/// How far a point lies within a zone, from its nearest edge; below zero: outside of it.
+double depthWithin(const Zone &zone, const Eigen::Vector2d &point);
+
+} // namespace odo
