@@ -64,6 +64,17 @@ Result<void> importTracksOf(const CommandCall &call)
     return importTracks(call, *tracks);
 }
 
+/// Those that belong to a team; none where it is new.
+std::vector<std::string> robotsOfTeam(Project &project, const std::string &name)
+{
+    std::vector<std::string> names;
+    if (const auto known = project.teams().find(name))
+        for (const RecordId id : known->robots)
+            if (const auto its = project.robots().get(id))
+                names.push_back(its->name);
+    return names;
+}
+
 } // namespace
 
 Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
@@ -81,7 +92,7 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
                         QStringLiteral("auto|none|SECONDS[,...]")},
                        {team, QStringLiteral("The team that ran."), QStringLiteral("T")},
                        {task, QStringLiteral("The task that was driven; see odograph task add."), QStringLiteral("NAME")},
-                       {robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
+                       {robot, QStringLiteral("A robot that is seen; else those that belong to the team."), QStringLiteral("R")},
                        {rate, QStringLiteral("The camera's frame rate where the file has another."), QStringLiteral("FPS")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
@@ -98,6 +109,8 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
         if (auto known = (*project)->tasks().find(settings->task); !known)
             return tl::unexpected(known.error());
     }
+    if (settings->robots.empty() && !settings->team.empty())
+        settings->robots = robotsOfTeam(**project, settings->team);
     ImportTrialJob job(std::move(*settings));
     if (auto done = runToEnd(job, **project, call.control()); !done)
         return done;

@@ -30,6 +30,21 @@ std::string cellOf(const CsvRow &row, std::optional<std::size_t> column)
     return column && *column < row.cells.size() ? row.cells[*column] : std::string();
 }
 
+/// Names between semicolons, without the blanks around them.
+std::vector<std::string> partsOf(const std::string &cell)
+{
+    std::vector<std::string> parts;
+    std::size_t start = 0;
+    while (start <= cell.size()) {
+        const std::size_t end = std::min(cell.find(';', start), cell.size());
+        const std::size_t first = cell.find_first_not_of(" \t", start);
+        if (first < end)
+            parts.push_back(cell.substr(first, cell.find_last_not_of(" \t", end - 1) - first + 1));
+        start = end + 1;
+    }
+    return parts;
+}
+
 } // namespace
 
 std::string joinedLines(const std::vector<std::string> &sentences)
@@ -52,7 +67,8 @@ Result<std::vector<RosterEntry>> readRosterCsv(const std::filesystem::path &file
     if (rows->empty())
         return fail(ErrorCode::InvalidInput, atLine(file, 1), "the file is empty", advice);
     const CsvRow &header = rows->front();
-    const auto className = columnOf(header, "class"), team = columnOf(header, "team"), pseudonym = columnOf(header, "pseudonym");
+    const auto className = columnOf(header, "class"), team = columnOf(header, "team"), pseudonym = columnOf(header, "pseudonym"),
+               members = columnOf(header, "members");
     if (!className || !team) {
         const bool semicolons = header.cells.size() == 1 && header.cells.front().find(';') != std::string::npos;
         return fail(ErrorCode::InvalidInput, atLine(file, header.line),
@@ -65,7 +81,7 @@ Result<std::vector<RosterEntry>> readRosterCsv(const std::filesystem::path &file
     std::map<std::string, int> lineOf;
     for (std::size_t i = 1; i < rows->size(); ++i) {
         const CsvRow &row = (*rows)[i];
-        RosterEntry entry{row.line, cellOf(row, className), cellOf(row, team), cellOf(row, pseudonym)};
+        RosterEntry entry{row.line, cellOf(row, className), cellOf(row, team), cellOf(row, pseudonym), partsOf(cellOf(row, members))};
         const std::string line = "line " + std::to_string(row.line);
         if (entry.team.empty())
             bad.push_back(line + " has no team");

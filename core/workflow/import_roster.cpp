@@ -17,16 +17,18 @@ Result<void> store(Project &project, const RosterEntry &entry, const std::map<st
     const auto same = known.find(entry.team);
     if (same == known.end()) {
         ++outcome.added;
-        return withoutValue(project.teams().add({0, entry.team, entry.className, entry.pseudonym}));
+        return withoutValue(project.teams().add({0, entry.team, entry.className, entry.pseudonym, entry.members}));
     }
     TeamRecord team = same->second;
     const std::string pseudonym = entry.pseudonym.empty() ? team.pseudonym : entry.pseudonym;
-    const bool isSame = team.className == entry.className && team.pseudonym == pseudonym;
+    const std::vector<std::string> members = entry.members.empty() ? team.members : entry.members;
+    const bool isSame = team.className == entry.className && team.pseudonym == pseudonym && team.members == members;
     ++(isSame ? outcome.unchanged : outcome.changed);
     if (isSame)
         return {};
     team.className = entry.className;
     team.pseudonym = pseudonym;
+    team.members = members;
     return project.teams().set(team);
 }
 

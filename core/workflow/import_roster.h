@@ -13,12 +13,12 @@ class Project;
 struct RosterOutcome
 {
     int added = 0;     ///< teams that are new
-    int changed = 0;   ///< teams that have another class or pseudonym now
+    int changed = 0;   ///< teams that have another class, pseudonym or members now
     int unchanged = 0; ///< teams that were as the roster says
 };
 
 /// Takes the teams of a roster (readRosterCsv) over: new ones are added, those of the same name get the roster's class, and its
-/// pseudonym where it tells one. One change, which can be undone. InvalidInput, and nothing imported, with every bad line in one sentence
+/// pseudonym and members where it tells them. One change, which can be undone. InvalidInput, and nothing imported, with every bad line in one sentence
 /// with its number. On the project's thread; rosters are short.
 Result<RosterOutcome> importRoster(Project &project, const std::filesystem::path &file);
 

@@ -94,6 +94,16 @@ std::string LineUp::pseudonymOf(const std::string &team) const
     return known == m_teams.end() ? std::string() : known->pseudonym;
 }
 
+std::vector<std::string> LineUp::robotsOf(const std::string &team) const
+{
+    std::vector<std::string> names;
+    if (const auto known = std::ranges::find(m_teams, team, &TeamRecord::name); known != m_teams.end())
+        for (const RecordId id : known->robots)
+            if (const auto robot = std::ranges::find(m_robots, id, &RobotRecord::id); robot != m_robots.end())
+                names.push_back(robot->name);
+    return names;
+}
+
 const TaskRecord *LineUp::task(const std::string &name) const
 {
     const auto task = std::ranges::find(m_tasks, name, &TaskRecord::name);
@@ -111,14 +121,16 @@ NextRun LineUp::run(const std::string &className, const std::string &team) const
 {
     NextRun run{className, team, {}, {}, freeTrialName(team)};
     const TrialRecord *newest = newestOf(team);
-    if (newest)
+    run.robots = robotsOf(team);
+    if (run.robots.empty() && newest)
         run.robots = newest->robotNames;
     if (run.robots.empty()) {
         for (const RobotRecord &robot : m_robots)
             run.robots.push_back(robot.name);
     }
     const TrialRecord *last = newest ? newest : m_newest.empty() ? nullptr : &m_newest.front();
-    run.task = last ? last->task : std::string();
+    if (last && task(last->task)) // else it is archived
+        run.task = last->task;
     return run;
 }
 

@@ -39,12 +39,14 @@ public:
     std::vector<std::string> teams(const std::string &className) const;
     /// Empty where it has none.
     std::string pseudonymOf(const std::string &team) const;
+    /// The robots that belong to a team; empty: it has none of its own.
+    std::vector<std::string> robotsOf(const std::string &team) const;
     const std::vector<TaskRecord> &tasks() const { return m_tasks; }
     const std::vector<RobotRecord> &robots() const { return m_robots; }
     const TaskRecord *task(const std::string &name) const;
 
-    /// A team's run: its robots and the task as in its newest trial, or else all robots and the task that was
-    /// driven last.
+    /// A team's run: the robots that belong to it, or else those of its newest trial, or else all; the task as in its newest trial,
+    /// or else the one that was driven last.
     NextRun run(const std::string &className, const std::string &team) const;
     /// The run of who comes after the team in its class, from the first again after the last; the task stays.
     NextRun next(const NextRun &run) const;

@@ -33,6 +33,17 @@ private Q_SLOTS:
         QCOMPARE(team("Heron").className, std::string("9A"));
     }
 
+    void membersAreTaken()
+    {
+        QVERIFY(import("class,members,team\n9B,\" Anna ;;Zoë;\",Falcon\n9B,,Heron\n"));
+        QCOMPARE(team("Falcon").members, (std::vector<std::string>{"Anna", "Zoë"}));
+        QVERIFY(team("Heron").members.empty());
+        const auto again = import("class,members,team\n9B,,Falcon\n9B,Ben,Heron\n");
+        QVERIFY(again && again->unchanged == 1 && again->changed == 1); // nothing told: kept
+        QCOMPARE(team("Falcon").members.size(), std::size_t(2));
+        QCOMPARE(team("Heron").members, std::vector<std::string>{"Ben"});
+    }
+
     void aSecondTimeNothingChanges()
     {
         QVERIFY(import("class,team\n9B,Falcon\n"));

@@ -17,6 +17,8 @@ private Q_SLOTS:
     void init();
     void teamsComeUpOneAfterTheOther();
     void aTeamDrivesWhatItDroveLast();
+    void aTeamDrivesItsOwnRobots();
+    void archivedTasksAreNotOffered();
     void withoutTeamsTrialsAreNumbered();
     void pseudonymsNameTrialsWhereTheyAreShown();
     void archivedClassesAreNotUp();
@@ -93,6 +95,28 @@ void TestLineUp::aTeamDrivesWhatItDroveLast()
     QCOMPARE(otter.robots.size(), std::size_t(2));
     QCOMPARE(otter.task, std::string("Line"));
     QVERIFY(up.task("Eight") && !up.task("Nine"));
+}
+
+void TestLineUp::aTeamDrivesItsOwnRobots()
+{
+    const RecordId blue = m_project->robots().find("Blue 1")->id;
+    QVERIFY(m_project->teams().add({0, "Falcon", "9A", "", {}, {blue}}));
+    QVERIFY(m_project->teams().add({0, "Otter", "9A"}));
+    addTrial("a", "Falcon", "Circle", {"Red 2"}, 1); // lent once
+    const LineUp up = *LineUp::read(*m_project);
+    QCOMPARE(up.run("9A", "Falcon").robots, Names{"Blue 1"});
+    QCOMPARE(up.run("9A", "Otter").robots.size(), std::size_t(2));
+    QVERIFY(up.robotsOf("Otter").empty() && up.robotsOf("nobody").empty());
+}
+
+void TestLineUp::archivedTasksAreNotOffered()
+{
+    QVERIFY(m_project->teams().add({0, "Falcon", "9A"}));
+    addTrial("a", "Falcon", "Circle", {"Red 2"}, 1);
+    QVERIFY(m_project->tasks().setArchived(m_project->tasks().find("Circle")->id, true));
+    const LineUp up = *LineUp::read(*m_project);
+    QVERIFY(up.tasks().empty() && !up.task("Circle"));
+    QVERIFY(up.run("9A", "Falcon").task.empty());
 }
 
 void TestLineUp::withoutTeamsTrialsAreNumbered()
