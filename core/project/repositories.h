@@ -232,6 +232,15 @@ struct ScoredFigures
     std::vector<Metric> metrics;
 };
 
+/// A trial whose task has a course (hasCourse) by which the newest analysis of a robot was not measured: it was by another, by the
+/// course as it was before, or by none.
+struct OtherwiseMeasured
+{
+    RecordId trial = 0;
+    std::string name, task; ///< of the trial, and of the task it has
+    bool binned = false;
+};
+
 class AnalysisRepository
 {
 public:
@@ -246,9 +255,8 @@ public:
     /// What runs of scored tasks are scored by, of the newest analysis of each robot, of the trials from one moment to another (both
     /// belong to them): the metrics that the scoring names, and the counts of scoringMetrics().
     Result<std::vector<ScoredFigures>> scoredFigures(Instant from, Instant to) const;
-    /// Trials whose task has a course (hasCourse) by which the newest analysis of a robot was not measured: it was by another, by the
-    /// course as it was before, or by none. In order of their ids.
-    Result<std::vector<RecordId>> trialsMeasuredOtherwise() const;
+    /// In order of their ids.
+    Result<std::vector<OtherwiseMeasured>> trialsMeasuredOtherwise() const;
     /// The names of the metrics that there are, in alphabetical order.
     Result<std::vector<std::string>> metricNames() const;
     /// Names of the trials whose newest analyses were made with a registration, by its id.

@@ -81,19 +81,19 @@ Result<std::vector<ScoredFigures>> AnalysisRepository::scoredFigures(Instant fro
     return runs;
 }
 
-Result<std::vector<RecordId>> AnalysisRepository::trialsMeasuredOtherwise() const
+Result<std::vector<OtherwiseMeasured>> AnalysisRepository::trialsMeasuredOtherwise() const
 {
-    std::vector<RecordId> trials;
+    std::vector<OtherwiseMeasured> trials;
     Statement select(
         m_connection,
         QStringLiteral(
-            "SELECT DISTINCT trial.id FROM trial JOIN task ON task.id=trial.task_id "
+            "SELECT DISTINCT trial.id, trial.name, task.name, binned_ms FROM trial JOIN task ON task.id=trial.task_id "
             "JOIN analysis ON analysis.trial_id=trial.id WHERE COALESCE(analysis.task_id, 0)<>trial.task_id "
             "AND %1 AND analysis.id=(SELECT MAX(newer.id) FROM analysis AS newer WHERE "
             "newer.trial_id=trial.id AND newer.robot_id=analysis.robot_id) ORDER BY trial.id")
             .arg(courseCondition));
     auto read = select.eachRow([&trials](const Statement &row) -> Result<void> {
-        trials.push_back(row.integer(0));
+        trials.push_back({row.integer(0), row.text(1), row.text(2), row.optionalReal(3).has_value()});
         return {};
     });
     if (!read)

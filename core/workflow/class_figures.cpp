@@ -24,7 +24,7 @@ Result<std::map<std::string, ClassFigure>> classFigures(Project &project, const 
     std::set<RecordId> counted;
     for (const TrialRecord &trial : *trials) {
         if (trial.className == className && trial.task == task && !trial.binned &&
-            !std::ranges::binary_search(*otherwise, trial.id))
+            !std::ranges::binary_search(*otherwise, trial.id, {}, &OtherwiseMeasured::trial))
             counted.insert(trial.id);
     }
     std::map<std::string, ClassFigure> figures;

@@ -3,13 +3,16 @@
 
 #include "ui/views/comparison_curves.h"
 #include "ui/compare/run_chooser.h"
+#include "ui/models/comparison_explanation.h"
 #include "ui/models/difference_model.h"
 #include "ui/models/timeline.h"
 #include "ui/views/card.h"
+#include "ui/views/explanation_dialog.h"
 #include "ui/views/figure_grid.h"
 #include "ui/views/table_list.h"
 #include "ui/views/theme.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QSignalBlocker>
@@ -17,6 +20,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 #include <cmath>
+#include <functional>
 
 namespace odo {
 
@@ -78,6 +82,23 @@ QTableView *tableOf(DifferenceModel *model, const QString &name)
     return table;
 }
 
+/// Enter, a double click, Shift+F1 or the context menu tell how the chosen row came about.
+void explainBy(QTableView &table, const std::function<void(int)> &explain)
+{
+    auto *how = new QAction(howComputedWords(), &table);
+    how->setObjectName(QStringLiteral("howComputed"));
+    how->setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_F1));
+    how->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    table.addAction(how);
+    table.setContextMenuPolicy(Qt::ActionsContextMenu);
+    const auto ofCurrent = [&table, explain] {
+        if (table.currentIndex().isValid())
+            explain(table.currentIndex().row());
+    };
+    QObject::connect(how, &QAction::triggered, &table, ofCurrent);
+    QObject::connect(&table, &QTableView::activated, &table, ofCurrent);
+}
+
 } // namespace
 
 CompareColumn::CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *parent)
@@ -98,8 +119,11 @@ CompareColumn::CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *pare
     runs->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     m_result->setContent(m_figures);
     m_result->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-    m_sectorCard->setContent(tableOf(m_sectors, tr("Times from gate to gate")));
-    m_metricCard->setContent(tableOf(m_metrics, tr("Figures of both runs")));
+    QTableView *sectors = tableOf(m_sectors, tr("Times from gate to gate")), *metrics = tableOf(m_metrics, tr("Figures of both runs"));
+    explainBy(*sectors, [this](int row) { explainSectorAt(row); });
+    explainBy(*metrics, [this](int row) { explainMetricAt(row); });
+    m_sectorCard->setContent(sectors);
+    m_metricCard->setContent(metrics);
     m_sectorCard->setRemark(tr("s · drag the gates on the map"));
     m_metricCard->setRemark(tr("grey: within the error"));
     auto *layout = new QVBoxLayout(this);
@@ -110,6 +134,8 @@ CompareColumn::CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *pare
     layout->addWidget(m_sectorCard, 2);
     layout->addWidget(m_metricCard, 4);
     setFixedWidth(columnWidth);
+    m_figures->setChoosable(howComputedWords());
+    connect(m_figures, &FigureGrid::chosen, this, &CompareColumn::explainFigure);
     connect(&m_timeline, &Timeline::currentChanged, this, &CompareColumn::showFigures);
 }
 
@@ -151,8 +177,10 @@ void CompareColumn::showRun()
     m_result->setRemark(m_scene->runCount() > 2 ? tr("of") : tr("of %1").arg(other));
     const RunComparison &comparison = m_scene->compared.comparison;
     m_end.reset();
-    for (std::size_t station = comparison.waysM.size(); station-- > 0 && !m_end;)
-        m_end = differenceAt(*m_scene, m_other, comparison.distanceM(station));
+    for (std::size_t station = comparison.waysM.size(); station-- > 0 && !m_end;) {
+        m_endM = comparison.distanceM(station);
+        m_end = differenceAt(*m_scene, m_other, m_endM);
+    }
     setGates(m_gates);
     showFigures();
 }
@@ -160,17 +188,37 @@ void CompareColumn::showRun()
 void CompareColumn::setGates(const std::vector<PathGate> &gates)
 {
     m_gates = gates;
-    m_sectors->setSectors(sectorTimes(m_scene->compared.comparison, gates), m_other);
+    m_sectorTimes = sectorTimes(m_scene->compared.comparison, gates);
+    m_sectors->setSectors(m_sectorTimes, m_other);
 }
 
 void CompareColumn::showFigures()
 {
     if (!m_scene || !isVisible())
         return;
-    const auto here = differenceAt(*m_scene, m_other, m_scene->distanceAt(0, m_timeline.currentTime()));
+    m_hereM = m_scene->distanceAt(0, m_timeline.currentTime());
+    m_here = differenceAt(*m_scene, m_other, m_hereM);
     m_figures->setFigures(
         {timeFigure(m_end, tr("Later at the end"), tr("Earlier at the end"), tr("At the end")),
-         timeFigure(here, tr("Later here"), tr("Earlier here"), tr("Here"))});
+         timeFigure(m_here, tr("Later here"), tr("Earlier here"), tr("Here"))});
+}
+
+void CompareColumn::explainMetricAt(int row)
+{
+    const auto &metrics = m_scene->compared.metrics.at(m_other - 1);
+    showExplanation(window(), explainDifference(*m_scene, m_other, metrics.at(static_cast<std::size_t>(row))));
+}
+
+void CompareColumn::explainSectorAt(int row)
+{
+    showExplanation(window(), explainSector(*m_scene, m_other, m_sectorTimes.at(static_cast<std::size_t>(row))));
+}
+
+void CompareColumn::explainFigure(std::size_t figure)
+{
+    const std::optional<CurveValue> &value = figure == 0 ? m_end : m_here;
+    if (m_scene && value)
+        showExplanation(window(), explainTimeDifference(*m_scene, m_other, figure == 0 ? m_endM : m_hereM, {value->value, value->sigma}));
 }
 
 } // namespace odo

@@ -30,6 +30,9 @@ public:
 private:
     void showRun();
     void showFigures();
+    void explainMetricAt(int row);
+    void explainSectorAt(int row);
+    void explainFigure(std::size_t figure);
 
     Timeline &m_timeline;
     ComparisonScenePtr m_scene;
@@ -39,6 +42,9 @@ private:
     std::vector<PathGate> m_gates;
     FigureGrid *m_figures;
     DifferenceModel *m_sectors, *m_metrics;
+    std::vector<SectorTimes> m_sectorTimes; ///< that are shown
+    double m_endM = 0, m_hereM = 0;         ///< distances of the two figures
+    std::optional<CurveValue> m_here;
     std::optional<CurveValue> m_end; ///< time difference where the last of both can be compared
 };
 

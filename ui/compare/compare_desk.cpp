@@ -10,10 +10,8 @@
 
 #include <QComboBox>
 #include <QPainter>
-#include <QSettings>
 #include <QSignalBlocker>
 #include <QSplitter>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -22,8 +20,6 @@ namespace odo {
 namespace {
 
 constexpr std::size_t pictured = 2;
-constexpr int gap = 8;
-const QString upperKey = QStringLiteral("compare/pictures"), wholeKey = QStringLiteral("compare/layout");
 /// A run's colour on pictures, where it does not follow the palette.
 QColor onPicture(std::size_t run)
 {
@@ -64,10 +60,9 @@ bool sameFloor(const ComparisonScene &scene, std::size_t a, std::size_t b)
 } // namespace
 
 CompareDesk::CompareDesk(Timeline &timeline, QWidget *parent)
-    : QWidget(parent), m_timeline(timeline), m_mapCard(new Card(tr("Top-down map"))),
+    : DockDesk(QStringLiteral("compare"), parent), m_timeline(timeline), m_mapCard(new Card(tr("Top-down map"))),
       m_map(new CompareMap(timeline)), m_speed(new DistanceChart(timeline, Compared::Speed)),
-      m_difference(new DistanceChart(timeline, Compared::TimeDifference)), m_upper(new QSplitter),
-      m_whole(new QSplitter(Qt::Vertical, this))
+      m_difference(new DistanceChart(timeline, Compared::TimeDifference))
 {
     m_map->setAccessibleName(tr("Map of the floor with the ways of the runs and the gates of the sectors"));
     m_map->setToolTip(
@@ -81,47 +76,23 @@ CompareDesk::CompareDesk(Timeline &timeline, QWidget *parent)
         views->setAccessibleName(run == 0 ? tr("Camera of the first run") : tr("Camera of the second run"));
         picture->addToHeader(views);
         picture->setMinimumWidth(180);
-        m_upper->addWidget(picture);
+        middle().addWidget(picture);
         connect(views, &QComboBox::activated, this, &CompareDesk::showViews);
         connect(picture, &CameraView::settled, this, &CompareDesk::settled);
         m_clocks.push_back(clock);
         m_pictures.push_back(picture);
         m_viewLists.push_back(views);
     }
-    m_upper->addWidget(m_mapCard);
-    for (QWidget *part : {static_cast<QWidget *>(m_upper), static_cast<QWidget *>(m_speed),
-                          static_cast<QWidget *>(m_difference)})
-        m_whole->addWidget(part);
-    for (QSplitter *splitter : {m_upper, m_whole}) {
-        splitter->setHandleWidth(gap);
-        splitter->setChildrenCollapsible(false);
-    }
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_whole);
-    restoreLayout();
+    middle().addWidget(m_mapCard);
+    addDock(m_speed, QStringLiteral("compareSpeedDock"), m_speed->title(), 31);
+    addDock(m_difference, QStringLiteral("compareDifferenceDock"), m_difference->title(), 31);
+    resetLayout();
     connect(&m_timeline, &Timeline::currentChanged, this, &CompareDesk::followTime);
     connect(m_map, &CompareMap::gatesMoved, this, &CompareDesk::gatesMoved);
     connect(m_map, &CompareMap::settled, this, &CompareDesk::settled);
 }
 
 CompareDesk::~CompareDesk() = default;
-
-void CompareDesk::restoreLayout()
-{
-    const QSettings settings;
-    if (!m_upper->restoreState(settings.value(upperKey).toByteArray()))
-        m_upper->setSizes({350, 350, 320});
-    if (!m_whole->restoreState(settings.value(wholeKey).toByteArray()))
-        m_whole->setSizes({300, 250, 250});
-}
-
-void CompareDesk::saveLayout() const
-{
-    QSettings settings;
-    settings.setValue(upperKey, m_upper->saveState());
-    settings.setValue(wholeKey, m_whole->saveState());
-}
 
 void CompareDesk::setScene(ComparisonScenePtr scene)
 {

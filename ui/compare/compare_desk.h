@@ -2,13 +2,12 @@
 #pragma once
 
 #include "ui/models/comparison_scene.h"
+#include "ui/views/dock_desk.h"
 
-#include <QWidget>
 #include <memory>
 #include <vector>
 
 class QComboBox;
-class QSplitter;
 
 namespace odo {
 
@@ -18,10 +17,9 @@ class CompareMap;
 class DistanceChart;
 class Timeline;
 
-/// The left part of Compare: a picture of each of the first two runs with the ghost of the other, the map,
-/// and the charts against the distance. The arrangement is read from the settings, and written there by
-/// saveLayout.
-class CompareDesk : public QWidget
+/// The left part of Compare, which a person can arrange: a picture of each of the first two runs with the ghost of the other, the map,
+/// and the charts against the distance in docks.
+class CompareDesk : public DockDesk
 {
     Q_OBJECT
 public:
@@ -34,7 +32,6 @@ public:
     DistanceChart &difference() const { return *m_difference; }
     const std::vector<CameraView *> &pictures() const { return m_pictures; }
     bool isSettled() const;
-    void saveLayout() const;
 
 Q_SIGNALS:
     void gatesMoved(const std::vector<odo::PathGate> &gates);
@@ -43,7 +40,6 @@ Q_SIGNALS:
 private:
     void followTime();
     void showViews();
-    void restoreLayout();
 
     Timeline &m_timeline;
     ComparisonScenePtr m_scene;
@@ -53,7 +49,6 @@ private:
     Card *m_mapCard;
     CompareMap *m_map;
     DistanceChart *m_speed, *m_difference;
-    QSplitter *m_upper, *m_whole;
 };
 
 } // namespace odo

@@ -85,9 +85,11 @@ void CompareMap::paintStill(QPainter &painter) const
     const TrialScene &first = *m_scene->scenes.front();
     if (first.layout)
         drawMapMarkers(painter, shown, *first.layout, palette());
+    const auto toScreen = [&shown](const Eigen::Vector2d &point) { return shown.fromWorld(point); };
+    if (first.task)
+        drawZones(painter, first.task->zones, toScreen, palette());
     if (m_scene->compared.comparison.isTasksPath)
-        drawReferencePath(
-            painter, path(), [&](const Eigen::Vector2d &point) { return shown.fromWorld(point); }, palette());
+        drawReferencePath(painter, path(), toScreen, palette());
     std::vector<std::size_t> runs(m_scene->runCount());
     std::iota(runs.begin(), runs.end(), std::size_t(0));
     drawWays(painter, shown, *m_scene, runs, palette());

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/compare/distance_chart.h"
 
+#include "ui/models/comparison_explanation.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/shown_units.h"
 #include "ui/models/timeline.h"
+#include "ui/views/chart_bubbles.h"
 #include "ui/views/comparison_painting.h"
 #include "ui/views/series_key.h"
 #include "ui/views/theme.h"
@@ -16,7 +18,7 @@
 namespace odo {
 
 DistanceArea::DistanceArea(Timeline &timeline, Compared what, QWidget *parent)
-    : QWidget(parent), m_timeline(timeline), m_what(what)
+    : QWidget(parent), m_timeline(timeline), m_what(what), m_bubbles(new ChartBubbles(*this))
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
@@ -44,6 +46,7 @@ void DistanceArea::setRanges()
 void DistanceArea::paintCursor(QPainter &painter) const
 {
     constexpr double rounding = 1e-3;
+    m_bubbles->clear();
     double distance = m_scene->distanceAt(0, m_timeline.currentTime());
     if (distance < plot().low - rounding || distance > plot().high + rounding)
         return;
@@ -59,8 +62,14 @@ void DistanceArea::paintCursor(QPainter &painter) const
         QString text = figureText(value->value, value->sigma, comparedUnit(m_what)).text();
         if (m_what == Compared::Speed || m_curves.size() > 1)
             text.prepend(QString::fromStdString(m_scene->name(curve.run)) + QStringLiteral(": "));
-        top = drawChartBubble(painter, shown, {distance, value->value}, top, text,
-                              seriesColour(int(curve.run), palette()), palette());
+        const QRectF bubble =
+            drawChartBubble(painter, shown, {distance, value->value}, top, text, seriesColour(int(curve.run), palette()), palette());
+        m_bubbles->add(bubble, [scene = m_scene, what = m_what, run = curve.run, distance, value = *value] {
+            return what == Compared::Speed
+                       ? explainSpeedOnWay(*scene, run, distance, figureText(value.value, value.sigma, comparedUnit(what)).text())
+                       : explainTimeDifference(*scene, run, distance, {value.value, value.sigma});
+        });
+        top = bubble.bottom() + bubbleGap;
     }
 }
 

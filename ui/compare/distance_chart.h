@@ -8,6 +8,7 @@
 
 namespace odo {
 
+class ChartBubbles;
 class SeriesKey;
 class Timeline;
 
@@ -40,6 +41,7 @@ private:
 
     Timeline &m_timeline;
     Compared m_what;
+    ChartBubbles *m_bubbles;
     ComparisonScenePtr m_scene;
     std::vector<DistanceCurve> m_curves;
     ChartPlot m_plot;

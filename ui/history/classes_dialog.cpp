@@ -4,6 +4,7 @@
 #include "core/base/without_value.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "ui/history/team_dialog.h"
 #include "ui/views/plain_button.h"
 #include "ui/views/table_list.h"
 #include "ui/views/undo_keys.h"
@@ -21,7 +22,7 @@
 namespace odo {
 namespace {
 
-enum Column { NameColumn, PseudonymColumn, ColumnCount };
+enum Column { NameColumn, PseudonymColumn, MembersColumn, RobotsColumn, ColumnCount };
 constexpr int classesWidth = 300;
 
 QHBoxLayout *rowOf(const QList<QPushButton *> &buttons)
@@ -41,7 +42,7 @@ ClassesDialog::ClassesDialog(Project &project, bool readOnly, QWidget *parent)
       m_moveMenu(new QMenu(this)), m_newClass(plainButton(tr("&New class…"))),
       m_rename(plainButton(tr("&Rename…"))), m_archive(plainButton(tr("&Archive"))),
       m_removeClass(plainButton(tr("Dele&te"))), m_newTeam(plainButton(tr("New t&eam…"))),
-      m_move(plainButton(tr("&Move to"))), m_removeTeam(plainButton(tr("&Delete"))),
+      m_move(plainButton(tr("&Move to"))), m_editTeam(plainButton(tr("Members and r&obots…"))), m_removeTeam(plainButton(tr("&Delete"))),
       m_roster(plainButton(tr("&Import roster…"))), m_message(new QLabel)
 {
     setWindowTitle(tr("Classes and teams"));
@@ -59,7 +60,7 @@ ClassesDialog::ClassesDialog(Project &project, bool readOnly, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(row, 1);
     layout->addLayout(bottom);
-    resize(860, 520);
+    resize(1040, 520);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
     connect(m_roster, &QPushButton::clicked, this, [this] {
         accept();
@@ -95,7 +96,7 @@ QWidget *ClassesDialog::makeClasses()
 
 QWidget *ClassesDialog::makeTeams()
 {
-    m_teamTable->setHorizontalHeaderLabels({tr("Team"), tr("Pseudonym")});
+    m_teamTable->setHorizontalHeaderLabels({tr("Team"), tr("Pseudonym"), tr("Members"), tr("Robots")});
     m_teamTable->setAccessibleName(tr("Teams of the class"));
     showAsList(*m_teamTable);
     m_teamTable->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -109,10 +110,15 @@ QWidget *ClassesDialog::makeTeams()
     auto *layout = new QVBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_teamTable, 1);
-    layout->addLayout(rowOf({m_newTeam, m_move, m_removeTeam, m_roster}));
+    layout->addLayout(rowOf({m_newTeam, m_editTeam, m_move, m_removeTeam, m_roster}));
     connect(m_teamTable, &QTableWidget::cellChanged, this, &ClassesDialog::readCell);
     connect(m_teamTable, &QTableWidget::currentCellChanged, this, &ClassesDialog::showButtons);
     connect(m_newTeam, &QPushButton::clicked, this, &ClassesDialog::addTeam);
+    connect(m_editTeam, &QPushButton::clicked, this, &ClassesDialog::editTeam);
+    connect(m_teamTable, &QTableWidget::cellDoubleClicked, this, [this](int, int column) {
+        if (column == MembersColumn || column == RobotsColumn)
+            editTeam();
+    });
     connect(m_removeTeam, &QPushButton::clicked, this, &ClassesDialog::removeTeam);
     return box;
 }
@@ -121,10 +127,13 @@ void ClassesDialog::refresh()
 {
     auto classes = m_project.classes().all();
     auto teams = m_project.teams().all();
-    if (!classes || !teams) {
-        m_message->setText(QString::fromStdString((classes ? teams.error() : classes.error()).message()));
+    auto robots = m_project.robots().all();
+    if (!classes || !teams || !robots) {
+        const Error &error = !classes ? classes.error() : !teams ? teams.error() : robots.error();
+        m_message->setText(QString::fromStdString(error.message()));
         return;
     }
+    m_robots = std::move(*robots);
     const ClassRecord *chosen = currentClass();
     const QString before = !m_wanted.isNull() ? m_wanted
                            : chosen           ? QString::fromStdString(chosen->name)
@@ -178,6 +187,12 @@ void ClassesDialog::showTeams()
         m_teamTable->setItem(i, NameColumn, new QTableWidgetItem(QString::fromStdString(team.name)));
         m_teamTable->setItem(i, PseudonymColumn,
                              new QTableWidgetItem(QString::fromStdString(team.pseudonym)));
+        QStringList robots;
+        for (const RobotRecord &robot : m_robots)
+            if (std::ranges::find(team.robots, robot.id) != team.robots.end())
+                robots << QString::fromStdString(robot.name);
+        showToRead(i, MembersColumn, shownMembers(team));
+        showToRead(i, RobotsColumn, robots.join(QStringLiteral(", ")));
     }
     const auto same =
         std::ranges::find(m_teams, current, &TeamRecord::id); // another name may have put it elsewhere
@@ -185,6 +200,15 @@ void ClassesDialog::showTeams()
     m_teamTable->setCurrentCell(std::min(row, m_teamTable->rowCount() - 1), NameColumn);
     m_isShowing = false;
     showButtons();
+}
+
+/// A cell that is changed in the team's dialog, not in place.
+void ClassesDialog::showToRead(int row, int column, const QString &text)
+{
+    auto *item = new QTableWidgetItem(text);
+    item->setFlags(item->flags() & ~Qt::ItemIsEditable);
+    item->setToolTip(text.toHtmlEscaped());
+    m_teamTable->setItem(row, column, item);
 }
 
 void ClassesDialog::showButtons()
@@ -199,6 +223,7 @@ void ClassesDialog::showButtons()
     m_newTeam->setEnabled(!m_readOnly);
     m_roster->setEnabled(!m_readOnly);
     m_removeTeam->setEnabled(hasTeam);
+    m_editTeam->setEnabled(hasTeam);
     m_moveMenu->clear();
     for (const ClassRecord &each : m_classes)
         if (!chosen || each.id != chosen->id)
@@ -282,9 +307,23 @@ void ClassesDialog::removeTeam()
           [&] { return m_project.teams().remove(team.id); });
 }
 
+void ClassesDialog::editTeam()
+{
+    if (!m_editTeam->isEnabled())
+        return;
+    const TeamRecord before = *currentTeam();
+    TeamDialog dialog(before, m_robots, this);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const TeamRecord team = dialog.team();
+    if (team.members == before.members && team.robots == before.robots)
+        return;
+    apply(tr("change members and robots of team %1").arg(QString::fromStdString(team.name)), [&] { return m_project.teams().set(team); });
+}
+
 void ClassesDialog::readCell(int row, int column)
 {
-    if (m_isShowing)
+    if (m_isShowing || column > PseudonymColumn)
         return;
     const TeamRecord before = m_teams[static_cast<std::size_t>(row)];
     TeamRecord team = before;

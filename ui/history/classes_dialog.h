@@ -21,7 +21,7 @@ class Project;
 
 /// The classes of a project and their teams: made, renamed, moved, archived and deleted, each as one change
 /// that can be undone, here too (Ctrl+Z takes back what was done here). Names and pseudonyms of teams are
-/// written in place. On the project's thread; the project must outlive it.
+/// written in place, members and robots in a dialog. On the project's thread; the project must outlive it.
 class ClassesDialog : public QDialog
 {
     Q_OBJECT
@@ -38,6 +38,7 @@ private:
     QWidget *makeTeams();
     void refresh();
     void showTeams();
+    void showToRead(int row, int column, const QString &text);
     void showButtons();
     const ClassRecord *currentClass() const;
     const TeamRecord *currentTeam() const;
@@ -48,6 +49,7 @@ private:
     void addTeam();
     void moveTeam(const std::string &className);
     void removeTeam();
+    void editTeam();
     void readCell(int row, int column);
     QString askName(const QString &title, const QString &name);
     void apply(const QString &words, const std::function<Result<void>()> &work);
@@ -58,12 +60,13 @@ private:
     const bool m_readOnly;
     bool m_isShowing = false;
     std::vector<ClassRecord> m_classes;
+    std::vector<RobotRecord> m_robots;
     std::vector<TeamRecord> m_all, m_teams; ///< of all classes; of the one that is chosen
     QString m_wanted;                       ///< class that is chosen once it is there
     QListWidget *m_classList;
     QTableWidget *m_teamTable;
     QMenu *m_moveMenu;
-    QPushButton *m_newClass, *m_rename, *m_archive, *m_removeClass, *m_newTeam, *m_move, *m_removeTeam,
+    QPushButton *m_newClass, *m_rename, *m_archive, *m_removeClass, *m_newTeam, *m_move, *m_editTeam, *m_removeTeam,
         *m_roster;
     QLabel *m_message;
 };

@@ -11,6 +11,7 @@
 #include "ui/models/shown_team.h"
 #include "ui/models/trial_model.h"
 #include "ui/views/card.h"
+#include "ui/views/command_names.h"
 #include "ui/views/table_list.h"
 #include "ui/views/theme_icon.h"
 
@@ -87,8 +88,9 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
     connect(m_detail, &TrialDetail::failed, this, &HistoryPage::failed);
     connectMarks();
     connect(m_tabs, &QTabWidget::currentChanged, this, &HistoryPage::showTeams);
-    connect(m_teams, &TeamsPanel::choiceChanged, this, &HistoryPage::showTeams);
+    connect(m_teams, &TeamsPanel::trialsWanted, this, &HistoryPage::giveTrialsToTeams);
     connect(m_teams, &TeamsPanel::failed, this, &HistoryPage::failed);
+    nameCommands({{m_pseudonyms, "pseudonyms"}});
     m_pseudonyms->setCheckable(true);
     m_pseudonyms->setChecked(arePseudonymsShown());
     connect(m_pseudonyms, &QAction::toggled, this, [this](bool shown) {
@@ -161,19 +163,38 @@ void HistoryPage::addTrialActions()
     connect(report, &QAction::triggered, this, [this] { Q_EMIT reportRequested(selectedTrials()); });
     auto *videos = new QAction(tr("Export &videos…"), m_table);
     connect(videos, &QAction::triggered, this, [this] { Q_EMIT videosRequested(selectedTrials()); });
-    m_table->addActions({measureAgain, exportAll, videos, report});
+    nameCommands({{measureAgain, "measureAgain"}, {exportAll, "exportTrials"}, {videos, "exportVideos"}, {report, "reportTrials"}});
+    const QList<QAction *> work{measureAgain, exportAll, videos, report};
+    m_table->addActions(work);
+    m_listActions << m_marks->star() << m_marks->archive() << m_marks->bin() << m_marks->emptyBin() << work;
     m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
 /// Only what is seen is computed.
 void HistoryPage::showTeams()
 {
-    if (m_tabs->currentWidget() != m_teams)
-        return;
+    if (m_tabs->currentWidget() == m_teams)
+        m_teams->refresh();
+}
+
+bool HistoryPage::isSettled() const
+{
+    return !m_reading && m_teams->isSettled();
+}
+
+void HistoryPage::showSettled()
+{
+    if (isSettled())
+        Q_EMIT settled();
+}
+
+void HistoryPage::giveTrialsToTeams()
+{
     std::vector<const TrialRecord *> trials;
     for (const TrialRow &row : m_trials->allRows())
         trials.push_back(&row.trial);
     m_teams->showTrials(trials);
+    showSettled();
 }
 
 void HistoryPage::makeHeader()
@@ -187,7 +208,9 @@ void HistoryPage::makeHeader()
     m_search->installEventFilter(this);
     connect(m_search, &QLineEdit::textChanged, this, &HistoryPage::filter);
     connect(m_filterBar, &TrialFilterBar::changed, this, &HistoryPage::filter);
-    auto *find = new QAction(this);
+    auto *find = new QAction(themeIcon(QStringLiteral("search")), tr("Searc&h"), this);
+    nameCommands({{find, "searchTrials"}});
+    m_listActions.prepend(find);
     find->setShortcut(QKeySequence::Find);
     find->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     connect(find, &QAction::triggered, m_search, [this] { m_search->setFocus(Qt::ShortcutFocusReason); });
@@ -256,7 +279,7 @@ void HistoryPage::endReading(std::vector<TrialRow> rows)
     showCount();
     showCurrent();
     showTeams();
-    Q_EMIT settled();
+    showSettled();
 }
 
 void HistoryPage::fitTable()

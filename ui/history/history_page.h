@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 
+#include <QList>
 #include <QStringList>
 #include <QWidget>
 #include <memory>
@@ -48,10 +49,12 @@ public:
     /// Stores what is being written now instead of in a moment.
     void saveNotes();
     /// Everything that was to be read is there.
-    bool isSettled() const { return m_reading == nullptr; }
+    bool isSettled() const;
     /// That only pseudonyms of teams are shown, in every mode, where they have one: a checkable action for a menu.
     /// Remembered.
     QAction *pseudonyms() const { return m_pseudonyms; }
+    /// What can be done with the list and the trials that are selected in it, for a menu.
+    const QList<QAction *> &listActions() const { return m_listActions; }
 
 Q_SIGNALS:
     void trialChosen(const QString &name);            ///< to be opened in Review
@@ -77,6 +80,8 @@ private:
     void makeHeader();
     void addTrialActions();
     void showTeams();
+    void giveTrialsToTeams();
+    void showSettled();
     void connectMarks();
     QString currentTrial() const;
     QStringList selectedTrials() const; ///< from top to bottom
@@ -98,6 +103,7 @@ private:
     TrialFilterBar *m_filterBar;
     MarkActions *m_marks;
     QAction *m_pseudonyms;
+    QList<QAction *> m_listActions;
     QTableView *m_table;
     Card *m_tableCard = nullptr;
     TeamsPanel *m_teams;

@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/empty_bin.h"
+#include "ui/views/command_names.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
@@ -21,6 +22,7 @@ MarkActions::MarkActions(Project &project, QWidget &window)
       m_bin(new QAction(themeIcon(QStringLiteral("bin")), tr("&Delete"), this)),
       m_empty(new QAction(tr("&Empty the bin…"), this))
 {
+    nameCommands({{m_star, "starTrials"}, {m_archive, "archiveTrials"}, {m_bin, "deleteTrials"}, {m_empty, "emptyBin"}});
     m_star->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_D));
     m_bin->setShortcut(QKeySequence(Qt::Key_Delete));
     for (QAction *action : {m_star, m_archive, m_bin, m_empty})

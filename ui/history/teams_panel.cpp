@@ -9,6 +9,7 @@
 #include "ui/history/trend_chart.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/metric_choice.h"
+#include "ui/models/project_reader.h"
 #include "ui/models/standings_model.h"
 #include "ui/views/card.h"
 #include "ui/views/table_list.h"
@@ -22,8 +23,21 @@
 #include <utility>
 
 namespace odo {
+
+/// What a choice gave, and what can be chosen.
+struct TeamsPanel::Reading
+{
+    StandingsChoice choice;
+    std::vector<ClassRecord> classes;
+    std::vector<TaskRecord> tasks;
+    bool isAnyScored = false;
+    std::vector<std::string> metrics;
+    std::vector<TrialFigure> figures;
+    std::vector<OtherwiseMeasured> otherwise;
+};
+
 TeamsPanel::TeamsPanel(Project &project, QWidget *parent)
-    : QWidget(parent), m_project(project), m_model(new StandingsModel(this)),
+    : QWidget(parent), m_reader(new ProjectReader(project.file(), this)), m_model(new StandingsModel(this)),
       m_card(new Card(tr("Teams"), this)), m_table(new QTableView), m_chart(new TrendChart)
 {
     m_class = addChoice(tr("Class"));
@@ -46,13 +60,73 @@ TeamsPanel::TeamsPanel(Project &project, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_card);
+    for (QComboBox *each : {m_class, m_task, m_metric})
+        connect(each, &QComboBox::currentIndexChanged, this, &TeamsPanel::refresh);
+}
+
+TeamsPanel::~TeamsPanel() = default;
+
+bool TeamsPanel::isSettled() const
+{
+    return !m_reader->isRunning();
+}
+
+StandingsChoice TeamsPanel::choice() const
+{
+    return {chosenWord(*m_class), chosenWord(*m_task), chosenWord(*m_metric)};
+}
+
+/// On the reader's thread.
+Result<TeamsPanel::Reading> TeamsPanel::readFigures(Project &project, const StandingsChoice &choice)
+{
+    auto classes = project.classes().all();
+    auto tasks = project.tasks().current();
+    auto metrics = project.analyses().metricNames();
+    auto otherwise = project.analyses().trialsMeasuredOtherwise();
+    const auto scorings = project.tasks().scorings();
+    auto figures = figuresOf(project, choice.metric);
+    for (const auto &[isRead, error] : {std::pair{classes.has_value(), classes ? Error{} : classes.error()},
+                                        std::pair{tasks.has_value(), tasks ? Error{} : tasks.error()},
+                                        std::pair{metrics.has_value(), metrics ? Error{} : metrics.error()},
+                                        std::pair{otherwise.has_value(), otherwise ? Error{} : otherwise.error()},
+                                        std::pair{scorings.has_value(), scorings ? Error{} : scorings.error()},
+                                        std::pair{figures.has_value(), figures ? Error{} : figures.error()}})
+        if (!isRead)
+            return tl::unexpected(error);
+    return Reading{choice,
+                   std::move(*classes),
+                   std::move(*tasks),
+                   !scorings->empty(),
+                   std::move(*metrics),
+                   std::move(*figures),
+                   std::move(*otherwise)};
+}
+
+void TeamsPanel::refresh()
+{
+    m_reader->read<Reading>([wanted = choice()](Project &project) { return readFigures(project, wanted); },
+                            [this](Result<Reading> reading) { take(std::move(reading)); });
+}
+
+void TeamsPanel::take(Result<Reading> reading)
+{
+    if (!reading) {
+        Q_EMIT failed(reading.error());
+        return;
+    }
+    m_read = std::make_unique<Reading>(std::move(*reading));
+    offer();
+    const StandingsChoice now = choice();
+    if (now.className != m_read->choice.className || now.task != m_read->choice.task || now.metric != m_read->choice.metric)
+        refresh(); // what was chosen is not there any more, or something can be chosen now
+    else
+        Q_EMIT trialsWanted();
 }
 
 QComboBox *TeamsPanel::addChoice(const QString &name)
 {
     QComboBox *choice = makeChoice(name, 12);
     m_card->addToHeader(choice);
-    connect(choice, &QComboBox::currentIndexChanged, this, &TeamsPanel::choiceChanged);
     return choice;
 }
 
@@ -60,19 +134,19 @@ void TeamsPanel::offer()
 {
     QStringList classes, classesShown, tasks, metrics, metricNames;
     m_archived.clear();
-    for (const ClassRecord &each : m_project.classes().all().value_or(std::vector<ClassRecord>())) {
+    for (const ClassRecord &each : m_read->classes) {
         classes << QString::fromStdString(each.name);
         classesShown << (each.archived ? tr("%1 (archived)").arg(classes.back()) : classes.back());
         if (each.archived)
             m_archived.insert(each.name);
     }
-    for (const TaskRecord &task : m_project.tasks().current().value_or(std::vector<TaskRecord>()))
+    for (const TaskRecord &task : m_read->tasks)
         tasks << QString::fromStdString(task.name);
-    if (const auto scorings = m_project.tasks().scorings(); scorings && !scorings->empty()) {
+    if (m_read->isAnyScored) {
         metrics << QString::fromLatin1(scoreMetric);
         metricNames << metricName(scoreMetric);
     }
-    for (const std::string &name : tellingNames(m_project.analyses().metricNames().value_or(std::vector<std::string>()))) {
+    for (const std::string &name : tellingNames(m_read->metrics)) {
         metrics << QString::fromStdString(name);
         metricNames << metricName(name);
     }
@@ -87,27 +161,22 @@ void TeamsPanel::offer()
 
 void TeamsPanel::showTrials(std::span<const TrialRecord *const> trials)
 {
-    offer();
+    if (!m_read)
+        return;
     const QModelIndex current = m_table->currentIndex();
     const std::string selected = current.isValid() ? m_model->team(current.row()).team : std::string();
-    const StandingsChoice choice{chosenWord(*m_class), chosenWord(*m_task), chosenWord(*m_metric)};
-    const auto figures = figuresOf(m_project, choice.metric);
-    const auto otherwise = m_project.analyses().trialsMeasuredOtherwise();
-    if (!figures || !otherwise) {
-        Q_EMIT failed(figures ? otherwise.error() : figures.error());
-        return;
-    }
+    const StandingsChoice &choice = m_read->choice;
     std::vector<const TrialRecord *> counted;
     int leftOut = 0;
     for (const TrialRecord *trial : trials) {
         const bool isOther = !choice.task.empty() && trial->task == choice.task && !trial->binned &&
-                             std::ranges::binary_search(*otherwise, trial->id);
+                             std::ranges::binary_search(m_read->otherwise, trial->id, {}, &OtherwiseMeasured::trial);
         const bool isArchived = choice.className.empty() && m_archived.contains(trial->className);
         leftOut += isOther && !isArchived;
         if (!isOther && !isArchived)
             counted.push_back(trial);
     }
-    m_model->setStandings(standingsOf(counted, *figures, choice));
+    m_model->setStandings(standingsOf(counted, m_read->figures, choice));
     m_table->resizeColumnsToContents();
     const auto &teams = m_model->standings().teams;
     const auto same = std::ranges::find(teams, selected, &TeamStanding::team);

@@ -5,6 +5,7 @@
 #include "core/workflow/standings.h"
 
 #include <QWidget>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -15,31 +16,42 @@ namespace odo {
 
 class Card;
 class Project;
+class ProjectReader;
 class StandingsModel;
 class TrendChart;
 
 /// How the teams of a class stand: best, median, repeatability and progress by a figure that is chosen, and
-/// the term of the team that is selected. Uses the project on its own thread.
+/// the term of the team that is selected. Reads the project on a thread of its own; the trials it is given.
 class TeamsPanel : public QWidget
 {
     Q_OBJECT
 public:
     explicit TeamsPanel(Project &project, QWidget *parent = nullptr);
-    /// trials: all that are known; they are used until this returns.
+    ~TeamsPanel() override;
+    /// Reads the project; trialsWanted follows.
+    void refresh();
+    /// trials: all that are known; they are used until this returns. In answer to trialsWanted.
     void showTrials(std::span<const TrialRecord *const> trials);
+    /// Nothing is being read.
+    bool isSettled() const;
 
 Q_SIGNALS:
-    /// Another class, task or figure was chosen: the trials are wanted again.
-    void choiceChanged();
+    /// What was chosen is read, and there are trials to be shown by it.
+    void trialsWanted();
     void failed(const odo::Error &error);
 
 private:
+    struct Reading;
+    static Result<Reading> readFigures(Project &project, const StandingsChoice &choice);
+    StandingsChoice choice() const;
+    void take(Result<Reading> reading);
     QComboBox *addChoice(const QString &name);
     void offer();
     void showRemark(int leftOut);
     void showTeam();
 
-    Project &m_project;
+    ProjectReader *m_reader;
+    std::unique_ptr<Reading> m_read; ///< null: nothing yet
     StandingsModel *m_model;
     Card *m_card;
     QComboBox *m_class = nullptr, *m_task = nullptr, *m_metric = nullptr;

@@ -48,7 +48,7 @@ QList<Fact> factsOf(const TrialRecord &trial, const std::vector<AnalysisRecord> 
         if (analyses.size() > 1)
             add(TrialDetail::tr("Robot"), QString::fromStdString(analysis.robotName));
         for (const Metric &metric : analysis.profile.metrics)
-            add(metricName(metric.name), metricFigure(metric).text());
+            facts.append({metricName(metric.name), metricFigure(metric).text(), {}, explainMetric(metric, analysisInputs(trial, analysis))});
     }
     for (const TrialScore &run : scores) {
         if (run.trial != trial.id)

@@ -26,7 +26,7 @@ constexpr double usualRate = 240;
 } // namespace
 
 ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
-    : QDialog(parent), m_cameras(offer.cameras), m_name(new QLineEdit(offer.name)), m_team(new QComboBox),
+    : QDialog(parent), m_cameras(offer.cameras), m_teamsRobots(offer.teamsRobots), m_name(new QLineEdit(offer.name)), m_team(new QComboBox),
       m_task(new QLineEdit), m_robots(new CheckList(tr("Robots in the trial"))), m_videoGrid(new QGridLayout),
       m_addView(new QPushButton(tr("Add &view"))), m_steps(new ViewSteps),
       m_rateTold(new QCheckBox(tr("Camera's real &rate"))), m_rate(new QDoubleSpinBox),
@@ -56,10 +56,19 @@ ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
     resize(620, sizeHint().height());
     connect(m_name, &QLineEdit::textChanged, this, &ImportTrialDialog::updateButtons);
+    connect(m_team, &QComboBox::currentIndexChanged, this, &ImportTrialDialog::proposeRobots);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     orderTabs();
     updateButtons();
+}
+
+/// Those of the team that is chosen, if it has any of its own; they can be changed.
+void ImportTrialDialog::proposeRobots(int team)
+{
+    const QStringList robots = m_teamsRobots.value(team - 1);
+    if (!robots.isEmpty())
+        m_robots->setChecked(robots);
 }
 
 QWidget *ImportTrialDialog::makeVideos()

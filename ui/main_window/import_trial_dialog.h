@@ -38,6 +38,7 @@ public:
         QStringList teams, robots;
         std::vector<OfferedCamera> cameras;
         QStringList teamsShown = {}; ///< what each team is shown as; empty: by their names
+        QList<QStringList> teamsRobots = {}; ///< that belong to each team, ticked when it is chosen
     };
     explicit ImportTrialDialog(const Offer &offer, QWidget *parent = nullptr);
     ImportSettings settings() const;
@@ -54,11 +55,13 @@ private:
     QWidget *makeVideos();
     QWidget *makeRate();
     void orderTabs();
+    void proposeRobots(int team);
     void updateButtons();
 
     Badge badgeOf(const QString &camera) const;
 
     std::vector<OfferedCamera> m_cameras;
+    QList<QStringList> m_teamsRobots;
     QLineEdit *m_name;
     QComboBox *m_team;
     QLineEdit *m_task;

@@ -2,6 +2,8 @@
 #include "ui/main_window/main_window.h"
 
 #include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/class_actions.h"
@@ -131,6 +133,8 @@ void MainWindow::makeMenus()
     m_trialMenu->addSeparator();
     m_spikeMenu = m_trialMenu->addMenu(tr("&Spikes"));
     m_spikeMenu->setEnabled(false);
+    m_historyMenu = m_trialMenu->addMenu(tr("&History"));
+    m_historyMenu->setEnabled(false);
     m_recordMenu = m_trialMenu->addMenu(tr("Re&cord"));
     m_recordMenu->setEnabled(false);
     m_playMenu = m_trialMenu->addMenu(tr("&Play"));
@@ -226,6 +230,7 @@ void MainWindow::closePages()
     m_spikeMenu->clear();
     m_playMenu->clear();
     m_recordMenu->clear();
+    m_historyMenu->clear();
     m_toolsMenu->clear();
     m_trials->setCurrentTrial({});
     m_pages.reset();
@@ -247,7 +252,11 @@ void MainWindow::connectPages()
 {
     connect(m_pages.get(), &ProjectPages::made, this, &MainWindow::addPage);
     connect(m_pages.get(), &ProjectPages::shown, this,
-            [this](Mode mode) { m_modeBar->setCurrent(static_cast<int>(mode)); });
+            [this](Mode mode) {
+                m_modeBar->setCurrent(static_cast<int>(mode));
+                m_historyMenu->setEnabled(mode == Mode::History); // it works on what is selected there
+                showDesk(mode);
+            });
     connect(m_pages.get(), &ProjectPages::changed, this, &MainWindow::showState);
     connect(m_pages.get(), &ProjectPages::told, m_messages, &MessageBar::showDone);
     connect(m_pages.get(), &ProjectPages::failed, this, &MainWindow::tellFailure);
@@ -280,7 +289,7 @@ void MainWindow::addPage(Mode mode)
         m_spikeMenu->setEnabled(true);
         m_playMenu->addActions(review->timeline().actions());
         m_playMenu->setEnabled(true);
-        m_views->setDesk(&review->desk());
+        showDesk(m_pages->mode());
         m_help->setPages(m_pages.get());
         break;
     }
@@ -296,10 +305,20 @@ void MainWindow::addPage(Mode mode)
         connect(history, &HistoryPage::videosRequested, m_many, &HistoryActions::exportVideos);
         connect(history, &HistoryPage::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
         m_viewMenu->addAction(history->pseudonyms());
+        m_historyMenu->addActions(history->listActions());
         break;
     }
     }
     m_keys->adopt(*menuBar());
+}
+
+/// The docks of the mode that is shown come into the menu; those of Review where it has none.
+void MainWindow::showDesk(Mode mode)
+{
+    DockDesk *desk = &m_pages->review().desk();
+    if (mode == Mode::Compare)
+        desk = &m_pages->compare().desk();
+    m_views->setDesk(desk, m_pages->review().desk().chartActions());
 }
 
 void MainWindow::refreshPages()
@@ -431,7 +450,18 @@ void MainWindow::tellFailure(const Error &error)
     if (error.code == ErrorCode::Cancelled)
         m_messages->showDone(tr("Cancelled. Nothing was changed."));
     else
-        m_messages->showError(error);
+        m_messages->showError(named(error));
+}
+
+/// As it may be shown: the core knows teams by their names only.
+Error MainWindow::named(Error error) const
+{
+    if (!arePseudonymsShown() || !m_workspace->project())
+        return error;
+    const auto teams = m_workspace->project()->teams().all().value_or(std::vector<TeamRecord>());
+    for (std::string *part : {&error.what, &error.why, &error.advice})
+        *part = shownSentence(QString::fromStdString(*part), teams).toStdString();
+    return error;
 }
 
 bool MainWindow::event(QEvent *event)

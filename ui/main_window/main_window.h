@@ -85,6 +85,8 @@ private:
     void showTitle();
     void showState();
     void tellFailure(const Error &error);
+    Error named(Error error) const;
+    void showDesk(Mode mode);
 
     RecentProjects *m_recent;
     Workspace *m_workspace;
@@ -103,7 +105,8 @@ private:
     QStackedWidget *m_stack;
     WelcomePage *m_welcome;
     std::unique_ptr<ProjectPages> m_pages; ///< null: no project is open
-    QMenu *m_viewMenu = nullptr, *m_toolsMenu = nullptr, *m_trialMenu = nullptr, *m_spikeMenu = nullptr, *m_recordMenu = nullptr, *m_playMenu = nullptr;
+    QMenu *m_viewMenu = nullptr, *m_toolsMenu = nullptr, *m_trialMenu = nullptr, *m_spikeMenu = nullptr, *m_recordMenu = nullptr,
+          *m_historyMenu = nullptr, *m_playMenu = nullptr;
     QLabel *m_saved, *m_analysis, *m_units;
     JobIndicator *m_job;
 };

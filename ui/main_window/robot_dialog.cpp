@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/robot_dialog.h"
 
+#include "ui/views/robot_colours.h"
+#include "ui/views/theme.h"
+
 #include <QColorDialog>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -20,7 +23,7 @@ constexpr int swatchSide = 16;
 
 RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     : QDialog(parent), m_videos(std::move(videos)), m_name(new QLineEdit), m_colourButton(new QPushButton),
-      m_heightMode(new QComboBox), m_height(new QDoubleSpinBox),
+      m_drawing(new QComboBox), m_heightMode(new QComboBox), m_height(new QDoubleSpinBox),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Add robot"));
@@ -39,6 +42,14 @@ RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     colour->addWidget(pick);
     form->addRow(tr("&Colour of its top"), colour);
     qobject_cast<QLabel *>(form->labelForField(colour))->setBuddy(m_colourButton);
+    m_drawing->addItem(drawingColourName(DrawingColour::Automatic), static_cast<int>(DrawingColour::Automatic));
+    for (std::size_t place = 0; place < drawingColours.size(); ++place) {
+        QPixmap swatch(swatchSide, swatchSide);
+        swatch.fill(seriesColour(static_cast<int>(place), palette()));
+        m_drawing->addItem(swatch, drawingColourName(drawingColours[place]), static_cast<int>(drawingColours[place]));
+    }
+    m_drawing->setToolTip(tr("In charts and maps; it is tracked by the colour of its top"));
+    form->addRow(tr("&Drawn in"), m_drawing);
     form->addRow(tr("&Height of its top"), m_heightMode);
     form->addRow(QString(), m_height);
     auto *layout = new QVBoxLayout(this);
@@ -94,6 +105,7 @@ void RobotDialog::setRobot(const RobotRecord &robot)
     m_before = robot;
     m_colour = robot.colour;
     m_name->setText(QString::fromStdString(robot.name));
+    m_drawing->setCurrentIndex(m_drawing->findData(static_cast<int>(robot.drawingColour)));
     m_heightMode->setCurrentIndex(m_heightMode->findData(static_cast<int>(robot.heightMode)));
     if (robot.heightM)
         m_height->setValue(toMillimetres(*robot.heightM));
@@ -107,6 +119,7 @@ RobotRecord RobotDialog::robot() const
     robot.heightM.reset();
     robot.name = m_name->text().trimmed().toStdString();
     robot.colour = m_colour;
+    robot.drawingColour = static_cast<DrawingColour>(m_drawing->currentData().toInt());
     robot.heightMode = static_cast<RobotRecord::Height>(m_heightMode->currentData().toInt());
     if (robot.heightMode == RobotRecord::Height::Told)
         robot.heightM = fromMillimetres(m_height->value());

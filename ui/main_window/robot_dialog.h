@@ -14,7 +14,7 @@ class QPushButton;
 
 namespace odo {
 
-/// Asks what has to be known of a robot before it can be found: name, colour, height.
+/// Asks what has to be known of a robot before it can be found: name, colour, height; and in which colour it is drawn.
 class RobotDialog : public QDialog
 {
     Q_OBJECT
@@ -36,6 +36,7 @@ private:
     QLineEdit *m_name;
     QPushButton *m_colourButton;
     RgbColour m_colour{0xd7, 0x23, 0x28};
+    QComboBox *m_drawing;
     QComboBox *m_heightMode;
     QDoubleSpinBox *m_height;
     QDialogButtonBox *m_buttons;

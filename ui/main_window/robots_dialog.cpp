@@ -8,7 +8,9 @@
 #include "ui/main_window/robot_dialog.h"
 #include "ui/models/figure_text.h"
 #include "ui/views/plain_button.h"
+#include "ui/views/robot_colours.h"
 #include "ui/views/table_list.h"
+#include "ui/views/theme.h"
 #include "ui/views/undo_keys.h"
 
 #include <QHBoxLayout>
@@ -21,7 +23,7 @@
 namespace odo {
 namespace {
 
-enum Column { NameColumn, ColourColumn, HeightColumn, SizeColumn, ColumnCount };
+enum Column { NameColumn, ColourColumn, DrawingColumn, HeightColumn, SizeColumn, ColumnCount };
 constexpr int swatchSide = 14;
 
 QString heightText(const RobotRecord &robot)
@@ -46,6 +48,17 @@ QTableWidgetItem *colourItem(const RobotRecord &robot)
     return new QTableWidgetItem(icon, QString::fromStdString(robot.colour.toString()));
 }
 
+QTableWidgetItem *drawingItem(const RobotRecord &robot, const QPalette &palette)
+{
+    auto *item = new QTableWidgetItem(drawingColourName(robot.drawingColour));
+    if (robot.drawingColour != DrawingColour::Automatic) {
+        QPixmap swatch(swatchSide, swatchSide);
+        swatch.fill(seriesColour(colourPlaces(std::vector<DrawingColour>{robot.drawingColour}).front(), palette));
+        item->setIcon(swatch);
+    }
+    return item;
+}
+
 } // namespace
 
 RobotsDialog::RobotsDialog(Project &project, bool readOnly, QWidget *parent)
@@ -55,7 +68,7 @@ RobotsDialog::RobotsDialog(Project &project, bool readOnly, QWidget *parent)
 {
     setWindowTitle(tr("Robots"));
     m_table->setHorizontalHeaderLabels(
-        {tr("Robot"), tr("Colour of its top"), tr("Height of its top"), tr("Length × width")});
+        {tr("Robot"), tr("Colour of its top"), tr("Drawn in"), tr("Height of its top"), tr("Length × width")});
     m_table->setAccessibleName(tr("Robots"));
     showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -78,7 +91,7 @@ RobotsDialog::RobotsDialog(Project &project, bool readOnly, QWidget *parent)
     layout->addWidget(m_table, 1);
     layout->addWidget(words);
     layout->addLayout(bottom);
-    resize(720, 420);
+    resize(820, 420);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
     connect(m_add, &QPushButton::clicked, this, &RobotsDialog::add);
     connect(m_edit, &QPushButton::clicked, this, &RobotsDialog::change);
@@ -102,6 +115,7 @@ void RobotsDialog::refresh(const std::string &choose)
         const RobotRecord &robot = m_robots[static_cast<std::size_t>(i)];
         m_table->setItem(i, NameColumn, new QTableWidgetItem(QString::fromStdString(robot.name)));
         m_table->setItem(i, ColourColumn, colourItem(robot));
+        m_table->setItem(i, DrawingColumn, drawingItem(robot, palette()));
         m_table->setItem(i, HeightColumn, new QTableWidgetItem(heightText(robot)));
         const bool isSized = robot.lengthM && robot.widthM;
         m_table->setItem(i, SizeColumn,

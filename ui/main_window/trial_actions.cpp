@@ -33,6 +33,7 @@
 #include <QMenu>
 #include <QStandardPaths>
 #include <QWidget>
+#include <algorithm>
 
 namespace odo {
 namespace {
@@ -85,13 +86,20 @@ QString importedWords(const ImportJob &job)
 struct OfferedTeams
 {
     QStringList names, shown;
+    QList<QStringList> robots; ///< that belong to each
 };
 OfferedTeams teamsOf(Project &project)
 {
     const auto teams = project.teams().all();
-    OfferedTeams offered{namesOf(teams), {}};
-    for (const TeamRecord &team : teams.value_or(std::vector<TeamRecord>()))
+    const auto robots = project.robots().all();
+    OfferedTeams offered{namesOf(teams), {}, {}};
+    for (const TeamRecord &team : teams.value_or(std::vector<TeamRecord>())) {
         offered.shown << shownTeam(team);
+        offered.robots << QStringList();
+        for (const RobotRecord &robot : robots.value_or(std::vector<RobotRecord>()))
+            if (std::ranges::find(team.robots, robot.id) != team.robots.end())
+                offered.robots.back() << QString::fromStdString(robot.name);
+    }
     return offered;
 }
 
@@ -154,8 +162,8 @@ void TrialActions::askImport(const QStringList &videos)
     for (const CameraRow &row : loadCameraRows(project).value_or(std::vector<CameraRow>()))
         cameras.push_back({QString::fromStdString(row.camera.name), cameraBadge(row.registration)});
     const OfferedTeams teams = teamsOf(project);
-    ImportTrialDialog dialog(
-        {freeTrialName(trials), teams.names, namesOf(project.robots().all()), std::move(cameras), teams.shown}, &m_window);
+    ImportTrialDialog dialog({freeTrialName(trials), teams.names, namesOf(project.robots().all()), std::move(cameras), teams.shown, teams.robots},
+                             &m_window);
     for (const QString &video : videos)
         dialog.addVideo({}, video);
     if (dialog.exec() != QDialog::Accepted)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/view_actions.h"
 
-#include "ui/review/review_desk.h"
 #include "ui/views/command_names.h"
+#include "ui/views/dock_desk.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -51,13 +51,13 @@ void ViewActions::fillMenu(QMenu &menu)
     menu.addActions(m_themes->actions());
 }
 
-void ViewActions::setDesk(ReviewDesk *desk)
+void ViewActions::setDesk(DockDesk *desk, const QList<QAction *> &more)
 {
     m_desk = desk;
     m_resetLayout->setEnabled(desk != nullptr);
     for (QAction *action : m_deskActions)
         m_menu->removeAction(action);
-    m_deskActions = desk ? desk->dockActions() + desk->chartActions() : QList<QAction *>();
+    m_deskActions = desk ? desk->dockActions() + more : QList<QAction *>();
     m_menu->insertActions(m_resetLayout, m_deskActions);
 }
 

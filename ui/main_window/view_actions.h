@@ -3,6 +3,7 @@
 
 #include "ui/main_window/appearance.h"
 
+#include <QList>
 #include <QObject>
 
 class QAction;
@@ -12,7 +13,7 @@ class QMenu;
 
 namespace odo {
 
-class ReviewDesk;
+class DockDesk;
 
 /// How the window looks: theme, full screen, which docks are there, what the charts show. Owns the actions; the theme is kept in
 /// the settings.
@@ -22,8 +23,8 @@ class ViewActions : public QObject
 public:
     explicit ViewActions(QMainWindow &window);
     void fillMenu(QMenu &menu);
-    /// The docks of the project that is open; nullptr: none.
-    void setDesk(ReviewDesk *desk);
+    /// The docks that are shown and reset, and more actions beside them; nullptr: none.
+    void setDesk(DockDesk *desk, const QList<QAction *> &more = {});
     /// The desktop may have changed its own theme.
     void followDesktop();
     Theme theme() const { return m_theme; }
@@ -32,7 +33,7 @@ public:
 private:
 
     QMainWindow &m_window;
-    ReviewDesk *m_desk = nullptr;
+    DockDesk *m_desk = nullptr;
     QMenu *m_menu = nullptr;
     QActionGroup *m_themes;
     QList<QAction *> m_deskActions;

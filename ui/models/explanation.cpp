@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/explanation.h"
 
+#include "core/trajectory/zone_breaches.h"
 #include "ui/models/figure_text.h"
 
 #include <QCoreApplication>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace odo {
 
@@ -27,9 +29,9 @@ const char *const ofTheCurve = QT_TRANSLATE_NOOP(
 constexpr const char *none = "";
 
 /// The formulas are those of core/trajectory/metrics.h and task_metrics.h.
-const std::array<MetricWords, 25> &metricWords()
+const std::array<MetricWords, 28> &metricWords()
 {
-    static const std::array<MetricWords, 25> words{{
+    static const std::array<MetricWords, 28> words{{
         {"duration",
          QT_TRANSLATE_NOOP(
              "Explanation",
@@ -128,6 +130,20 @@ const std::array<MetricWords, 25> &metricWords()
          QT_TRANSLATE_NOOP("Explanation", "of the position across the path, mostly the calibration's"), none},
         {"path_completed",
          QT_TRANSLATE_NOOP("Explanation", "The share of the reference path that was followed."), none, none},
+        {"zone_breaches",
+         QT_TRANSLATE_NOOP("Explanation",
+                           "How often the robot's centre left a zone to stay in, or came into one to keep out of. It counts where it is "
+                           "beyond the edge by more than three σ of the track's own noise."),
+         none, none},
+        {"zone_time",
+         QT_TRANSLATE_NOOP("Explanation", "The time in which the robot's centre was beyond the edge of a zone, interpolated between "
+                                          "frames; in two zones at once it counts twice."),
+         QT_TRANSLATE_NOOP("Explanation", "of each moment at an edge: σ of the position across it over the speed; and what the time "
+                                          "differs by when the calibration puts the track nearer or further"),
+         none},
+        {"zone_depth",
+         QT_TRANSLATE_NOOP("Explanation", "How far the robot's centre was beyond the edge of a zone at most."),
+         QT_TRANSLATE_NOOP("Explanation", "of the position across the edge, there"), none},
     }};
     return words;
 }
@@ -155,6 +171,68 @@ QString viewNames(const TrialScene &scene)
         if (view.floorView)
             names << QString::fromStdString(view.camera);
     return names.join(QStringLiteral(", "));
+}
+
+/// How the samples became curves.
+QStringList methodLines(const AnalysisRecord &analysis)
+{
+    return {smootherSource(analysis.options.smoother),
+            (analysis.profile.heightEstimated ? Words::tr("robot %1 high (estimated)") : Words::tr("robot %1 high"))
+                .arg(lengthText(analysis.profile.heightM)),
+            Words::tr("analysis %1 by Odograph %2").arg(analysis.id).arg(QString::fromStdString(analysis.softwareVersion))};
+}
+
+struct CurveWords
+{
+    QString name, formula, uncertainty;
+};
+
+/// The formulas are those of core/trajectory/quantity_curve.h.
+CurveWords curveWords(Quantity quantity)
+{
+    const QString ofVelocity = Words::tr("σ of the smoothed velocity there, with the calibration's error of scale");
+    switch (quantity) {
+    case Quantity::Speed:
+        return {Words::tr("Speed"), Words::tr("|v| = √(vx² + vy²) of the smoothed curve at this frame"), ofVelocity};
+    case Quantity::Acceleration:
+        return {Words::tr("Acceleration"),
+                Words::tr("a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands"),
+                Words::tr("σ of the smoothed acceleration there, with the calibration's error of scale")};
+    case Quantity::Heading:
+        return {Words::tr("Heading"), Words::tr("atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn"),
+                Words::tr("σ of the velocity across the motion over the speed")};
+    case Quantity::TurnRate:
+        return {Words::tr("Turn rate"), Words::tr("(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame"),
+                Words::tr("σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order")};
+    case Quantity::PositionX:
+    case Quantity::PositionY:
+        break;
+    }
+    return {quantity == Quantity::PositionX ? Words::tr("Position X") : Words::tr("Position Y"),
+            Words::tr("the smoothed curve at this frame"), Words::tr("σ of the smoothed position, with the calibration's part")};
+}
+
+/// What was measured at a sample, and whether it counted.
+QStringList sampleLines(const TrialScene &scene, std::size_t robot, std::size_t index)
+{
+    const Sample &sample = scene.robots.at(robot).analysis->profile.samples[index];
+    QStringList lines;
+    if (!sample.position) {
+        lines << Words::tr("at this frame no view found the robot: the curve goes across");
+        return lines;
+    }
+    lines << Words::tr("measured there: %1, %2 ±%3")
+                 .arg(distanceText(sample.position->x()), distanceText(sample.position->y()),
+                      lengthText(std::sqrt(sample.covariance.trace() / 2)));
+    QStringList views;
+    for (std::size_t view = 0; view < scene.views.size() && view < 32; ++view)
+        if ((sample.views >> view & 1U) != 0)
+            views << QString::fromStdString(scene.views[view].camera);
+    if (!views.isEmpty())
+        lines << Words::tr("by %1").arg(views.join(QStringLiteral(", ")));
+    if (isRejected(sample.flags))
+        lines << Words::tr("it is flagged and not used: the curve comes from its neighbours");
+    return lines;
 }
 
 /// What a flag means: the words of SampleFlag.
@@ -204,6 +282,13 @@ QString Explanation::text() const
     return parts.join(u'\n');
 }
 
+QStringList analysisInputs(const TrialRecord &trial, const AnalysisRecord &analysis)
+{
+    QStringList lines;
+    lines << Words::tr("trial %1, robot %2").arg(QString::fromStdString(trial.name), QString::fromStdString(analysis.robotName));
+    return lines + methodLines(analysis);
+}
+
 QStringList analysisInputs(const TrialScene &scene, std::size_t robot)
 {
     QStringList lines;
@@ -212,27 +297,32 @@ QStringList analysisInputs(const TrialScene &scene, std::size_t robot)
                  .arg(QString::fromStdString(scene.trial.name), QString::fromStdString(shown.robot.name));
     if (!shown.analysis)
         return lines;
-    const AnalysisRecord &analysis = *shown.analysis;
-    const auto &samples = analysis.profile.samples;
+    const auto &samples = shown.analysis->profile.samples;
     const auto used = std::count_if(samples.begin(), samples.end(), [](const Sample &sample) {
         return sample.position && !isRejected(sample.flags);
     });
     lines << Words::tr("%1 of %2 samples used").arg(used).arg(samples.size());
-    lines << Words::tr("views: %1").arg(viewNames(scene));
-    lines << smootherSource(analysis.options.smoother);
-    lines << (analysis.profile.heightEstimated ? Words::tr("robot %1 high (estimated)")
-                                               : Words::tr("robot %1 high"))
-                 .arg(lengthText(analysis.profile.heightM));
-    lines << Words::tr("analysis %1 by Odograph %2")
-                 .arg(analysis.id)
-                 .arg(QString::fromStdString(analysis.softwareVersion));
+    if (const QString views = viewNames(scene); !views.isEmpty())
+        lines << Words::tr("views: %1").arg(views);
+    return lines + methodLines(*shown.analysis);
+}
+
+QStringList zoneBreachLines(const TrialScene &scene, std::size_t robot)
+{
+    const std::optional<AnalysisRecord> &analysis = scene.robots.at(robot).analysis;
+    QStringList lines;
+    if (!analysis || !scene.task || analysis->task != scene.taskId)
+        return lines;
+    for (const ZoneBreach &breach : findZoneBreaches(scene.task->zones, analysis->profile.samples, analysis->profile.points))
+        lines << Words::tr("%1: from %2 to %3, %4 beyond the edge at most")
+                     .arg(QString::fromStdString(breach.zone), secondsText(breach.from), secondsText(breach.to),
+                          lengthText(breach.depthM));
     return lines;
 }
 
-Explanation explainMetric(const TrialScene &scene, std::size_t robot, const Metric &metric)
+Explanation explainMetric(const Metric &metric, const QStringList &inputs)
 {
-    Explanation explanation{
-        metricName(metric.name), metricFigure(metric).text(), {}, {}, analysisInputs(scene, robot), {}};
+    Explanation explanation{metricName(metric.name), metricFigure(metric).text(), {}, {}, inputs, {}};
     for (const MetricWords &words : metricWords())
         if (metric.name == words.name) {
             explanation.formula = Words::tr(words.formula);
@@ -240,6 +330,29 @@ Explanation explainMetric(const TrialScene &scene, std::size_t robot, const Metr
                 explanation.uncertainty = Words::tr(words.uncertainty);
             explanation.source = QString::fromUtf8(words.source);
         }
+    return explanation;
+}
+
+Explanation explainMetric(const TrialScene &scene, std::size_t robot, const Metric &metric)
+{
+    QStringList inputs = analysisInputs(scene, robot);
+    if (metric.name.starts_with("zone_"))
+        inputs = zoneBreachLines(scene, robot) + inputs;
+    return explainMetric(metric, inputs);
+}
+
+Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity quantity, Nanoseconds time, const QString &value)
+{
+    const CurveWords words = curveWords(quantity);
+    Explanation explanation{Words::tr("%1 at %2").arg(words.name, secondsText(time)), value, words.formula, words.uncertainty, {}, {}};
+    const auto &analysis = scene.robots.at(robot).analysis;
+    if (analysis) {
+        const auto &samples = analysis->profile.samples;
+        const auto after = std::ranges::upper_bound(samples, time, {}, &Sample::time);
+        if (after != samples.begin())
+            explanation.inputs = sampleLines(scene, robot, static_cast<std::size_t>(after - samples.begin()) - 1);
+    }
+    explanation.inputs += analysisInputs(scene, robot);
     return explanation;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/trajectory/quantity_curve.h"
 #include "ui/models/trial_scene.h"
 
 #include <QString>
@@ -24,6 +25,16 @@ struct Explanation
 /// What an analysis was made of: samples used and left out, smoother, views, height, version.
 QStringList analysisInputs(const TrialScene &scene, std::size_t robot);
 
+/// When and how far a robot was beyond the edges of its task's zones, a line each; none where it was measured by another course.
+QStringList zoneBreachLines(const TrialScene &scene, std::size_t robot);
+
+/// Of the curve of a quantity at a moment of a robot's: that of the last sample not after it. value: as it is shown there.
+Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity quantity, Nanoseconds time, const QString &value);
+
+/// What is known of an analysis without its series: smoother, height, version.
+QStringList analysisInputs(const TrialRecord &trial, const AnalysisRecord &analysis);
+/// Of a figure, with what went into it.
+Explanation explainMetric(const Metric &metric, const QStringList &inputs);
 /// Of a figure of a robot's analysis. One that is not known is told by its name and inputs alone.
 Explanation explainMetric(const TrialScene &scene, std::size_t robot, const Metric &metric);
 /// Of a flag that a sample of a robot bears: what was looked at, and what becomes of the sample.

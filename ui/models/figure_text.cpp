@@ -118,7 +118,7 @@ QString metricName(const std::string &name)
     {
         const char *name, *words;
     };
-    static constexpr std::array<Word, 27> words = {{
+    static constexpr std::array<Word, 30> words = {{
         {"duration", QT_TRANSLATE_NOOP("odo::FigureText", "Time")},
         {"path_length", QT_TRANSLATE_NOOP("odo::FigureText", "Path")},
         {"max_speed", QT_TRANSLATE_NOOP("odo::FigureText", "Top speed")},
@@ -138,6 +138,9 @@ QString metricName(const std::string &name)
         {"cross_track_max", QT_TRANSLATE_NOOP("odo::FigureText", "Off the path (most)")},
         {"cross_track_bias", QT_TRANSLATE_NOOP("odo::FigureText", "Left of the path")},
         {"path_completed", QT_TRANSLATE_NOOP("odo::FigureText", "Path completed")},
+        {"zone_breaches", QT_TRANSLATE_NOOP("odo::FigureText", "Zones broken")},
+        {"zone_time", QT_TRANSLATE_NOOP("odo::FigureText", "Time beyond zones")},
+        {"zone_depth", QT_TRANSLATE_NOOP("odo::FigureText", "Beyond zones (most)")},
         {"displacement", QT_TRANSLATE_NOOP("odo::FigureText", "Displacement")},
         {"moving_time", QT_TRANSLATE_NOOP("odo::FigureText", "Time in motion")},
         {"mean_view_disagreement", QT_TRANSLATE_NOOP("odo::FigureText", "Views disagree by")},

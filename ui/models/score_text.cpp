@@ -62,7 +62,7 @@ BoundUnit boundUnit(const std::string &metric)
     const auto has = [&metric](const char *part) { return metric.find(part) != std::string::npos; };
     if (has("path_completed"))
         return {QStringLiteral("%"), 100};
-    if (has("cross_track"))
+    if (has("cross_track") || has("zone_depth"))
         return in(shown.length, 0.001); // stored in millimetres
     if (has("path_length") || has("radius"))
         return in(shown.distance, 1);

@@ -44,4 +44,20 @@ QString shownTeam(const TeamRecord &team)
     return shownTeam(team.name, team.pseudonym);
 }
 
+QString shownSentence(const QString &sentence, const std::vector<TeamRecord> &teams)
+{
+    QString shown = sentence;
+    if (!arePseudonymsShown())
+        return shown;
+    const auto quoted = [](const std::string &name) { return QStringLiteral("'%1'").arg(QString::fromStdString(name)); };
+    for (const TeamRecord &team : teams) {
+        if (team.pseudonym.empty())
+            continue;
+        shown.replace(quoted(team.name), quoted(team.pseudonym));
+        for (const std::string &member : team.members)
+            shown.replace(quoted(member), QStringLiteral("'…'"));
+    }
+    return shown;
+}
+
 } // namespace odo

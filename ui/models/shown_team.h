@@ -4,6 +4,7 @@
 #include "core/project/records.h"
 
 #include <QString>
+#include <vector>
 
 namespace odo {
 
@@ -16,5 +17,9 @@ void showPseudonyms(bool shown);
 QString shownTeam(const std::string &name, const std::string &pseudonym);
 QString shownTeam(const TrialRecord &trial); ///< empty without a team
 QString shownTeam(const TeamRecord &team);
+
+/// A sentence of the core ("team 'Anna and Ben': …") with the pseudonyms of teams in the place of their quoted names, and without the
+/// quoted names of their members, where pseudonyms are shown.
+QString shownSentence(const QString &sentence, const std::vector<TeamRecord> &teams);
 
 } // namespace odo

@@ -2,6 +2,7 @@
 #include "ui/models/timeline.h"
 
 #include "core/base/steady_now.h"
+#include "ui/models/held_key.h"
 
 #include <QAction>
 #include <algorithm>
@@ -54,14 +55,14 @@ void Timeline::makeActions()
         {Command::ForwardOneSecond, "forwardOneSecond", tr("One second forward"), Qt::SHIFT | Qt::Key_Right,
          [this, second] { skip(second); }},
         {Command::ShuttleBack, "shuttleBack", tr("Play backwards, again: faster"), Qt::Key_J,
-         [this] { shuttle(-1); }},
-        {Command::ShuttleStop, "shuttleStop", tr("&Stop, at the usual pace"), Qt::Key_K,
+         [this] { stepOrShuttle(-1); }},
+        {Command::ShuttleStop, "shuttleStop", tr("&Stop; held, the two beside go by one frame"), Qt::Key_K,
          [this] {
              pause();
              setRate(1);
          }},
         {Command::ShuttleForward, "shuttleForward", tr("Play forwards, again: faster"), Qt::Key_L,
-         [this] { shuttle(1); }},
+         [this] { stepOrShuttle(1); }},
         {Command::First, "firstFrame", tr("To the first frame"), Qt::Key_Home,
          [this] {
              pause();
@@ -86,6 +87,7 @@ void Timeline::makeActions()
         connect(action, &QAction::triggered, this, [work = entry.work] { work(); });
         m_actions.append(action);
     }
+    m_stopKey = new HeldKey(*action(Command::ShuttleStop), this);
     action(Command::Loop)->setCheckable(true);
     connect(action(Command::Loop), &QAction::toggled, this, &Timeline::setLooping);
 }
@@ -285,6 +287,15 @@ void Timeline::shuttle(double direction)
     const bool sameWay = m_playing && m_rate * direction > 0;
     setRate(sameWay ? m_rate * 2 : direction);
     play();
+}
+
+/// As on an editing desk: with a finger on Stop the shuttle keys go frame by frame.
+void Timeline::stepOrShuttle(int direction)
+{
+    if (m_stopKey->isHeld())
+        step(direction);
+    else
+        shuttle(direction);
 }
 
 void Timeline::tick()

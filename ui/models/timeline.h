@@ -14,6 +14,8 @@ class QAction;
 
 namespace odo {
 
+class HeldKey;
+
 /// The one shared time of a window: which frame of the first view is shown, whether it plays, and the range
 /// of it that a person has selected. Everything that shows or moves time holds a reference to it. GUI thread
 /// only.
@@ -31,9 +33,9 @@ public:
         NextFrame,        ///< Right
         BackOneSecond,    ///< Shift+Left
         ForwardOneSecond, ///< Shift+Right
-        ShuttleBack,      ///< J: backwards, twice as fast each time
+        ShuttleBack,      ///< J: backwards, twice as fast each time; while K is held, one frame
         ShuttleStop,      ///< K
-        ShuttleForward,   ///< L
+        ShuttleForward,   ///< L: forwards likewise
         First,            ///< Home
         Last,             ///< End
         Loop,             ///< Ctrl+L, checkable: the selected range, or all
@@ -106,10 +108,12 @@ private:
     void beginSelection();
     void endSelection();
     void shuttle(double direction);
+    void stepOrShuttle(int direction);
 
     Clock m_clock;
     QTimer m_timer;
     QList<QAction *> m_actions;
+    HeldKey *m_stopKey = nullptr;
     std::vector<Nanoseconds> m_times;
     qint64 m_frame = 0;
     double m_rate = 1.0;

@@ -180,6 +180,9 @@ Eigen::AlignedBox2d TrialScene::floorBounds() const
             box.extend(gate.from).extend(gate.to);
         for (const Eigen::Vector2d &point : task->path.points)
             box.extend(point);
+        for (const Zone &zone : task->zones)
+            for (const Eigen::Vector2d &corner : zone.corners)
+                box.extend(corner);
     }
     for (const SceneRobot &robot : robots) {
         if (!robot.analysis)

@@ -2,6 +2,7 @@
 #include "ui/record/live_map.h"
 
 #include "core/base/steady_now.h"
+#include "ui/views/robot_colours.h"
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
 
@@ -30,6 +31,7 @@ void LiveMap::setFloor(TrialScenePtr floor)
 
 void LiveMap::setRobots(std::vector<RobotRecord> robots)
 {
+    m_places = colourPlaces(robots);
     m_robots.clear();
     for (RobotRecord &robot : robots)
         m_robots.push_back({std::move(robot), {}, {}, {}});
@@ -64,7 +66,8 @@ std::vector<SeenRobot> LiveMap::robots() const
 
 QColor LiveMap::colourOf(std::size_t robot) const
 {
-    return m_robots.size() == 1 ? ThemeColours::of(palette()).spike : seriesColour(int(robot), palette());
+    const bool isPlain = m_robots.size() == 1 && m_robots.front().robot.drawingColour == DrawingColour::Automatic;
+    return isPlain ? ThemeColours::of(palette()).spike : seriesColour(m_places[robot], palette());
 }
 
 void LiveMap::addPosition(std::size_t robot, const LivePosition &position)
@@ -110,6 +113,7 @@ void LiveMap::paintStill(QPainter &painter) const
         drawMapMarkers(painter, map, *m_floor->layout, palette());
     if (m_floor->task) {
         const auto toScreen = [&map](const Eigen::Vector2d &point) { return map.fromWorld(point); };
+        drawZones(painter, m_floor->task->zones, toScreen, palette());
         drawReferencePath(painter, m_floor->task->path, toScreen, palette());
         drawGates(painter, m_floor->task->gates, toScreen, palette());
     }

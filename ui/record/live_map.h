@@ -50,6 +50,7 @@ private:
 
     TrialScenePtr m_floor;
     std::vector<Driven> m_robots;
+    std::vector<int> m_places; ///< of their colours in the palette
 };
 
 } // namespace odo

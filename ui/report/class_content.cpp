@@ -101,7 +101,7 @@ Result<ClassContentPtr> readClassContent(Project &project, const ClassReportSett
     std::erase_if(trials, [&](const TrialRecord *trial) { return !chosen.task.empty() && trial->task != chosen.task; });
     content->trials = int(trials.size());
     content->leftOut = int(std::erase_if(
-        trials, [&](const TrialRecord *trial) { return std::ranges::binary_search(*otherwise, trial->id); }));
+        trials, [&](const TrialRecord *trial) { return std::ranges::binary_search(*otherwise, trial->id, {}, &OtherwiseMeasured::trial); }));
     content->standings = standingsOf(trials, *figures, {chosen.className, chosen.task, chosen.metric});
     if (content->standings.teams.empty())
         return fail(ErrorCode::NotFound, "report of class '" + chosen.className + "'",

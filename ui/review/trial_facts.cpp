@@ -6,6 +6,7 @@
 #include "ui/models/figure_text.h"
 #include "ui/models/score_text.h"
 #include "ui/models/shown_team.h"
+#include "ui/review/fact_explanations.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -55,7 +56,8 @@ Fact stepFact(const SceneView &view)
 {
     Fact fact{Words::tr("In step"),
               Words::tr("%1: %2").arg(QString::fromStdString(view.camera), stepText(view.recording)),
-              {}};
+              {},
+              explainStep(view, stepText(view.recording))};
     if (view.recording.syncMethod != "told" && !isStepMeasured(view.recording))
         fact.badge = {Words::tr("not synchronised"), BadgeState::Warning};
     return fact;
@@ -74,15 +76,16 @@ QString timeText(double seconds, double sigmaS)
 }
 
 /// When the robot passed each gate, and the laps with their sectors.
-QList<Fact> gateFacts(const Profile &profile)
+QList<Fact> gateFacts(const TrialScene &scene)
 {
+    const Profile &profile = scene.robots.front().analysis->profile;
     QList<Fact> facts;
     QStringList gates;
     for (const GatePassage &passage : profile.passages)
         gates << Words::tr("%1 at %2").arg(QString::fromStdString(passage.gate),
                                            timeText(toSeconds(passage.time), passage.sigmaS));
     if (!gates.isEmpty())
-        facts.append({Words::tr("Gates"), gates.join(u'\n'), {}});
+        facts.append({Words::tr("Gates"), gates.join(u'\n'), {}, explainPassages(scene, 0, gates.join(u'\n'))});
     const bool oneGate = std::any_of(profile.passages.begin(), profile.passages.end(), [](const GatePassage &passage) {
         return passage.role == GateRole::StartFinish;
     });
@@ -93,7 +96,8 @@ QList<Fact> gateFacts(const Profile &profile)
             if (lap.sectors.size() > 1)
                 lines << Words::tr("to %1 %2").arg(QString::fromStdString(sector.gate), timeText(sector.timeS, sector.sigmaS));
         }
-        facts.append({(oneGate ? Words::tr("Lap %1") : Words::tr("Run %1")).arg(++number), lines.join(u'\n'), {}});
+        const QString what = (oneGate ? Words::tr("Lap %1") : Words::tr("Run %1")).arg(++number);
+        facts.append({what, lines.join(u'\n'), {}, explainLap(scene, 0, lap, what)});
     }
     return facts;
 }
@@ -116,6 +120,15 @@ QString pathText(const Profile &profile)
             lines << Words::tr("%1 of it completed").arg(figure);
     }
     return lines.join(u'\n');
+}
+
+/// Where the first robot was beyond zones; empty where the task has none or it was measured by another course.
+QString zonesText(const TrialScene &scene)
+{
+    if (!scene.task || scene.task->zones.empty() || isMeasuredOtherwise(scene, 0))
+        return {};
+    const QStringList lines = zoneBreachLines(scene, 0);
+    return lines.isEmpty() ? Words::tr("kept") : lines.join(u'\n');
 }
 
 QString dateText(Instant instant)
@@ -150,15 +163,13 @@ QList<Fact> trialFacts(const TrialScene &scene)
     QList<Fact> facts;
     const auto add = [&facts](const QString &name, const QString &value) {
         if (!value.isEmpty())
-            facts.append({name, value, {}});
+            facts.append(Fact{name, value, {}, std::nullopt});
     };
     const TrialRecord &trial = scene.trial;
     add(Words::tr("Team"), shownTeam(trial));
     addTask(scene, facts);
-    QStringList robots;
-    for (const SceneRobot &robot : scene.robots)
-        robots << robotText(robot);
-    add(Words::tr("Robot"), robots.join(QStringLiteral("; ")));
+    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot)
+        facts.append({Words::tr("Robot"), robotText(scene.robots[robot]), {}, explainHeight(scene, robot)});
     add(Words::tr("Date"), dateText(trial.date));
     if (scene.layout)
         add(Words::tr("Testbed"), Words::tr("markers “%1”").arg(QString::fromStdString(scene.layout->name)));
@@ -170,8 +181,11 @@ QList<Fact> trialFacts(const TrialScene &scene)
         facts.append(stepFact(scene.views[view]));
     if (!scene.robots.empty() && scene.robots.front().analysis) {
         const AnalysisRecord &analysis = *scene.robots.front().analysis;
-        facts += gateFacts(analysis.profile);
-        add(Words::tr("Path"), pathText(analysis.profile));
+        facts += gateFacts(scene);
+        if (const QString path = pathText(analysis.profile); !path.isEmpty())
+            facts.append({Words::tr("Path"), path, {}, explainFigures(scene, 0, Words::tr("Distance from the path"), path, "cross_track")});
+        if (const QString zones = zonesText(scene); !zones.isEmpty())
+            facts.append({Words::tr("Zones"), zones, {}, explainFigures(scene, 0, Words::tr("Zones"), zones, "zone_")});
         add(Words::tr("Smoother"), smootherText(analysis.options.smoother));
         add(Words::tr("Analysed"),
             Words::tr("%1, Odograph %2")

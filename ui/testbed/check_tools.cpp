@@ -10,6 +10,7 @@
 #include "ui/testbed/check/revisions_dialog.h"
 #include "ui/testbed/known_cameras.h"
 #include "ui/testbed/tool_action.h"
+#include "ui/views/command_names.h"
 
 #include <QAction>
 
@@ -27,6 +28,7 @@ CheckTools::CheckTools(Project &project, LiveCameras &live, QWidget &window)
         tr("See how well each place of the floor will be known, also with cameras that are only planned"), &CheckTools::showAccuracy);
     add(Revisions, QStringLiteral("revisions"), tr("&Older calibrations…"), tr("Revisions…"),
         tr("See every calibration and registration of a camera, put an older one in force, measure trials again"), &CheckTools::showRevisions);
+    nameCommands({{action(Moved), "checkMoved"}, {action(Length), "checkLength"}, {action(Accuracy), "expectedAccuracy"}, {action(Revisions), "revisions"}});
 }
 
 void CheckTools::add(Tool tool, const QString &icon, const QString &text, const QString &shortText, const QString &tip,

@@ -18,6 +18,7 @@
 #include "ui/testbed/together/joint_dialog.h"
 #include "ui/testbed/together/through_wizard.h"
 #include "ui/testbed/tool_action.h"
+#include "ui/views/command_names.h"
 #include "ui/views/path_field.h"
 
 #include <QAction>
@@ -86,6 +87,14 @@ TestbedTools::TestbedTools(Project &project, LiveCameras &live, QWidget &window)
         tr("Take the places of the markers from a table"), &TestbedTools::importLayout);
     add(PrintTargets, QStringLiteral("print"), tr("Print &targets…"), tr("Print…"),
         tr("Boards for the lens and markers for the floor, to scale"), &TestbedTools::printTargets);
+    nameCommands({{action(Calibrate), "calibrate"},
+                  {action(Register), "register"},
+                  {action(RegisterThrough), "registerThrough"},
+                  {action(RegisterJointly), "registerTogether"},
+                  {action(ImportLens), "importLens"},
+                  {action(NewLayout), "newLayout"},
+                  {action(ImportLayout), "importLayout"},
+                  {action(PrintTargets), "printTargets"}});
 }
 
 void TestbedTools::add(Tool tool, const QString &icon, const QString &text, const QString &shortText, const QString &tip,

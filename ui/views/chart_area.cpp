@@ -3,6 +3,7 @@
 
 #include "ui/models/shown_units.h"
 #include "ui/models/timeline.h"
+#include "ui/views/chart_bubbles.h"
 #include "ui/views/chart_span.h"
 #include "ui/views/theme.h"
 
@@ -17,13 +18,17 @@
 namespace odo {
 
 ChartArea::ChartArea(Timeline &timeline, ChartSpan &span, Quantity quantity, QWidget *parent)
-    : QWidget(parent), m_timeline(timeline), m_span(span), m_quantity(quantity)
+    : QWidget(parent), m_timeline(timeline), m_span(span), m_quantity(quantity), m_bubbles(new ChartBubbles(*this)), m_maker(new CurveMaker(this))
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     for (const auto signal : {&Timeline::currentChanged, &Timeline::selectionChanged})
         connect(&m_timeline, signal, this, qOverload<>(&QWidget::update));
+    connect(m_maker, &CurveMaker::made, this, [this] {
+        setTicks();
+        Q_EMIT settled();
+    });
     connect(&m_span, &ChartSpan::spanChanged, this, &ChartArea::forget);
     connect(&m_span, &ChartSpan::axisChanged, this, &ChartArea::rebuild);
     setTicks();
@@ -60,14 +65,15 @@ void ChartArea::rebuild()
 {
     if (m_span.scene() != m_scene) // a scene comes to the span first, and to the charts one after the other
         return;
-    m_curves = TrialCurves(m_scene, m_quantity, m_span.places());
+    m_maker->make(m_scene, m_quantity, m_span.places());
     setTicks();
 }
 
 void ChartArea::setTicks()
 {
     const int most = std::max(2, int(plotRect().height() / 23));
-    m_valueTicks = coveringTicks(m_curves.range().low, m_curves.range().high, most);
+    const ValueRange &range = m_maker->curves().range();
+    m_valueTicks = coveringTicks(range.low, range.high, most);
     forget();
 }
 
@@ -90,7 +96,7 @@ void ChartArea::drawStill(QPainter &painter) const
 {
     const bool isTime = m_span.against() == ChartSpan::Against::Time;
     drawChartAxes(painter, plot(), isTime ? ShownUnit{QStringLiteral("s"), 1} : shownUnits().distance, font(), palette());
-    m_curves.draw(painter, plot(), palette());
+    m_maker->curves().draw(painter, plot(), palette());
 }
 
 void ChartArea::drawFit(QPainter &painter) const
@@ -107,13 +113,17 @@ void ChartArea::drawFit(QPainter &painter) const
 
 void ChartArea::drawCursor(QPainter &painter) const
 {
+    m_bubbles->clear();
     if (m_timeline.frameCount() == 0)
         return;
     const Nanoseconds now = m_timeline.currentTime();
     if (const double place = m_span.cursorPlace(now); place >= m_span.low() && place <= m_span.high())
         drawChartCursor(painter, plot(), place, palette());
-    m_curves.drawValues(
-        painter, plot(), now, [this, now](std::size_t robot) { return m_span.placeOf(robot, now); }, palette());
+    const auto placeOf = [this, now](std::size_t robot) { return m_span.placeOf(robot, now); };
+    for (const ShownValue &value : m_maker->curves().drawValues(painter, plot(), now, placeOf, palette()))
+        m_bubbles->add(value.bubble, [scene = m_scene, quantity = m_quantity, now, value] {
+            return explainCurve(*scene, value.robot, quantity, now, value.text);
+        });
 }
 
 void ChartArea::paintEvent(QPaintEvent *)

@@ -5,14 +5,15 @@
 #include "core/trajectory/curve_fit.h"
 #include "ui/models/trial_scene.h"
 #include "ui/views/chart_painting.h"
+#include "ui/views/curve_maker.h"
 #include "ui/views/still_layer.h"
-#include "ui/views/trial_curves.h"
 
 #include <QWidget>
 #include <optional>
 
 namespace odo {
 
+class ChartBubbles;
 class ChartSpan;
 class Timeline;
 
@@ -26,7 +27,8 @@ struct FitOverlay
 };
 
 /// The plot of one quantity; inside ProfileChart. A click goes to a time, a drag selects a range; the wheel
-/// shows more or less, with Shift or the middle button what lies beside it; a double click shows all. What
+/// shows more or less, with Shift or the middle button what lies beside it; a double click shows all; a bubble tells how its
+/// value was computed. What
 /// does not change with the time is kept as a picture, so that moving the cursor costs a copy. Raster only.
 class ChartArea : public QWidget
 {
@@ -42,9 +44,14 @@ public:
     void setFit(std::optional<FitOverlay> fit);
     /// Where a time of the first robot and a value lie, in widget coordinates.
     QPointF positionOf(Nanoseconds time, double value) const;
+    /// The curves of the scene are there; those of a long one take a moment.
+    bool isSettled() const { return !m_maker->isRunning(); }
 
     QSize sizeHint() const override { return {640, 180}; }
     QSize minimumSizeHint() const override { return {220, 110}; }
+
+Q_SIGNALS:
+    void settled();
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -70,8 +77,9 @@ private:
     Timeline &m_timeline;
     ChartSpan &m_span;
     Quantity m_quantity;
+    ChartBubbles *m_bubbles;
     TrialScenePtr m_scene;
-    TrialCurves m_curves;
+    CurveMaker *m_maker;
     std::optional<FitOverlay> m_fit;
     AxisTicks m_valueTicks;
     std::optional<double> m_pressedX; ///< of the left button

@@ -108,7 +108,7 @@ void drawChartFocus(QPainter &painter, const QRect &widget, const QPalette &pale
     painter.drawRect(widget.adjusted(0, 0, -1, -1));
 }
 
-double drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &value, double top,
+QRectF drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &value, double top,
                        const QString &fullText, const QColor &colour, const QPalette &palette)
 {
     const ThemeColours colours = ThemeColours::of(palette);
@@ -127,7 +127,7 @@ double drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &
     painter.setPen(QPen(colours.card, 1.5));
     painter.setBrush(colour);
     painter.drawEllipse(at, 4, 4);
-    return top + height + 3;
+    return bubble;
 }
 
 } // namespace odo

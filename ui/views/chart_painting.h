@@ -58,9 +58,10 @@ void drawChartFit(QPainter &painter, const ChartPlot &plot, const QList<QPointF>
 /// The frame of a chart that has the focus.
 void drawChartFocus(QPainter &painter, const QRect &widget, const QPalette &palette);
 
-/// A value beside the cursor, `top` from the upper end of the widget, and a dot on its curve. Gives where the
-/// next one goes.
-double drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &value, double top,
+/// A value beside the cursor, `top` from the upper end of the widget, and a dot on its curve. Gives where its bubble stands; the next one
+/// goes bubbleGap below it.
+QRectF drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &value, double top,
                        const QString &text, const QColor &colour, const QPalette &palette);
+constexpr double bubbleGap = 3;
 
 } // namespace odo

@@ -35,6 +35,12 @@ std::vector<std::string> CheckList::checkedNames() const
     return names;
 }
 
+void CheckList::setChecked(const QStringList &names)
+{
+    for (int i = 0; i < count(); ++i)
+        item(i)->setCheckState(names.contains(item(i)->text()) ? Qt::Checked : Qt::Unchecked);
+}
+
 QSize CheckList::sizeHint() const
 {
     const int row = std::max(sizeHintForRow(0), fontMetrics().height() + 6);

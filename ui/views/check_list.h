@@ -15,6 +15,8 @@ public:
     explicit CheckList(const QString &accessibleName, QWidget *parent = nullptr);
     void setNames(const QStringList &names, bool checked);
     std::vector<std::string> checkedNames() const;
+    /// Ticks these and no others.
+    void setChecked(const QStringList &names);
     QSize sizeHint() const override;
 };
 

@@ -3,7 +3,9 @@
 
 #include "ui/views/axis_ticks.h"
 #include "ui/views/halo_text.h"
+#include "ui/views/robot_colours.h"
 #include "ui/views/simplified_line.h"
+#include "ui/views/theme.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -226,8 +228,11 @@ void paintFloor(QPainter &painter, const TrialScene &scene, std::size_t view, co
     if (!floorView)
         return;
     paintFloorGrid(painter, scene, *floorView, map);
-    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot)
-        paintTrail(painter, scene, robot, *floorView, map, colour);
+    const std::vector<int> places = colourPlaces(scene);
+    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
+        const bool isChosen = scene.robots[robot].robot.drawingColour != DrawingColour::Automatic && colour == trailColour;
+        paintTrail(painter, scene, robot, *floorView, map, isChosen ? seriesColour(places[robot], darkPalette()) : colour);
+    }
     paintAxes(painter, scene, *floorView, map);
 }
 

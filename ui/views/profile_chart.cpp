@@ -5,6 +5,7 @@
 #include "ui/views/chart_area.h"
 #include "ui/views/chart_span.h"
 #include "ui/views/profile_curve.h"
+#include "ui/views/robot_colours.h"
 #include "ui/views/series_key.h"
 
 #include <QComboBox>
@@ -72,6 +73,7 @@ ProfileChart::ProfileChart(Timeline &timeline, ChartSpan &span, QList<Quantity> 
         addToHeader(m_choice);
     }
     setContent(m_area);
+    connect(m_area, &ChartArea::settled, this, &ProfileChart::settled);
     connect(&m_span, &ChartSpan::axisChanged, this, &ProfileChart::describe);
     setScene(nullptr);
 }
@@ -142,7 +144,12 @@ void ProfileChart::describe()
                                    : tr("Chart: %1 against the distance"))
                                   .arg(quantityName(m_quantity)));
     m_area->setAccessibleDescription(spoken.join(QStringLiteral("; ")));
-    m_key->setNames(robots);
+    m_key->setNames(robots, m_scene ? colourPlaces(*m_scene) : std::vector<int>());
+}
+
+bool ProfileChart::isSettled() const
+{
+    return m_area->isSettled();
 }
 
 QWidget *ProfileChart::chartArea() const

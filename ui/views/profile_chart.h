@@ -37,9 +37,12 @@ public:
     /// Drawn where its quantity is shown; nullopt: none.
     void setFit(std::optional<FitOverlay> fit);
     QWidget *chartArea() const;
+    /// Its curves are there.
+    bool isSettled() const;
 
 Q_SIGNALS:
     void quantityChanged();
+    void settled();
 
 private:
     void describe();

@@ -20,9 +20,10 @@ SeriesKey::SeriesKey(QWidget *parent) : QWidget(parent)
     hide();
 }
 
-void SeriesKey::setNames(const QStringList &names)
+void SeriesKey::setNames(const QStringList &names, std::vector<int> places)
 {
     m_names = names;
+    m_places = std::move(places);
     setAccessibleDescription(names.join(QStringLiteral(", ")));
     // As plain text, whatever the names contain, and not wider than the screen.
     setToolTip(QStringLiteral("<p>%1</p>")
@@ -52,7 +53,8 @@ void SeriesKey::paintEvent(QPaintEvent *)
     const double middle = height() / 2.0;
     int left = entryGap;
     for (int i = 0; i < m_names.size(); ++i) {
-        painter.setPen(QPen(seriesColour(i, palette()), 2, seriesDash(i)));
+        const int place = m_places.empty() ? i : m_places.at(static_cast<std::size_t>(i));
+        painter.setPen(QPen(seriesColour(place, palette()), 2, seriesDash(i)));
         painter.drawLine(QPointF(left, middle), QPointF(left + lineLength, middle));
         left += lineLength + lineGap;
         painter.setPen(ThemeColours::of(palette()).text);

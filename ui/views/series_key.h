@@ -3,6 +3,7 @@
 
 #include <QStringList>
 #include <QWidget>
+#include <vector>
 
 namespace odo {
 
@@ -13,7 +14,8 @@ class SeriesKey : public QWidget
     Q_OBJECT
 public:
     explicit SeriesKey(QWidget *parent = nullptr);
-    void setNames(const QStringList &names);
+    /// places: of their colours in the palette (colourPlaces); by themselves one after the other.
+    void setNames(const QStringList &names, std::vector<int> places = {});
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
@@ -24,6 +26,7 @@ protected:
 private:
     QString shown(const QString &name) const;
     QStringList m_names;
+    std::vector<int> m_places; ///< empty: one after the other
 };
 
 } // namespace odo

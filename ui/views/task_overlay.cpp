@@ -8,12 +8,16 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
+#include <QPolygonF>
+#include <algorithm>
 
 namespace odo {
 
 namespace {
 
 constexpr double postRadius = 3, arrowLength = 13, arrowHead = 5;
+constexpr double toothApart = 14, toothLength = 5, longestTeethPx = 20000;
+constexpr int hatchAlpha = 150;
 
 void drawArrow(QPainter &painter, const QPointF &from, const QPointF &direction)
 {
@@ -41,6 +45,40 @@ void drawName(QPainter &painter, const QString &name, const QLineF &line, const 
     painter.drawText(QPointF(left, middle.y()), name);
 }
 
+/// Short strokes on the outer side of an outline.
+void drawTeeth(QPainter &painter, const QPolygonF &outline)
+{
+    double area = 0;
+    for (qsizetype i = 0; i < outline.size(); ++i) {
+        const QPointF a = outline[i], b = outline[(i + 1) % outline.size()];
+        area += a.x() * b.y() - b.x() * a.y();
+    }
+    for (qsizetype i = 0; i < outline.size(); ++i) {
+        const QLineF edge(outline[i], outline[(i + 1) % outline.size()]);
+        const QLineF unit = edge.unitVector();
+        const QPointF outwards = (area > 0 ? 1 : -1) * QPointF(unit.dy(), -unit.dx());
+        const int count = static_cast<int>(std::min(edge.length(), longestTeethPx) / toothApart);
+        for (int tooth = 1; tooth <= count; ++tooth) {
+            const QPointF root = edge.pointAt(tooth / (count + 1.0));
+            painter.drawLine(root, root + toothLength * outwards);
+        }
+    }
+}
+
+/// Beside the uppermost corner, within the outline as a rule.
+void drawZoneName(QPainter &painter, const QString &name, const QPolygonF &outline, const ThemeColours &colours)
+{
+    const QPointF top = *std::ranges::min_element(outline, {}, [](const QPointF &corner) { return corner.y() + 0.01 * corner.x(); });
+    const QFontMetricsF metrics(painter.font());
+    const QString shown = metrics.elidedText(name, Qt::ElideRight, std::max(80.0, outline.boundingRect().width() - 12));
+    const QPointF base(top.x() + 6, top.y() + metrics.ascent() + 4);
+    QColor ground = colours.mapGround;
+    ground.setAlpha(190);
+    painter.fillRect(QRectF(base.x() - 3, base.y() - metrics.ascent(), metrics.horizontalAdvance(shown) + 6, metrics.height()), ground);
+    painter.setPen(colours.text);
+    painter.drawText(base, shown);
+}
+
 } // namespace
 
 void drawReferencePath(QPainter &painter, const ReferencePath &path, const FloorToScreen &toScreen,
@@ -57,6 +95,25 @@ void drawReferencePath(QPainter &painter, const ReferencePath &path, const Floor
     pen.setDashPattern({5, 4});
     pen.setCapStyle(Qt::FlatCap);
     painter.strokePath(drawn, pen);
+}
+
+void drawZones(QPainter &painter, const std::vector<Zone> &zones, const FloorToScreen &toScreen, const QPalette &palette)
+{
+    const ThemeColours colours = ThemeColours::of(palette);
+    for (const Zone &zone : zones) {
+        QPolygonF outline;
+        for (const Eigen::Vector2d &corner : zone.corners)
+            outline << toScreen(corner);
+        const bool isForbidden = zone.rule == ZoneRule::StayOutside;
+        QColor faint = colours.spike;
+        faint.setAlpha(isForbidden ? hatchAlpha : 0);
+        painter.setPen(QPen(isForbidden ? colours.spike : colours.accent, 1.5));
+        painter.setBrush(isForbidden ? QBrush(faint, Qt::BDiagPattern) : QBrush(Qt::NoBrush));
+        painter.drawPolygon(outline);
+        if (!isForbidden)
+            drawTeeth(painter, outline);
+        drawZoneName(painter, QString::fromStdString(zone.name), outline, colours);
+    }
 }
 
 void drawGates(QPainter &painter, const std::vector<Gate> &gates, const FloorToScreen &toScreen,

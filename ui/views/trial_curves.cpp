@@ -3,6 +3,7 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/views/curve_painting.h"
+#include "ui/views/robot_colours.h"
 #include "ui/views/theme.h"
 
 #include <QCoreApplication>
@@ -31,6 +32,8 @@ TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const std::vect
         for (const CurveRun &run : curves.runs)
             runs.push_back(&run);
     m_range = valueRange(runs, m_quantity);
+    if (m_scene)
+        m_places = colourPlaces(*m_scene);
 }
 
 TrialCurves::RobotCurves TrialCurves::curvesOf(const Profile &profile, const std::vector<double> &places) const
@@ -65,7 +68,7 @@ void TrialCurves::draw(QPainter &painter, const ChartPlot &plot, const QPalette 
         drawCurvePoints(painter, plot, curves.measured, ThemeColours::of(palette).point);
     for (std::size_t robot = 0; robot < m_curves.size(); ++robot)
         for (const CurveRun &run : m_curves[robot].runs) {
-            drawCurveRun(painter, plot, run, {seriesColour(int(robot), palette), seriesDash(int(robot))});
+            drawCurveRun(painter, plot, run, {seriesColour(m_places[robot], palette), seriesDash(int(robot))});
             isEmpty = false;
         }
     painter.setRenderHint(QPainter::Antialiasing);
@@ -77,9 +80,10 @@ void TrialCurves::draw(QPainter &painter, const ChartPlot &plot, const QPalette 
     }
 }
 
-void TrialCurves::drawValues(QPainter &painter, const ChartPlot &plot, Nanoseconds time,
+QList<ShownValue> TrialCurves::drawValues(QPainter &painter, const ChartPlot &plot, Nanoseconds time,
                              const std::function<double(std::size_t robot)> &placeOf, const QPalette &palette) const
 {
+    QList<ShownValue> shown;
     const QString unit = curveUnit(m_quantity);
     double top = plot.rect.top();
     for (std::size_t robot = 0; robot < m_curves.size(); ++robot) {
@@ -87,12 +91,16 @@ void TrialCurves::drawValues(QPainter &painter, const ChartPlot &plot, Nanosecon
         const double place = placeOf(robot);
         if (!value || place < plot.low || place > plot.high)
             continue;
-        QString text = figureText(value->value, value->sigma, unit).text();
-        if (m_curves.size() > 1)
-            text.prepend(QString::fromStdString(m_scene->robots[robot].robot.name) + QStringLiteral(": "));
-        top = drawChartBubble(painter, plot, {place, value->value}, top, text, seriesColour(int(robot), palette),
-                              palette);
+        const QString figure = figureText(value->value, value->sigma, unit).text();
+        const QString text = m_curves.size() > 1
+                                 ? QString::fromStdString(m_scene->robots[robot].robot.name) + QStringLiteral(": ") + figure
+                                 : figure;
+        const QRectF bubble = drawChartBubble(painter, plot, {place, value->value}, top, text,
+                                              seriesColour(m_places[robot], palette), palette);
+        shown.append({robot, bubble, figure});
+        top = bubble.bottom() + bubbleGap;
     }
+    return shown;
 }
 
 } // namespace odo

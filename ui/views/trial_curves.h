@@ -10,6 +10,14 @@
 
 namespace odo {
 
+/// A value that stands beside the cursor.
+struct ShownValue
+{
+    std::size_t robot = 0;
+    QRectF bubble; ///< where it stands
+    QString text;  ///< the value with its error and unit, without a name
+};
+
 /// The curves of one quantity of all robots of a trial, for the screen and for whatever else shows them: measured
 /// points, lines with their bands, and spikes. A value; painting on any thread.
 class TrialCurves
@@ -27,9 +35,9 @@ public:
 
     /// All but the axes; a sentence where no robot was tracked. Spikes beyond the axis are shown at its end.
     void draw(QPainter &painter, const ChartPlot &plot, const QPalette &palette) const;
-    /// Each robot's value at a time beside its place on the axis below, where that is visible.
-    void drawValues(QPainter &painter, const ChartPlot &plot, Nanoseconds time,
-                    const std::function<double(std::size_t robot)> &placeOf, const QPalette &palette) const;
+    /// Each robot's value at a time beside its place on the axis below, where that is visible; gives them, from above.
+    QList<ShownValue> drawValues(QPainter &painter, const ChartPlot &plot, Nanoseconds time,
+                                 const std::function<double(std::size_t robot)> &placeOf, const QPalette &palette) const;
 
 private:
     struct RobotCurves
@@ -43,6 +51,7 @@ private:
     TrialScenePtr m_scene; ///< null: nothing to show
     Quantity m_quantity = Quantity::Speed;
     std::vector<RobotCurves> m_curves; ///< one a robot
+    std::vector<int> m_places;         ///< of the robots' colours in the palette
     ValueRange m_range;
 };
 

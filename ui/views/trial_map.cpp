@@ -3,6 +3,7 @@
 
 #include "ui/models/profile_place.h"
 #include "ui/views/floor_picture.h"
+#include "ui/views/robot_colours.h"
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
 #include "ui/views/trail_painting.h"
@@ -27,10 +28,11 @@ void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &sce
     drawMapGrid(painter, plan, palette, !floor.image.isNull());
     if (scene.layout)
         drawMapMarkers(painter, plan, *scene.layout, palette);
-    if (scene.task)
-        drawReferencePath(
-            painter, scene.task->path, [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); },
-            palette);
+    if (!scene.task)
+        return;
+    const auto toScreen = [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); };
+    drawZones(painter, scene.task->zones, toScreen, palette);
+    drawReferencePath(painter, scene.task->path, toScreen, palette);
 }
 
 void drawMapMarks(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const QPalette &palette)
@@ -49,6 +51,7 @@ void drawTrialRobots(QPainter &painter, const MapPlan &plan, const TrialScene &s
                      const QPalette &palette)
 {
     const bool alone = scene.robots.size() == 1;
+    const std::vector<int> places = colourPlaces(scene);
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
         const SceneRobot &shown = scene.robots[robot];
         const std::ptrdiff_t index = shown.analysis ? pointIndexAt(shown.analysis->profile, time) : -1;
@@ -56,12 +59,13 @@ void drawTrialRobots(QPainter &painter, const MapPlan &plan, const TrialScene &s
             continue;
         const Profile &profile = shown.analysis->profile;
         const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
+        const bool isPlain = alone && shown.robot.drawingColour == DrawingColour::Automatic;
         MapRobot sign{&shown.robot,
                       point.position,
                       point.sigmaXM,
                       point.sigmaYM,
                       drivenHeadingAt(profile, index),
-                      alone ? ThemeColours::of(palette).spike : seriesColour(int(robot), palette),
+                      isPlain ? ThemeColours::of(palette).spike : seriesColour(places[robot], palette),
                       {}};
         if (!alone)
             sign.label = QString::fromStdString(shown.robot.name);

@@ -10,15 +10,21 @@
 #include "ui/views/comparison_curves.h"
 #include "ui/compare/distance_chart.h"
 #include "ui/compare/run_chooser.h"
+#include "ui/models/comparison_explanation.h"
 #include "ui/models/difference_model.h"
 #include "ui/models/timeline.h"
 #include "ui/views/empty_state.h"
+#include "ui/views/figure_grid.h"
 
 #include <QAbstractItemModelTester>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
@@ -286,6 +292,64 @@ private Q_SLOTS:
         const double reachedM = shown.page->scene()->distanceAt(0, shown.page->timeline().currentTime());
         // Half a frame and half a pixel.
         QVERIFY2(std::abs(reachedM - wantedM) < 0.04, qPrintable(QString::number(reachedM)));
+    }
+
+    void everyDifferenceTellsHowItWasComputed()
+    {
+        const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+        const auto explanation = [&shown] {
+            auto *dialog = shown.page->findChild<QDialog *>(QStringLiteral("explanation"));
+            const QString text = dialog ? dialog->findChild<QPlainTextEdit *>()->toPlainText() : QString();
+            delete dialog;
+            return text;
+        };
+        const auto explained = [&](const char *name, int row) {
+            QTableView *table = this->table(*shown.page, name);
+            table->setCurrentIndex(table->model()->index(row, 0));
+            table->findChild<QAction *>(QStringLiteral("howComputed"))->trigger();
+            return explanation();
+        };
+        const QString figure = explained("Figures of both runs", 0);
+        QVERIFY2(figure.contains(QStringLiteral("Trial 2 less Trial 1")) && figure.contains(QStringLiteral("not more than 1.96")) &&
+                     figure.contains(QStringLiteral("√(σ₁² + σ₂²)")) && figure.contains(QStringLiteral("time 0: ")),
+                 qPrintable(figure));
+        const QString sector = explained("Times from gate to gate", 0);
+        QVERIFY2(sector.startsWith(QStringLiteral("Sector begin to ")) && sector.contains(QStringLiteral("first arrival")), qPrintable(sector));
+        auto *end = shown.page->findChild<FigureGrid *>();
+        QTest::keyClick(end, Qt::Key_Return);
+        const QString atEnd = explanation();
+        QVERIFY2(atEnd.startsWith(QStringLiteral("Δt of ")) && atEnd.contains(QStringLiteral("Trial 2 against Trial 1 at ")), qPrintable(atEnd));
+        shown.page->timeline().setCurrentTime(std::chrono::milliseconds(700));
+        for (const auto &[chart, words] : {std::pair(&shown.page->desk().speed(), QStringLiteral("Speed of Trial 1 at ")),
+                                           std::pair(&shown.page->desk().difference(), QStringLiteral("Trial 2 against Trial 1 at "))}) {
+            chart->area().grab();
+            QTest::keyClick(&chart->area(), Qt::Key_F1, Qt::ShiftModifier);
+            const QString told = explanation();
+            QVERIFY2(told.contains(words), qPrintable(told));
+        }
+        // What only one of them has, and what is exact, is told without a claim.
+        const auto &scene = *shown.page->scene();
+        QCOMPARE(explainDifference(scene, 1, {"circle_radius", "m", 0.5, {}, 0.01, {}, {}}).value, QStringLiteral("only one of the two has it"));
+        QVERIFY(explainDifference(scene, 1, {"laps", "1", 2, 3, {}, {}, Difference{1, 0}}).formula.contains(QStringLiteral("Both are exact")));
+        QVERIFY(explainDifference(scene, 1, {"duration", "s", 2, 3, 0.1, 0.1, Difference{1, 0.14}}).formula.contains(QStringLiteral("less than 5 of 100")));
+    }
+
+    void remembersAndResetsItsDocks()
+    {
+        {
+            const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+            auto *dock = shown.page->findChild<QDockWidget *>(QStringLiteral("compareSpeedDock"));
+            QCOMPARE(shown.page->desk().dockActions().size(), 2);
+            shown.page->desk().dockActions().first()->trigger();
+            QVERIFY(dock->isHidden());
+            shown.page->desk().saveLayout();
+        }
+        const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+        auto *dock = shown.page->findChild<QDockWidget *>(QStringLiteral("compareSpeedDock"));
+        QVERIFY(dock->isHidden());
+        shown.page->desk().resetLayout();
+        QVERIFY(!dock->isHidden());
+        QSettings().remove(QStringLiteral("compare"));
     }
 
     void saysWhyRunsCannotBeCompared()

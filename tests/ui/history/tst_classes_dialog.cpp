@@ -6,14 +6,18 @@
 #include "tests/ui/support/stored_example.h"
 #include "ui/history/classes_dialog.h"
 #include "ui/history/history_page.h"
+#include "ui/history/team_dialog.h"
 #include "ui/history/trial_filter_bar.h"
 #include "ui/models/own_changes.h"
+#include "ui/models/shown_team.h"
 
 #include <QAction>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
@@ -65,6 +69,7 @@ private Q_SLOTS:
     }
     void classesAreMadeRenamedAndDeleted();
     void teamsAreMadeRenamedAndMoved();
+    void membersAndRobotsAreWritten();
     void anArchivedClassIsOutOfTheWay();
     void onlyWhatWasDoneHereIsTakenBack();
     void whatIsReadOnlyIsNotChanged();
@@ -73,6 +78,53 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<Project> m_project;
 };
+
+void TestClassesDialog::membersAndRobotsAreWritten()
+{
+    ClassesDialog dialog(*m_project);
+    auto *table = dialog.findChild<QTableWidget *>();
+    dialog.findChild<QListWidget *>()->setCurrentRow(0);
+    table->setCurrentCell(0, 0);
+    const auto team = [&] { return *m_project->teams().find("Falcon"); };
+    QVERIFY(team().members.empty());
+    const auto write = [](const QString &members, bool withRobot) {
+        return Answer([=](QDialog &asked) {
+            asked.findChild<QPlainTextEdit *>()->setPlainText(members);
+            asked.findChild<QListWidget *>()->item(0)->setCheckState(withRobot ? Qt::Checked : Qt::Unchecked);
+            asked.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->click();
+        });
+    };
+    {
+        Person person({write(QStringLiteral("Anna\n\n  Ben \n"), true)});
+        button(dialog, "Members and r&obots…")->click();
+        QVERIFY(person.isDone());
+    }
+    QCOMPARE(team().members, (std::vector<std::string>{"Anna", "Ben"}));
+    QCOMPARE(team().robots, std::vector<RecordId>{m_project->robots().all()->front().id});
+    QCOMPARE(table->item(0, 2)->text(), QStringLiteral("Anna, Ben"));
+    QVERIFY(!table->item(0, 3)->text().isEmpty());
+    QVERIFY(!(table->item(0, 2)->flags() & Qt::ItemIsEditable));
+    {
+        Person person({write(QStringLiteral("Anna\nBen"), true)}); // the same again is no change
+        button(dialog, "Members and r&obots…")->click();
+        QVERIFY(person.isDone());
+    }
+    QCOMPARE(m_project->changes()->size(), std::size_t(1));
+    {
+        Person person({write(QString(201, u'x'), true)});
+        button(dialog, "Members and r&obots…")->click();
+        QVERIFY(person.isDone());
+    }
+    QVERIFY2(told(dialog).startsWith(QLatin1String("name of a member: it has 201 characters")), qPrintable(told(dialog)));
+    press(dialog, undoKeys);
+    QVERIFY(team().members.empty() && team().robots.empty());
+    press(dialog, redoKeys);
+    QCOMPARE(team().members.size(), std::size_t(2));
+    showPseudonyms(true);
+    QCOMPARE(shownMembers(team()), QStringLiteral("2 member(s)")); // tests have no translation
+    QVERIFY(shownMembers({}).isEmpty());
+    showPseudonyms(false);
+}
 
 void TestClassesDialog::classesAreMadeRenamedAndDeleted()
 {

@@ -236,6 +236,8 @@ void TestHistoryPage::showsHowTeamsStand()
     HistoryPage page(*m_project);
     page.refresh();
     page.findChild<QTabWidget *>()->setCurrentIndex(1);
+    QVERIFY(!page.isSettled()); // it is read elsewhere
+    QTRY_VERIFY(page.isSettled());
     auto *panel = page.findChild<TeamsPanel *>();
     auto *model = panel->findChild<QTableView *>()->model();
     QCOMPARE(model->rowCount(), 1); // one task is chosen
@@ -243,6 +245,7 @@ void TestHistoryPage::showsHowTeamsStand()
     QCOMPARE(model->index(0, StandingsModel::ProgressColumn).data().toString(),
              QStringLiteral("three trials at different times tell"));
     choice(*panel, "Task")->setCurrentIndex(0); // any
+    QTRY_VERIFY(page.isSettled());
     QCOMPARE(model->rowCount(), 2);             // Falcon and Heron have a tracked trial each
     QCOMPARE(model->index(0, StandingsModel::RankColumn).data().toString(), QStringLiteral("\u2013"));
     QCOMPARE(model->index(0, StandingsModel::ProgressColumn).data().toString(), QStringLiteral("choose a task"));
@@ -251,9 +254,11 @@ void TestHistoryPage::showsHowTeamsStand()
         panel->findChild<QTableView *>()->currentIndex().siblingAtColumn(StandingsModel::TeamColumn).data().toString()));
     choice(*panel, "Task")
         ->setCurrentIndex(choice(*panel, "Task")->findText(QStringLiteral("Figure eight, 2 laps")));
+    QTRY_VERIFY(page.isSettled());
     QCOMPARE(model->rowCount(), 1);
     QCOMPARE(model->index(0, StandingsModel::TeamColumn).data().toString(), QStringLiteral("Falcon"));
     choice(*panel, "Figure")->setCurrentIndex(1);
+    QTRY_VERIFY(page.isSettled());
     QCOMPARE(model->rowCount(), 1);
     // A task that was changed since: what was measured before does not count in it.
     const auto project = copy(QStringLiteral("standings.odo"));
@@ -265,8 +270,10 @@ void TestHistoryPage::showsHowTeamsStand()
     HistoryPage changed(*project);
     changed.refresh();
     changed.findChild<QTabWidget *>()->setCurrentIndex(1);
+    QTRY_VERIFY(changed.isSettled());
     auto *standings = changed.findChild<TeamsPanel *>();
     choice(*standings, "Task")->setCurrentIndex(choice(*standings, "Task")->findText(QString::fromStdString(task.name)));
+    QTRY_VERIFY(changed.isSettled());
     QCOMPARE(standings->findChild<QTableView *>()->model()->rowCount(), 0);
     QCOMPARE(choice(*standings, "Figure")->itemText(0), QStringLiteral("Score"));
 }

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void init();
     void asksOneStepForEachFurtherView();
     void aCameraShowsHowWellItIsRegistered();
+    void aTeamProposesItsRobots();
     void aViewWithoutAVideoNeedsNoStep();
     void isReachedByTheTabKey();
     void paintsThePicture_data();
@@ -50,6 +51,25 @@ void TestImportTrialDialog::init()
                                  {{QStringLiteral("Door"), {QStringLiteral("±3 mm"), BadgeState::Good}},
                                   {QStringLiteral("Window"), {}},
                                   {QStringLiteral("Wall"), {QStringLiteral("moved"), BadgeState::Bad}}}});
+}
+
+void TestImportTrialDialog::aTeamProposesItsRobots()
+{
+    const QStringList robots{QStringLiteral("Red"), QStringLiteral("Blue")};
+    ImportTrialDialog dialog({QStringLiteral("Run 7"),
+                              {QStringLiteral("Falcon"), QStringLiteral("Heron")},
+                              robots,
+                              {},
+                              {QStringLiteral("Team 4"), QStringLiteral("Heron")},
+                              {{QStringLiteral("Blue")}, {}}});
+    auto *team = dialog.findChild<QComboBox *>();
+    QVERIFY(dialog.settings().robots.empty());
+    team->setCurrentIndex(team->findText(QStringLiteral("Team 4")));
+    QCOMPARE(dialog.settings().robots, std::vector<std::string>{"Blue"});
+    team->setCurrentIndex(team->findText(QStringLiteral("Heron"))); // has none of its own: what was ticked stays
+    QCOMPARE(dialog.settings().robots, std::vector<std::string>{"Blue"});
+    team->setCurrentIndex(0);
+    QCOMPARE(dialog.settings().robots, std::vector<std::string>{"Blue"});
 }
 
 void TestImportTrialDialog::addThirdView() const

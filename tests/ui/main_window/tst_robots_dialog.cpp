@@ -65,6 +65,20 @@ private Q_SLOTS:
         const RobotRecord after = *project->robots().find("Green 4");
         QVERIFY(after.id == before.id && after.colour.toString() == before.colour.toString() &&
                 after.heightMode == before.heightMode);
+        {
+            Person person({[](QDialog &robot) {
+                for (QComboBox *choice : robot.findChildren<QComboBox *>())
+                    if (choice->findText(QStringLiteral("sky blue")) >= 0)
+                        choice->setCurrentText(QStringLiteral("sky blue"));
+                robot.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->click();
+            }});
+            button(dialog, "&Edit…")->click();
+            QVERIFY(person.isDone());
+        }
+        const RobotRecord drawn = *project->robots().find("Green 4");
+        QVERIFY(drawn.drawingColour == DrawingColour::SkyBlue);
+        QCOMPARE(drawn.colour.toString(), after.colour.toString()); // it is tracked by what it was
+        QCOMPARE(table->item(table->currentRow(), 2)->text(), QStringLiteral("sky blue"));
         button(dialog, "&Delete")->click();
         QCOMPARE(project->robots().all()->size(), std::size_t(2));
         for (QAction *action : dialog.actions())

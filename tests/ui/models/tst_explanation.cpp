@@ -26,16 +26,56 @@ private Q_SLOTS:
         // Those of a task, which are given only where a run has them.
         for (const char *name :
              {"circle_radius", "gate_time", "laps", "best_lap", "mean_lap", "cross_track_mean",
-              "cross_track_rms", "cross_track_max", "cross_track_bias", "path_completed"})
+              "cross_track_rms", "cross_track_max", "cross_track_bias", "path_completed",
+              "zone_breaches", "zone_time", "zone_depth"})
             metrics.push_back({name, "m", 1, 0.1});
         for (const Metric &metric : metrics) {
             const Explanation explanation = explainMetric(*m_scene, 0, metric);
             QVERIFY2(!explanation.formula.isEmpty(), metric.name.c_str());
             const bool isCount =
-                metric.name == "stops" || metric.name == "laps" || metric.name == "path_completed";
+                metric.name == "stops" || metric.name == "laps" || metric.name == "path_completed" || metric.name == "zone_breaches";
             QVERIFY2(!metric.sigma || isCount || !explanation.uncertainty.isEmpty(), metric.name.c_str());
             QVERIFY(explanation.text().startsWith(metricName(metric.name) + QStringLiteral(": ")));
         }
+    }
+    void breachesOfZonesAreNamed()
+    {
+        auto scene = std::make_shared<TrialScene>(*m_scene);
+        scene->task = Task();
+        scene->taskId = 7;
+        scene->robots[0].analysis->task = 7;
+        scene->task->zones = {rectangularZone("Nowhere", ZoneRule::StayInside, {90, 90}, {91, 91})};
+        const Explanation explanation = explainMetric(*scene, 0, {"zone_time", "s", 1, 0.1});
+        QVERIFY2(explanation.inputs.first().startsWith(QStringLiteral("Nowhere: from ")), qPrintable(explanation.text()));
+        scene->task->zones = {rectangularZone("All", ZoneRule::StayInside, {-90, -90}, {90, 90})};
+        QVERIFY(zoneBreachLines(*scene, 0).isEmpty());
+        scene->task->zones = {rectangularZone("Nowhere", ZoneRule::StayInside, {90, 90}, {91, 91})};
+        scene->taskId = 8; // it was measured by another course
+        QVERIFY(zoneBreachLines(*scene, 0).isEmpty());
+    }
+    void aCurveIsExplainedWhereTheCursorStands()
+    {
+        const Profile &profile = m_scene->robots[0].analysis->profile;
+        for (const Quantity quantity : {Quantity::Speed, Quantity::Acceleration, Quantity::Heading, Quantity::TurnRate,
+                                        Quantity::PositionX, Quantity::PositionY}) {
+            const Explanation told = explainCurve(*m_scene, 0, quantity, profile.samples[100].time, QStringLiteral("1 m/s"));
+            QVERIFY(!told.formula.isEmpty() && !told.uncertainty.isEmpty());
+            QCOMPARE(told.value, QStringLiteral("1 m/s"));
+            QVERIFY2(told.inputs.first().startsWith(QStringLiteral("measured there: ")) ||
+                         told.inputs.first().startsWith(QStringLiteral("at this frame no view")),
+                     qPrintable(told.text()));
+        }
+        auto scene = std::make_shared<TrialScene>(*m_scene);
+        scene->robots[0].analysis->profile.samples[100].position.reset();
+        QVERIFY(explainCurve(*scene, 0, Quantity::Speed, profile.samples[100].time, {})
+                    .inputs.first()
+                    .startsWith(QStringLiteral("at this frame no view found the robot")));
+        // Before the first sample nothing was measured.
+        QVERIFY(explainCurve(*m_scene, 0, Quantity::Speed, profile.samples.front().time - Nanoseconds(1), {})
+                    .inputs.first()
+                    .startsWith(QStringLiteral("trial ")));
+        scene->robots[0].analysis.reset();
+        QCOMPARE(explainCurve(*scene, 0, Quantity::Speed, Nanoseconds(0), {}).inputs.size(), 1);
     }
     void inputsAreTold()
     {

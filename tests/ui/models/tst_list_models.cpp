@@ -261,6 +261,16 @@ private Q_SLOTS:
         QCOMPARE(model.index(1, TrialModel::TeamColumn).data().toString(), QStringLiteral("Team Four"));
         showPseudonyms(false);
     }
+    void sentencesNameTeamsAsTheyAreShown()
+    {
+        const std::vector<TeamRecord> teams{{1, "Anna and Ben", "9B", "Team 4", {"Anna", "Ben"}}, {2, "Owl", "9B"}};
+        const QString sentence = QStringLiteral("team 'Anna and Ben': 'Anna' is there twice, as in 'Owl'");
+        QCOMPARE(shownSentence(sentence, teams), sentence);
+        showPseudonyms(true);
+        QCOMPARE(shownSentence(sentence, teams), QString::fromUtf8("team 'Team 4': '…' is there twice, as in 'Owl'"));
+        QCOMPARE(shownSentence(sentence, {}), sentence);
+        showPseudonyms(false);
+    }
     void scoresAreSortedAndExplained()
     {
         TrialModel model;

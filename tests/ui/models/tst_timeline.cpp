@@ -2,6 +2,7 @@
 #include "ui/models/timeline.h"
 
 #include <QAction>
+#include <QKeyEvent>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -219,6 +220,44 @@ private Q_SLOTS:
         trigger(Timeline::Command::ShuttleStop);
         QVERIFY(!timeline->isPlaying());
         QCOMPARE(timeline->rate(), 1.0);
+    }
+    void goesFrameByFrameWhileStopIsHeld()
+    {
+        const auto timeline = tenFrames();
+        timeline->setCurrentFrame(5);
+        const auto key = [](QEvent::Type type, int which, bool repeats = false) {
+            QObject someWidget;
+            QKeyEvent event(type, which, Qt::NoModifier, {}, repeats);
+            QCoreApplication::sendEvent(&someWidget, &event);
+        };
+        const auto trigger = [&](Timeline::Command command) { timeline->action(command)->trigger(); };
+        key(QEvent::ShortcutOverride, Qt::Key_K);
+        trigger(Timeline::Command::ShuttleStop);
+        trigger(Timeline::Command::ShuttleForward);
+        trigger(Timeline::Command::ShuttleForward);
+        QVERIFY(!timeline->isPlaying());
+        QCOMPARE(timeline->currentFrame(), 7);
+        key(QEvent::KeyRelease, Qt::Key_K, true); // a key that is held repeats
+        key(QEvent::KeyRelease, Qt::Key_L);       // of another key
+        trigger(Timeline::Command::ShuttleBack);
+        QCOMPARE(timeline->currentFrame(), 6);
+        QCOMPARE(timeline->rate(), 1.0);
+        key(QEvent::KeyRelease, Qt::Key_K);
+        trigger(Timeline::Command::ShuttleForward);
+        QVERIFY(timeline->isPlaying());
+        // Another key may be that of Stop, and its release may go elsewhere.
+        timeline->action(Timeline::Command::ShuttleStop)->setShortcut(Qt::Key_F4);
+        key(QEvent::KeyPress, Qt::Key_K);
+        trigger(Timeline::Command::ShuttleBack);
+        QVERIFY(timeline->isPlaying());
+        key(QEvent::KeyPress, Qt::Key_F4);
+        trigger(Timeline::Command::ShuttleBack);
+        QVERIFY(!timeline->isPlaying());
+        QObject window;
+        QEvent away(QEvent::WindowDeactivate);
+        QCoreApplication::sendEvent(&window, &away);
+        trigger(Timeline::Command::ShuttleBack);
+        QVERIFY(timeline->isPlaying());
     }
     void hasTheKeysPeopleKnow_data()
     {

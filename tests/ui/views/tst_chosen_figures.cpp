@@ -4,8 +4,10 @@
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/scene_disagreement.h"
 #include "ui/models/timeline.h"
+#include "ui/views/chart_bubbles.h"
 #include "ui/views/figure_grid.h"
 #include "ui/views/floor_map.h"
+#include "ui/views/profile_chart.h"
 #include "ui/views/result_panel.h"
 #include "ui/views/series_key.h"
 #include "ui/views/spike_list.h"
@@ -108,6 +110,35 @@ private Q_SLOTS:
         for (QAction *action : list.table()->actions())
             action->trigger();
         QVERIFY(explanationOf(list).startsWith(QStringLiteral("Spike at")));
+    }
+    void aBubbleTellsHowItsValueWasComputed()
+    {
+        Timeline timeline;
+        timeline.setFrameTimes(m_scene->frameTimes());
+        ProfileChart chart(timeline, Quantity::Speed);
+        chart.setScene(m_scene);
+        chart.resize(600, 240);
+        chart.show();
+        timeline.setCurrentFrame(60);
+        QWidget *area = chart.chartArea();
+        area->grab(); // painted, so that the bubble stands somewhere
+        const auto *bubbles = area->findChild<ChartBubbles *>();
+        QCOMPARE(bubbles->places().size(), qsizetype(m_scene->robots.size()));
+        const Nanoseconds before = timeline.currentTime();
+        QTest::mouseClick(area, Qt::LeftButton, {}, bubbles->places().first().center().toPoint());
+        QCOMPARE(timeline.currentTime(), before); // it is not a click on the chart
+        QVERIFY(explanationOf(chart).startsWith(QStringLiteral("Speed at ")));
+        QTest::keyClick(area, Qt::Key_F1, Qt::ShiftModifier);
+        QVERIFY(explanationOf(chart).contains(QStringLiteral("measured there: ")));
+        QTest::keyClick(area, Qt::Key_Return);
+        QVERIFY(!explanationOf(chart).isEmpty());
+        QTest::mouseClick(area, Qt::LeftButton, {}, QPoint(area->width() / 3, area->height() / 2));
+        QVERIFY(explanationOf(chart).isEmpty());
+        QVERIFY(timeline.currentTime() != before);
+        chart.setScene(nullptr);
+        area->grab();
+        QTest::keyClick(area, Qt::Key_Return); // there is nothing to tell
+        QVERIFY(explanationOf(chart).isEmpty());
     }
     void mapShowsHowFarTheViewsDisagree()
     {

@@ -1,42 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/tasks/gate_table.h"
 
-#include "core/base/units.h"
+#include "ui/testbed/tasks/floor_numbers.h"
 #include "ui/views/plain_button.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLocale>
 #include <QPushButton>
 #include <QTableWidget>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace odo {
 namespace {
 
 enum Column { NameColumn, RoleColumn, FromXColumn, FromYColumn, ToXColumn, ToYColumn, ColumnCount };
+constexpr int leastColumn = 50;
 constexpr GateRole roles[] = {GateRole::Start, GateRole::Split, GateRole::Finish, GateRole::StartFinish};
-
-/// A person edits these: 2,750 could be read as 2.75.
-QLocale plainLocale()
-{
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale;
-}
-
-/// A person writes 1 200,5 or 1200.5.
-double metresOf(const QString &text)
-{
-    bool read = false;
-    double mm = QLocale().toDouble(text.trimmed(), &read);
-    if (!read)
-        mm = QLocale::c().toDouble(text.trimmed(), &read);
-    return read ? fromMillimetres(mm) : std::numeric_limits<double>::quiet_NaN();
-}
 
 double &numberOf(Gate &gate, int column)
 {
@@ -81,8 +61,10 @@ GateTable::GateTable(QWidget *parent)
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_table->horizontalHeader()->setSectionResizeMode(RoleColumn, QHeaderView::ResizeToContents);
+    // Numbers are shown whole, however long they are; a long name is cut.
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setMinimumSectionSize(leastColumn);
     m_table->setMinimumHeight(120);
     auto *add = plainButton(tr("&Add gate"));
     m_turn->setToolTip(tr("The chosen gate is passed the other way"));
@@ -136,12 +118,8 @@ void GateTable::show(int row)
     Gate &gate = m_gates[static_cast<std::size_t>(row)];
     m_table->setItem(row, NameColumn, new QTableWidgetItem(QString::fromStdString(gate.name)));
     for (int column = FromXColumn; column < ColumnCount; ++column) {
-        const double metres = numberOf(gate, column);
-        m_table->setItem(row, column,
-                         new QTableWidgetItem(std::isfinite(metres)
-                                                  ? plainLocale().toString(toMillimetres(metres), 'f',
-                                                                           QLocale::FloatingPointShortest)
-                                                  : QString()));
+        m_table->setItem(row, column, new QTableWidgetItem(placeText(numberOf(gate, column))));
+        m_table->item(row, column)->setToolTip(placeText(numberOf(gate, column)));
     }
     auto *role = qobject_cast<QComboBox *>(m_table->cellWidget(row, RoleColumn));
     if (!role) {
@@ -163,8 +141,11 @@ void GateTable::readRow(int row)
     gate.name = m_table->item(row, NameColumn)->text().trimmed().toStdString();
     gate.role = static_cast<GateRole>(
         qobject_cast<QComboBox *>(m_table->cellWidget(row, RoleColumn))->currentData().toInt());
-    for (int column = FromXColumn; column < ColumnCount; ++column)
-        numberOf(gate, column) = metresOf(m_table->item(row, column)->text());
+    for (int column = FromXColumn; column < ColumnCount; ++column) {
+        const QString text = m_table->item(row, column)->text();
+        if (text != placeText(numberOf(gate, column))) // what was not touched keeps its last bit
+            numberOf(gate, column) = placeOf(text);
+    }
     Q_EMIT changed();
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/units.h"
 #include "ui/models/figure_text.h"
+#include "ui/testbed/tasks/zone_table.h"
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
 
@@ -32,15 +33,53 @@ double distancePx(const QLineF &line, const QPointF &place)
     return QLineF(line.pointAt(share), place).length();
 }
 
+bool canBeDrawn(const Zone &zone)
+{
+    return zone.corners.size() >= 2 && std::ranges::all_of(zone.corners, [](const Eigen::Vector2d &corner) { return corner.allFinite(); });
+}
+
+/// What a key does to the chosen gate or zone.
+struct Nudge
+{
+    Eigen::Vector2d by = Eigen::Vector2d::Zero();
+    double turn = 0, widerM = 0;
+};
+
+std::optional<Nudge> nudgeOf(const QKeyEvent &event)
+{
+    const double stepM = event.modifiers() & Qt::ShiftModifier ? 0.1 : event.modifiers() & Qt::ControlModifier ? 0.001 : 0.01;
+    switch (event.key()) {
+    case Qt::Key_Left:
+        return Nudge{{-stepM, 0}};
+    case Qt::Key_Right:
+        return Nudge{{stepM, 0}};
+    case Qt::Key_Up:
+        return Nudge{{0, stepM}};
+    case Qt::Key_Down:
+        return Nudge{{0, -stepM}};
+    case Qt::Key_Less:
+    case Qt::Key_Comma:
+        return Nudge{{0, 0}, turnStep};
+    case Qt::Key_Greater:
+    case Qt::Key_Period:
+        return Nudge{{0, 0}, -turnStep};
+    case Qt::Key_Plus:
+        return Nudge{{0, 0}, 0, widthStepM};
+    case Qt::Key_Minus:
+        return Nudge{{0, 0}, 0, -widthStepM};
+    default:
+        return std::nullopt;
+    }
+}
+
 } // namespace
 
 TaskCanvas::TaskCanvas(QWidget *parent) : MapCanvas(parent)
 {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("The task from above"));
-    setToolTip(tr("Drag a gate, or one of its ends. Keys: Page Up and Down choose a gate, arrows move it "
-                  "(Shift: 100 mm, Ctrl: 1 mm), "
-                  "< and > turn it, + and − change its width"));
+    setToolTip(tr("Drag a gate or one of its ends, a zone's edge or corner. Keys: Page Up and Down choose a gate or a zone, arrows move "
+                  "it (Shift: 100 mm, Ctrl: 1 mm), < and > turn it, + and − change its width"));
     setMouseTracking(true);
     fit();
 }
@@ -55,6 +94,7 @@ void TaskCanvas::setTask(const Task &task)
 {
     m_task = task;
     m_current = std::min(m_current, static_cast<int>(task.gates.size()) - 1);
+    m_zone = std::min(m_zone, static_cast<int>(task.zones.size()) - 1);
     if (m_dragged == Part::None) // the ground must not move under the hand
         fit();
     forgetStill();
@@ -64,14 +104,28 @@ void TaskCanvas::setTask(const Task &task)
 void TaskCanvas::setCurrentGate(int gate)
 {
     m_current = std::clamp(gate, -1, static_cast<int>(m_task.gates.size()) - 1);
+    m_zone = -1;
+    describe();
+    update();
+}
+
+void TaskCanvas::setCurrentZone(int zone)
+{
+    m_zone = std::clamp(zone, -1, static_cast<int>(m_task.zones.size()) - 1);
+    m_current = -1;
     describe();
     update();
 }
 
 void TaskCanvas::describe()
 {
+    if (m_zone >= 0) {
+        const Zone &zone = m_task.zones[static_cast<std::size_t>(m_zone)];
+        setAccessibleDescription(tr("Zone %1, %2: %3 mm").arg(QString::fromStdString(zone.name), zoneRuleName(zone.rule), cornersText(zone.corners)));
+        return;
+    }
     if (m_current < 0) {
-        setAccessibleDescription(tr("No gate is chosen"));
+        setAccessibleDescription(tr("No gate or zone is chosen"));
         return;
     }
     const Gate &gate = m_task.gates[static_cast<std::size_t>(m_current)];
@@ -92,6 +146,10 @@ void TaskCanvas::fit()
             box.extend(gate.from).extend(gate.to);
     for (const Eigen::Vector2d &point : m_task.path.points)
         box.extend(point);
+    for (const Zone &zone : m_task.zones)
+        for (const Eigen::Vector2d &corner : zone.corners)
+            if (corner.allFinite())
+                box.extend(corner);
     if (box.isEmpty() || box.sizes().maxCoeff() <= 0)
         box = {Eigen::Vector2d(0, 0), Eigen::Vector2d(3, 2)};
     m_bounds = box;
@@ -109,6 +167,9 @@ void TaskCanvas::paintStill(QPainter &painter) const
     if (m_layout)
         drawMapMarkers(painter, plan(), *m_layout, palette());
     const auto toScreen = [this](const Eigen::Vector2d &point) { return fromWorld(point); };
+    std::vector<Zone> drawn = m_task.zones;
+    std::erase_if(drawn, [](const Zone &zone) { return !canBeDrawn(zone); });
+    drawZones(painter, drawn, toScreen, palette());
     drawReferencePath(painter, m_task.path, toScreen, palette());
     std::vector<Gate> sound = m_task.gates;
     std::erase_if(sound, [](const Gate &gate) { return !gate.from.allFinite() || !gate.to.allFinite(); });
@@ -130,12 +191,26 @@ void TaskCanvas::paintCurrent(QPainter &painter) const
     painter.drawEllipse(fromWorld((gate.from + gate.to) / 2), 4, 4);
 }
 
+void TaskCanvas::paintCurrentZone(QPainter &painter) const
+{
+    const Zone &zone = m_task.zones[static_cast<std::size_t>(m_zone)];
+    const ThemeColours colours = ThemeColours::of(palette());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(colours.accent, 2));
+    painter.setBrush(colours.card);
+    for (const Eigen::Vector2d &corner : zone.corners)
+        if (corner.allFinite())
+            painter.drawRect(QRectF(fromWorld(corner) - QPointF(5, 5), QSizeF(10, 10)));
+}
+
 void TaskCanvas::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     drawStill(painter);
     if (m_current >= 0 && m_editable)
         paintCurrent(painter);
+    if (m_zone >= 0 && m_editable)
+        paintCurrentZone(painter);
     if (hasFocus()) {
         painter.setRenderHint(QPainter::Antialiasing, false);
         painter.setPen(QPen(ThemeColours::of(palette()).accent, 2));
@@ -154,6 +229,12 @@ void TaskCanvas::mousePressEvent(QMouseEvent *event)
 {
     if (!m_editable || event->button() != Qt::LeftButton)
         return;
+    if (grabGate(event->position()) || grabZone(event->position()))
+        m_grabbedAt = plan().toWorld(event->position());
+}
+
+bool TaskCanvas::grabGate(const QPointF &place)
+{
     double nearest = grabPx;
     int found = -1;
     for (int i = 0; i < static_cast<int>(m_task.gates.size()); ++i) {
@@ -161,27 +242,65 @@ void TaskCanvas::mousePressEvent(QMouseEvent *event)
         if (!gate.from.allFinite() || !gate.to.allFinite())
             continue;
         const QLineF line(fromWorld(gate.from), fromWorld(gate.to));
-        const double apart = distancePx(line, event->position());
+        const double apart = distancePx(line, place);
         if (apart >= nearest)
             continue;
         nearest = apart;
         found = i;
-        m_dragged = QLineF(line.p1(), event->position()).length() < grabPx   ? Part::From
-                    : QLineF(line.p2(), event->position()).length() < grabPx ? Part::To
-                                                                             : Part::Line;
+        m_dragged = QLineF(line.p1(), place).length() < grabPx   ? Part::From
+                    : QLineF(line.p2(), place).length() < grabPx ? Part::To
+                                                                 : Part::Line;
     }
     if (found < 0)
-        return;
+        return false;
     m_grabbed = m_task.gates[static_cast<std::size_t>(found)];
-    m_grabbedAt = plan().toWorld(event->position());
     pick(found);
+    return true;
+}
+
+bool TaskCanvas::grabZone(const QPointF &place)
+{
+    double nearest = grabPx;
+    int found = -1;
+    for (int i = 0; i < static_cast<int>(m_task.zones.size()); ++i) {
+        const Zone &zone = m_task.zones[static_cast<std::size_t>(i)];
+        if (!canBeDrawn(zone))
+            continue;
+        for (std::size_t k = 0; k < zone.corners.size(); ++k) {
+            const QLineF edge(fromWorld(zone.corners[k]), fromWorld(zone.corners[(k + 1) % zone.corners.size()]));
+            const double apart = distancePx(edge, place);
+            if (apart >= nearest)
+                continue;
+            nearest = apart;
+            found = i;
+            const bool isFirst = QLineF(edge.p1(), place).length() < grabPx, isSecond = QLineF(edge.p2(), place).length() < grabPx;
+            m_dragged = isFirst || isSecond ? Part::Corner : Part::Zone;
+            m_grabbedCorner = isSecond ? (k + 1) % zone.corners.size() : k;
+        }
+    }
+    if (found < 0)
+        return false;
+    m_grabbedCorners = m_task.zones[static_cast<std::size_t>(found)].corners;
+    setCurrentZone(found);
+    Q_EMIT zonePicked(found);
+    return true;
 }
 
 void TaskCanvas::mouseMoveEvent(QMouseEvent *event)
 {
+    const Eigen::Vector2d by = plan().toWorld(event->position()) - m_grabbedAt;
+    if ((m_dragged == Part::Corner || m_dragged == Part::Zone) && m_zone >= 0) {
+        std::vector<Eigen::Vector2d> corners = m_grabbedCorners;
+        if (m_dragged == Part::Corner)
+            corners[m_grabbedCorner] = rounded(corners[m_grabbedCorner] + by);
+        else
+            for (Eigen::Vector2d &corner : corners)
+                corner += rounded(by);
+        Q_EMIT zoneMoved(m_zone, corners);
+        return;
+    }
     if (m_dragged == Part::None || m_current < 0)
         return;
-    const Eigen::Vector2d by = plan().toWorld(event->position()) - m_grabbedAt;
     Eigen::Vector2d from = m_grabbed.from, to = m_grabbed.to;
     if (m_dragged == Part::Line) {
         const Eigen::Vector2d step = rounded(by);
@@ -202,60 +321,50 @@ void TaskCanvas::mouseReleaseEvent(QMouseEvent *)
 
 bool TaskCanvas::moveByKey(const QKeyEvent &event)
 {
-    if (m_current < 0 || !m_editable)
+    const std::optional<Nudge> nudge = m_editable ? nudgeOf(event) : std::nullopt;
+    if (!nudge || (m_current < 0 && m_zone < 0))
         return false;
-    const Gate &gate = m_task.gates[static_cast<std::size_t>(m_current)];
-    const double stepM = event.modifiers() & Qt::ShiftModifier     ? 0.1
-                         : event.modifiers() & Qt::ControlModifier ? 0.001
-                                                                   : 0.01;
-    const Eigen::Vector2d middle = (gate.from + gate.to) / 2;
-    Eigen::Vector2d half = (gate.to - gate.from) / 2, by(0, 0);
-    double turn = 0, wider = 0;
-    switch (event.key()) {
-    case Qt::Key_Left:
-        by.x() = -stepM;
-        break;
-    case Qt::Key_Right:
-        by.x() = stepM;
-        break;
-    case Qt::Key_Up:
-        by.y() = stepM;
-        break;
-    case Qt::Key_Down:
-        by.y() = -stepM;
-        break;
-    case Qt::Key_Less:
-    case Qt::Key_Comma:
-        turn = turnStep;
-        break;
-    case Qt::Key_Greater:
-    case Qt::Key_Period:
-        turn = -turnStep;
-        break;
-    case Qt::Key_Plus:
-        wider = widthStepM;
-        break;
-    case Qt::Key_Minus:
-        wider = -widthStepM;
-        break;
-    default:
-        return false;
+    if (m_zone >= 0) {
+        std::vector<Eigen::Vector2d> corners = m_task.zones[static_cast<std::size_t>(m_zone)].corners;
+        Eigen::AlignedBox2d box;
+        for (const Eigen::Vector2d &corner : corners)
+            box.extend(corner);
+        if (!box.sizes().allFinite() || box.sizes().maxCoeff() <= 0)
+            return true;
+        const double share = std::max(leastWidthM, box.sizes().maxCoeff() + nudge->widerM) / box.sizes().maxCoeff();
+        for (Eigen::Vector2d &corner : corners)
+            corner = box.center() + nudge->by + Eigen::Rotation2Dd(nudge->turn) * Eigen::Vector2d(share * (corner - box.center()));
+        Q_EMIT zoneMoved(m_zone, corners);
+        return true;
     }
-    const double width = std::max(leastWidthM, 2 * half.norm() + wider);
-    half = Eigen::Rotation2Dd(turn) * Eigen::Vector2d(half.normalized() * width / 2);
-    Q_EMIT gateMoved(m_current, middle + by - half, middle + by + half);
+    const Gate &gate = m_task.gates[static_cast<std::size_t>(m_current)];
+    const Eigen::Vector2d middle = (gate.from + gate.to) / 2;
+    Eigen::Vector2d half = (gate.to - gate.from) / 2;
+    const double width = std::max(leastWidthM, 2 * half.norm() + nudge->widerM);
+    half = Eigen::Rotation2Dd(nudge->turn) * Eigen::Vector2d(half.normalized() * width / 2);
+    Q_EMIT gateMoved(m_current, middle + nudge->by - half, middle + nudge->by + half);
     return true;
+}
+
+/// The next one, gates first, zones after them, round.
+void TaskCanvas::choose(int by)
+{
+    const int gates = static_cast<int>(m_task.gates.size()), count = gates + static_cast<int>(m_task.zones.size());
+    const int now = m_zone >= 0 ? gates + m_zone : m_current;
+    const int next = (std::max(now, by > 0 ? -1 : 0) + by + count) % count;
+    if (next < gates)
+        return pick(next);
+    setCurrentZone(next - gates);
+    Q_EMIT zonePicked(next - gates);
 }
 
 void TaskCanvas::keyPressEvent(QKeyEvent *event)
 {
-    const int count = static_cast<int>(m_task.gates.size());
-    if (m_editable && count > 0 && (event->key() == Qt::Key_PageDown || event->key() == Qt::Key_PageUp)) {
-        const int by = event->key() == Qt::Key_PageDown ? 1 : -1;
-        pick((std::max(m_current, by > 0 ? -1 : 0) + by + count) % count);
-    } else if (!moveByKey(*event)) {
+    const bool any = !m_task.gates.empty() || !m_task.zones.empty();
+    if (m_editable && any && (event->key() == Qt::Key_PageDown || event->key() == Qt::Key_PageUp))
+        choose(event->key() == Qt::Key_PageDown ? 1 : -1);
+    else if (!moveByKey(*event))
         MapCanvas::keyPressEvent(event);
-    }
 }
 
 void TaskCanvas::focusInEvent(QFocusEvent *event)

@@ -7,6 +7,7 @@
 #include "ui/testbed/tasks/scoring_table.h"
 #include "ui/testbed/tasks/task_canvas.h"
 #include "ui/testbed/tasks/template_form.h"
+#include "ui/testbed/tasks/zone_table.h"
 #include "ui/views/path_field.h"
 #include "ui/views/plain_button.h"
 
@@ -23,7 +24,8 @@
 namespace odo {
 namespace {
 
-constexpr int columnWidth = 440;
+enum Tab { CourseTab, ZonesTab };
+constexpr int columnWidth = 480;
 
 /// 0 stands for none.
 QDoubleSpinBox *limitBox(const QString &unit, double most, std::optional<double> limit)
@@ -60,19 +62,20 @@ TaskEditor::TaskEditor(TaskDraft draft, QWidget *parent)
       m_name(new QLineEdit(QString::fromStdString(m_task.name))), m_template(new TemplateForm),
       m_gates(new GateTable), m_speed(limitBox(tr(" m/s"), 100, m_task.task.limits.maxSpeedMps)),
       m_accel(limitBox(tr(" m/s²"), 1000, m_task.task.limits.maxAccelMps2)),
-      m_scoring(new ScoringTable(draft.metrics)), m_canvas(new TaskCanvas), m_message(new QLabel),
+      m_zones(new ZoneTable(middleOf(draft.layout))), m_scoring(new ScoringTable(draft.metrics)), m_canvas(new TaskCanvas),
+      m_tabs(new QTabWidget), m_message(new QLabel),
       m_save(plainButton(tr("&Save")))
 {
     setWindowTitle(tr("Task"));
     m_canvas->setLayout(draft.layout);
     m_template->setTemplate(m_task.task.kind, suggestedSizes(m_task.task, middleOf(draft.layout)));
     m_scoring->setCriteria(draft.scoring);
-    auto *tabs = new QTabWidget;
-    tabs->addTab(makeCourse(), tr("&Course"));
-    tabs->addTab(m_scoring, tr("Sco&ring"));
-    tabs->setFixedWidth(columnWidth);
+    m_tabs->insertTab(CourseTab, makeCourse(), tr("&Course"));
+    m_tabs->insertTab(ZonesTab, m_zones, tr("&Zones"));
+    m_tabs->addTab(m_scoring, tr("Sco&ring"));
+    m_tabs->setFixedWidth(columnWidth);
     auto *row = new QHBoxLayout;
-    row->addWidget(tabs);
+    row->addWidget(m_tabs);
     row->addWidget(m_canvas, 1);
     auto *remark = new QLabel(draft.remark);
     remark->setTextFormat(Qt::PlainText);
@@ -87,6 +90,7 @@ TaskEditor::TaskEditor(TaskDraft draft, QWidget *parent)
     if (m_task.id == 0 && m_task.task.gates.empty() && m_task.task.path.points.empty())
         makeAnew();
     m_gates->setGates(m_task.task.gates);
+    m_zones->setZones(m_task.task.zones);
     m_canvas->setTask(m_task.task);
     m_canvas->setCurrentGate(0);
     m_gates->setCurrent(0);
@@ -101,7 +105,7 @@ QLayout *TaskEditor::makeButtons()
     m_message->setObjectName(QStringLiteral("problem"));
     m_message->setAccessibleName(tr("What is wrong"));
     auto *import = plainButton(tr("&Import file…")), *cancel = plainButton(tr("Cancel"));
-    import->setToolTip(tr("Take gates, path and limits from a task file (JSON)"));
+    import->setToolTip(tr("Take gates, path, limits and zones from a task file (JSON)"));
     m_save->setProperty("primary", true);
     m_save->setDefault(true);
     auto *buttons = new QHBoxLayout;
@@ -121,8 +125,18 @@ void TaskEditor::connectAll()
     connect(m_template, &TemplateForm::changed, this, &TaskEditor::makeAnew);
     connect(m_gates, &GateTable::changed, this, &TaskEditor::takeGates);
     connect(m_gates, &GateTable::currentChanged, m_canvas, &TaskCanvas::setCurrentGate);
-    connect(m_canvas, &TaskCanvas::gatePicked, m_gates, &GateTable::setCurrent);
     connect(m_canvas, &TaskCanvas::gateMoved, this, &TaskEditor::moveGate);
+    connect(m_canvas, &TaskCanvas::gatePicked, this, [this](int gate) {
+        m_gates->setCurrent(gate);
+        m_tabs->setCurrentIndex(CourseTab);
+    });
+    connect(m_zones, &ZoneTable::changed, this, &TaskEditor::takeZones);
+    connect(m_zones, &ZoneTable::currentChanged, m_canvas, &TaskCanvas::setCurrentZone);
+    connect(m_canvas, &TaskCanvas::zoneMoved, this, &TaskEditor::moveZone);
+    connect(m_canvas, &TaskCanvas::zonePicked, this, [this](int zone) {
+        m_zones->setCurrent(zone);
+        m_tabs->setCurrentIndex(ZonesTab);
+    });
     for (QDoubleSpinBox *limit : {m_speed, m_accel})
         connect(limit, &QDoubleSpinBox::valueChanged, this, &TaskEditor::takeLimits);
     connect(m_scoring, &ScoringTable::changed, this, &TaskEditor::check);
@@ -149,11 +163,13 @@ QWidget *TaskEditor::makeCourse()
 void TaskEditor::makeAnew()
 {
     const TaskLimits limits = m_task.task.limits;
+    const std::vector<Zone> zones = m_task.task.zones;
     const auto made = taskFromTemplate(m_template->kind(), m_template->sizes());
     m_templateProblem = made ? QString() : QString::fromStdString(made.error().message());
     if (made) {
         m_task.task = *made;
         m_task.task.limits = limits;
+        m_task.task.zones = zones;
         m_gates->setGates(m_task.task.gates);
         m_canvas->setTask(m_task.task);
     }
@@ -173,6 +189,21 @@ void TaskEditor::moveGate(int gate, const Eigen::Vector2d &from, const Eigen::Ve
     moved.from = from;
     moved.to = to;
     m_gates->setGates(m_task.task.gates);
+    m_canvas->setTask(m_task.task);
+    check();
+}
+
+void TaskEditor::takeZones()
+{
+    m_task.task.zones = m_zones->zones();
+    m_canvas->setTask(m_task.task);
+    check();
+}
+
+void TaskEditor::moveZone(int zone, const std::vector<Eigen::Vector2d> &corners)
+{
+    m_task.task.zones[static_cast<std::size_t>(zone)].corners = corners;
+    m_zones->setZones(m_task.task.zones);
     m_canvas->setTask(m_task.task);
     check();
 }
@@ -197,6 +228,7 @@ void TaskEditor::importFile()
     m_task.task = *read;
     m_template->setTemplate(read->kind, suggestedSizes(*read, TemplateSizes().centre));
     m_gates->setGates(read->gates);
+    m_zones->setZones(read->zones);
     m_canvas->setTask(*read);
     m_speed->setValue(read->limits.maxSpeedMps.value_or(0));
     m_accel->setValue(read->limits.maxAccelMps2.value_or(0));
@@ -226,6 +258,9 @@ QString TaskEditor::problem() const
     for (const Gate &gate : m_task.task.gates)
         if (gate.name.empty())
             return tr("A gate has no name.");
+    for (const Zone &zone : m_task.task.zones)
+        if (zone.name.empty())
+            return tr("A zone has no name.");
     if (const auto valid = checkTask(m_task.task); !valid)
         return QString::fromStdString(valid.error().message());
     if (const auto valid = checkScoring(m_scoring->criteria()); !valid)

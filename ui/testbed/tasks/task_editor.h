@@ -14,6 +14,7 @@ class QLabel;
 class QLayout;
 class QLineEdit;
 class QPushButton;
+class QTabWidget;
 
 namespace odo {
 
@@ -21,6 +22,7 @@ class GateTable;
 class ScoringTable;
 class TaskCanvas;
 class TemplateForm;
+class ZoneTable;
 
 /// What a task editor begins with.
 struct TaskDraft
@@ -33,7 +35,7 @@ struct TaskDraft
     QString remark;                     ///< what changing it means for trials; may be empty
 };
 
-/// Makes or changes a task: template and sizes, gates on the map and in a table, limits, scoring. Stores
+/// Makes or changes a task: template and sizes, gates and zones on the map and in tables, limits, scoring. Stores
 /// nothing: that is up to whoever opened it, once it is accepted.
 class TaskEditor : public QDialog
 {
@@ -52,7 +54,9 @@ private:
     void connectAll();
     void makeAnew();
     void takeGates();
+    void takeZones();
     void moveGate(int gate, const Eigen::Vector2d &from, const Eigen::Vector2d &to);
+    void moveZone(int zone, const std::vector<Eigen::Vector2d> &corners);
     void takeLimits();
     void importFile();
     void check();
@@ -64,8 +68,10 @@ private:
     TemplateForm *m_template;
     GateTable *m_gates;
     QDoubleSpinBox *m_speed, *m_accel;
+    ZoneTable *m_zones;
     ScoringTable *m_scoring;
     TaskCanvas *m_canvas;
+    QTabWidget *m_tabs;
     QLabel *m_message;
     QPushButton *m_save;
 };

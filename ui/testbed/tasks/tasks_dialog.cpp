@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "ui/models/score_text.h"
 #include "ui/testbed/tasks/task_canvas.h"
+#include "ui/testbed/tasks/task_drafts.h"
 #include "ui/testbed/tasks/task_editor.h"
 #include "ui/testbed/tasks/template_form.h"
 #include "ui/views/plain_button.h"
@@ -11,6 +12,7 @@
 #include "ui/views/undo_keys.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QInputDialog>
@@ -28,20 +30,6 @@ namespace {
 enum Column { NameColumn, TemplateColumn, UseColumn, ColumnCount };
 constexpr int listWidth = 430;
 
-/// That of the cameras, for a task lies among their markers.
-std::optional<MarkerLayout> layoutOf(Project &project)
-{
-    for (const CameraRecord &camera : project.cameras().all().value_or(std::vector<CameraRecord>())) {
-        const auto registration = project.cameras().currentRegistration(camera.id);
-        if (!registration || !*registration)
-            continue;
-        if (const auto layout = project.layouts().get((*registration)->layout))
-            return layout->layout;
-    }
-    const auto layouts = project.layouts().all();
-    return layouts && !layouts->empty() ? std::optional(layouts->front().layout) : std::nullopt;
-}
-
 } // namespace
 
 TasksDialog::TasksDialog(Project &project, bool readOnly, QWidget *parent)
@@ -49,7 +37,7 @@ TasksDialog::TasksDialog(Project &project, bool readOnly, QWidget *parent)
       m_table(new QTableWidget(0, ColumnCount)), m_canvas(new TaskCanvas), m_words(new QLabel),
       m_message(new QLabel), m_new(plainButton(tr("&New"))), m_edit(plainButton(tr("&Edit…"))),
       m_copy(plainButton(tr("&Copy…"))), m_rename(plainButton(tr("&Rename…"))),
-      m_remove(plainButton(tr("&Delete"))), m_measure(plainButton(tr("&Measure them again")))
+      m_archive(plainButton(tr("&Archive"))), m_remove(plainButton(tr("&Delete"))), m_measure(plainButton(tr("&Measure them again"))), m_showArchived(new QCheckBox)
 {
     setWindowTitle(tr("Tasks"));
     for (QLabel *label : {m_words, m_message}) {
@@ -90,14 +78,23 @@ QWidget *TasksDialog::makeList()
         templates->addAction(templateName(kind), this, [this, kind] { makeNew(kind); });
     m_new->setMenu(templates);
     auto *tools = new QHBoxLayout;
-    for (QPushButton *button : {m_new, m_edit, m_copy, m_rename, m_remove})
+    for (QPushButton *button : {m_new, m_edit, m_copy, m_rename})
         tools->addWidget(button);
+    auto *more = new QHBoxLayout;
+    for (QPushButton *button : {m_archive, m_remove})
+        more->addWidget(button);
+    more->addStretch(1);
+    more->addWidget(m_showArchived);
+    m_archive->setToolTip(tr("An archived task is not offered any more; its trials, results and scores stay as they are"));
     auto *list = new QWidget;
     list->setFixedWidth(listWidth);
     auto *layout = new QVBoxLayout(list);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_table, 1);
     layout->addLayout(tools);
+    layout->addLayout(more);
+    connect(m_archive, &QPushButton::clicked, this, &TasksDialog::archive);
+    connect(m_showArchived, &QCheckBox::toggled, this, [this] { refresh(current() ? QString::fromStdString(current()->name) : QString()); });
     connect(m_edit, &QPushButton::clicked, this, &TasksDialog::change);
     connect(m_copy, &QPushButton::clicked, this, &TasksDialog::copy);
     connect(m_rename, &QPushButton::clicked, this, &TasksDialog::rename);
@@ -112,7 +109,7 @@ QLayout *TasksDialog::makePreview()
     m_canvas->setEditable(false);
     m_canvas->setToolTip({});
     m_canvas->setFocusPolicy(Qt::NoFocus);
-    m_canvas->setLayout(layoutOf(m_project));
+    m_canvas->setLayout(layoutForTasks(m_project));
     auto *again = new QHBoxLayout;
     again->addWidget(m_measure);
     again->addStretch(1);
@@ -148,19 +145,27 @@ void TasksDialog::refresh(const QString &choose)
     m_tasks = std::move(*tasks);
     m_uses = std::move(*uses);
     std::ranges::stable_sort(m_tasks, {}, &TaskRecord::name);
+    const auto archived = std::ranges::count_if(m_tasks, [](const TaskRecord &task) { return task.archived.has_value(); });
+    m_showArchived->setText(tr("Show %n archived task(s)", "", static_cast<int>(archived)));
+    m_showArchived->setVisible(archived > 0);
+    m_shown.clear();
+    for (std::size_t i = 0; i < m_tasks.size(); ++i)
+        if (!m_tasks[i].archived || m_showArchived->isChecked())
+            m_shown.push_back(i);
     m_otherwiseOf.clear();
-    for (const RecordId id : m_project.analyses().trialsMeasuredOtherwise().value_or(std::vector<RecordId>()))
-        if (const auto trial = m_project.trials().get(id); trial && !trial->binned)
-            m_otherwiseOf[trial->task] << QString::fromStdString(trial->name);
+    for (const OtherwiseMeasured &trial : m_project.analyses().trialsMeasuredOtherwise().value_or(std::vector<OtherwiseMeasured>()))
+        if (!trial.binned)
+            m_otherwiseOf[trial.task] << QString::fromStdString(trial.name);
     int row = 0;
-    m_table->setRowCount(static_cast<int>(m_tasks.size()));
+    m_table->setRowCount(static_cast<int>(m_shown.size()));
     for (int i = 0; i < m_table->rowCount(); ++i) {
-        const TaskRecord &task = m_tasks[static_cast<std::size_t>(i)];
+        const TaskRecord &task = m_tasks[m_shown[static_cast<std::size_t>(i)]];
         const TaskUse use = m_uses[task.id];
         const QString name = QString::fromStdString(task.name);
-        const QString words = use.trials > 0     ? tr("%n trial(s)", "", use.trials)
-                              : use.analyses > 0 ? tr("earlier results")
-                                                 : tr("nothing");
+        const QString used = use.trials > 0     ? tr("%n trial(s)", "", use.trials)
+                             : use.analyses > 0 ? tr("earlier results")
+                                                : tr("nothing");
+        const QString words = task.archived ? tr("%1, archived").arg(used) : used;
         m_table->setItem(i, NameColumn, new QTableWidgetItem(name));
         m_table->item(i, NameColumn)->setToolTip(name.toHtmlEscaped());
         m_table->setItem(i, TemplateColumn, new QTableWidgetItem(templateName(task.task.kind)));
@@ -168,13 +173,14 @@ void TasksDialog::refresh(const QString &choose)
         if (name == choose)
             row = i;
     }
-    m_table->setCurrentCell(m_tasks.empty() ? -1 : row, 0);
+    m_table->setCurrentCell(m_shown.empty() ? -1 : row, 0);
     showCurrent();
 }
 
 const TaskRecord *TasksDialog::current() const
 {
-    return recordAt(m_tasks, m_table->currentRow());
+    const int row = m_table->currentRow();
+    return row >= 0 && row < static_cast<int>(m_shown.size()) ? &m_tasks[m_shown[static_cast<std::size_t>(row)]] : nullptr;
 }
 
 void TasksDialog::showCurrent()
@@ -226,6 +232,8 @@ void TasksDialog::showButtons()
     m_copy->setEnabled(able);
     m_edit->setEnabled(able && !earlier);
     m_rename->setEnabled(able && !earlier);
+    m_archive->setEnabled(able && !earlier);
+    m_archive->setText(task && task->archived ? tr("Out of the &archive") : tr("&Archive"));
     const bool used =
         task && m_uses.contains(task->id) && (m_uses[task->id].trials > 0 || m_uses[task->id].analyses > 0);
     m_remove->setEnabled(able && !used);
@@ -245,34 +253,12 @@ QString TasksDialog::freeName(const QString &stem) const
     return name;
 }
 
-TaskDraft TasksDialog::draftOf(const TaskRecord &task) const
-{
-    TaskDraft draft;
-    draft.task = task;
-    for (const TaskRecord &each : m_tasks)
-        if (each.id != task.id)
-            draft.taken << QString::fromStdString(each.name);
-    const std::vector<std::string> usual{
-        "gate_time",        "best_lap",        "mean_lap",        "laps",           "gates_passed",
-        "cross_track_mean", "cross_track_rms", "cross_track_max", "path_completed", "duration",
-        "max_speed",        "mean_speed",      "stops",           "standing_time",  "straightness",
-        "path_length",      "spikes",          "limit_breaches"};
-    draft.metrics = usual;
-    for (const std::string &name : m_project.analyses().metricNames().value_or(std::vector<std::string>()))
-        if (std::ranges::find(usual, name) == usual.end())
-            draft.metrics.push_back(name);
-    if (task.id != 0)
-        draft.scoring = m_project.tasks().scoring(task.id).value_or(std::vector<Criterion>());
-    draft.layout = layoutOf(m_project);
-    return draft;
-}
-
 void TasksDialog::makeNew(TaskTemplate kind)
 {
     TaskRecord task;
     task.name = freeName(templateName(kind)).toStdString();
     task.task.kind = kind;
-    edit(draftOf(task));
+    edit(draftOfTask(m_project, task, m_tasks));
 }
 
 void TasksDialog::change()
@@ -280,7 +266,7 @@ void TasksDialog::change()
     const TaskRecord *task = current();
     if (!task || !m_edit->isEnabled())
         return;
-    TaskDraft draft = draftOf(*task);
+    TaskDraft draft = draftOfTask(m_project, *task, m_tasks);
     if (const int trials = m_uses[task->id].analyses; trials > 0)
         draft.remark = tr(
             "%n result(s) measured by this course stay true: a course that is changed is kept for them as an "
@@ -295,7 +281,7 @@ void TasksDialog::copy()
     const TaskRecord *task = current();
     if (!task || m_readOnly)
         return;
-    TaskDraft draft = draftOf(*task);
+    TaskDraft draft = draftOfTask(m_project, *task, m_tasks);
     draft.taken << QString::fromStdString(task->name);
     draft.task.id = 0;
     draft.task.name = freeName(QString::fromStdString(task->name)).toStdString();
@@ -339,6 +325,17 @@ void TasksDialog::rename()
         return;
     apply(tr("rename task %1 to %2").arg(before, name), name,
           [&, id = task->id] { return m_project.tasks().rename(id, name.toStdString()); });
+}
+
+void TasksDialog::archive()
+{
+    const TaskRecord *task = current();
+    if (!task || !m_archive->isEnabled())
+        return;
+    const QString name = QString::fromStdString(task->name);
+    const bool to = !task->archived;
+    apply(to ? tr("archive task %1").arg(name) : tr("take task %1 out of the archive").arg(name), to ? QString() : name,
+          [&, id = task->id] { return m_project.tasks().setArchived(id, to); });
 }
 
 void TasksDialog::remove()

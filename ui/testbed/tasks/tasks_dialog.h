@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+class QCheckBox;
 class QLabel;
 class QLayout;
 class QPushButton;
@@ -23,7 +24,7 @@ class Project;
 class TaskCanvas;
 struct TaskDraft;
 
-/// The tasks of a project: made from templates, changed, copied, renamed, deleted, each as one change that
+/// The tasks of a project: made from templates, changed, copied, renamed, archived, deleted, each as one change that
 /// can be undone, here too (Ctrl+Z takes back what was done here). Says what depends on each, and offers to
 /// measure trials again that were measured by another course. On the project's thread; the project must
 /// outlive it.
@@ -50,12 +51,12 @@ private:
     QString wordsOf(const TaskRecord &task);
     void showButtons();
     const TaskRecord *current() const;
-    TaskDraft draftOf(const TaskRecord &task) const;
     void edit(const TaskDraft &draft);
     void makeNew(TaskTemplate kind);
     void change();
     void copy();
     void rename();
+    void archive();
     void remove();
     void measureAgain();
     bool apply(const QString &words, const QString &choose, const std::function<Result<void>()> &work);
@@ -67,6 +68,7 @@ private:
     OwnChanges m_changes;
     const bool m_readOnly;
     std::vector<TaskRecord> m_tasks;
+    std::vector<std::size_t> m_shown; ///< of them, one a row
     std::map<RecordId, TaskUse> m_uses;
     std::map<std::string, QStringList>
         m_otherwiseOf;       ///< trials that were measured by another course, by task
@@ -74,7 +76,8 @@ private:
     QTableWidget *m_table;
     TaskCanvas *m_canvas;
     QLabel *m_words, *m_message;
-    QPushButton *m_new, *m_edit, *m_copy, *m_rename, *m_remove, *m_measure;
+    QPushButton *m_new, *m_edit, *m_copy, *m_rename, *m_archive, *m_remove, *m_measure;
+    QCheckBox *m_showArchived;
 };
 
 } // namespace odo

@@ -13,6 +13,7 @@
 
 #include <QAccessible>
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -65,10 +66,12 @@ private Q_SLOTS:
     void aTemplateIsMadeAndSized();
     void gatesAreDraggedAndMovedByKeys();
     void gatesAreWrittenInTheTable();
+    void zonesAreWrittenAndDragged();
     void saysWhatIsWrong();
     void aScoringIsWritten();
     void tasksAreMadeCopiedAndDeleted();
     void aCourseThatIsChangedIsToldAndMeasuredAgain();
+    void aTaskIsArchivedAndRestored();
     void whatIsReadOnlyIsNotChanged();
     void everyWidgetHasAName();
 
@@ -162,6 +165,69 @@ void TestTasksDialog::gatesAreWrittenInTheTable()
     QVERIFY(editor.task().task.gates[1].from == before.to);
     button(editor, "&Remove")->click();
     QCOMPARE(editor.task().task.gates.size(), std::size_t(2));
+}
+
+void TestTasksDialog::zonesAreWrittenAndDragged()
+{
+    TaskEditor editor(draftOf(TaskTemplate::StraightLine));
+    const auto zone = [&](std::size_t i) { return editor.task().task.zones.at(i); };
+    button(editor, "Add zone to &stay in")->click();
+    button(editor, "Add zone to &keep out of")->click();
+    QVERIFY(zone(0).rule == ZoneRule::StayInside && zone(1).rule == ZoneRule::StayOutside);
+    QVERIFY(editor.problem().isEmpty());
+    auto *table = named<QTableWidget>(editor, "Zones of the floor");
+    table->item(1, 0)->setText(QStringLiteral("Pond"));
+    table->item(1, 2)->setText(QStringLiteral("500 500; 900, 500; 900 900.5")); // as people write lists
+    QCOMPARE(zone(1).name, std::string("Pond"));
+    QCOMPARE(zone(1).corners, (std::vector<Eigen::Vector2d>{{0.5, 0.5}, {0.9, 0.5}, {0.9, 0.9005}}));
+    QCOMPARE(table->item(1, 2)->text(), QStringLiteral("500 500; 900, 500; 900 900.5"));
+    table->item(1, 2)->setText(QStringLiteral("500 500; 900; 900 900"));
+    QVERIFY(editor.problem().startsWith(QLatin1String("zone 'Pond': its corners are not on a floor")));
+    table->item(1, 2)->setText(QStringLiteral("500 500; 900 500"));
+    QVERIFY(editor.problem().startsWith(QLatin1String("zone 'Pond': it has less than three corners")));
+    table->item(1, 2)->setText(QString());
+    QVERIFY(!editor.problem().isEmpty());
+    table->item(1, 0)->setText(QString());
+    QCOMPARE(editor.problem(), QStringLiteral("A zone has no name."));
+    table->item(1, 0)->setText(QStringLiteral("Pond"));
+    table->item(1, 2)->setText(QStringLiteral("500 500; 900 500; 900 900"));
+    QVERIFY(editor.problem().isEmpty());
+
+    auto *canvas = editor.findChild<TaskCanvas *>();
+    canvas->resize(600, 500);
+    const Zone before = zone(1);
+    const auto drag = [canvas](const QPoint &from, const QPoint &by) {
+        QTest::mousePress(canvas, Qt::LeftButton, {}, from);
+        QTest::mouseMove(canvas, from + by);
+        QTest::mouseRelease(canvas, Qt::LeftButton, {}, from + by);
+    };
+    drag(canvas->fromWorld(before.corners[2]).toPoint(), {0, -30});
+    QCOMPARE(canvas->currentZone(), 1);
+    QVERIFY(zone(1).corners[2].y() > 0.92 && zone(1).corners[0] == before.corners[0]);
+    const Zone moved = zone(1);
+    drag(canvas->fromWorld((moved.corners[0] + moved.corners[1]) / 2).toPoint(), {30, 0}); // by an edge: all of it
+    QVERIFY(((zone(1).corners[2] - zone(1).corners[0]) - (moved.corners[2] - moved.corners[0])).norm() < 1e-9);
+    QVERIFY(zone(1).corners[0].x() > moved.corners[0].x() + 0.01);
+    const Zone dragged = zone(1);
+    QTest::keyClick(canvas, Qt::Key_Left);
+    QVERIFY((zone(1).corners[0] - dragged.corners[0] + Eigen::Vector2d(0.01, 0)).norm() < 1e-9);
+    QTest::keyClick(canvas, Qt::Key_Plus);
+    QVERIFY((zone(1).corners[2] - zone(1).corners[0]).norm() > (dragged.corners[2] - dragged.corners[0]).norm() + 0.01);
+    QTest::keyClick(canvas, Qt::Key_PageDown); // round: the gates come first
+    QCOMPARE(canvas->currentGate(), 0);
+    QCOMPARE(canvas->currentZone(), -1);
+    QTest::keyClick(canvas, Qt::Key_PageUp);
+    QCOMPARE(canvas->currentZone(), 1);
+
+    // Another template leaves them where they are.
+    auto *form = editor.findChild<TemplateForm *>();
+    auto *kind = form->findChild<QComboBox *>();
+    kind->setCurrentIndex(kind->findData(int(TaskTemplate::Circle)));
+    QCOMPARE(editor.task().task.zones.size(), std::size_t(2));
+    table->setCurrentCell(0, 0);
+    button(editor, "Remo&ve zone")->click();
+    QCOMPARE(editor.task().task.zones.size(), std::size_t(1));
+    QCOMPARE(zone(0).name, std::string("Pond"));
 }
 
 void TestTasksDialog::saysWhatIsWrong()
@@ -267,10 +333,38 @@ void TestTasksDialog::aCourseThatIsChangedIsToldAndMeasuredAgain()
     QVERIFY(!other.store({task.id + 99, "Nowhere", {}}, {}));
 }
 
+void TestTasksDialog::aTaskIsArchivedAndRestored()
+{
+    TasksDialog dialog(*m_project);
+    QSignalSpy changed(&dialog, &TasksDialog::changed);
+    auto *table = named<QTableWidget>(dialog, "Tasks");
+    auto *showArchived = dialog.findChild<QCheckBox *>();
+    QVERIFY(showArchived->isHidden()); // there is none
+    const int before = table->rowCount();
+    const QString name = table->item(0, 0)->text();
+    table->setCurrentCell(0, 0);
+    button(dialog, "&Archive")->click();
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(m_project->tasks().find(name.toStdString())->archived);
+    QCOMPARE(table->rowCount(), before - 1);
+    QVERIFY(!showArchived->isHidden());
+    showArchived->setChecked(true);
+    QCOMPARE(table->rowCount(), before);
+    table->setCurrentCell(0, 0);
+    QCOMPARE(table->item(0, 0)->text(), name);
+    QVERIFY2(table->item(0, 2)->text().endsWith(QStringLiteral(", archived")), qPrintable(table->item(0, 2)->text()));
+    button(dialog, "Out of the &archive")->click();
+    QVERIFY(!m_project->tasks().find(name.toStdString())->archived);
+    for (QAction *action : dialog.actions())
+        if (action->shortcut() == QKeySequence(Qt::CTRL | Qt::Key_Z))
+            action->trigger();
+    QVERIFY(m_project->tasks().find(name.toStdString())->archived);
+}
+
 void TestTasksDialog::whatIsReadOnlyIsNotChanged()
 {
     TasksDialog dialog(*m_project, true);
-    for (const char *text : {"&New", "&Edit…", "&Copy…", "&Rename…", "&Delete"})
+    for (const char *text : {"&New", "&Edit…", "&Copy…", "&Rename…", "&Archive", "&Delete"})
         QVERIFY(!button(dialog, text)->isEnabled());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/review/dock_grip.h"
+#include "ui/views/dock_grip.h"
 
 #include <QPainter>
 

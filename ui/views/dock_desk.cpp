@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/dock_desk.h"
+
+#include "ui/views/dock_grip.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QResizeEvent>
+#include <QSettings>
+#include <QSplitter>
+
+namespace odo {
+namespace {
+
+/// Raised when docks come or go: an arrangement of another version is not restored.
+constexpr int layoutVersion = 1;
+constexpr int gap = 8;
+constexpr int pictureWidth = 350, mapWidth = 320;
+
+QString layoutKey(const QString &mode)
+{
+    return mode + QStringLiteral("/layout");
+}
+QString picturesKey(const QString &mode)
+{
+    return mode + QStringLiteral("/pictures");
+}
+
+} // namespace
+
+DockDesk::DockDesk(const QString &mode, QWidget *parent) : QMainWindow(parent), m_mode(mode), m_pictures(new QSplitter)
+{
+    setWindowFlags(Qt::Widget);
+    setDockNestingEnabled(true);
+    setContextMenuPolicy(Qt::NoContextMenu);
+    m_pictures->setHandleWidth(gap);
+    m_pictures->setChildrenCollapsible(false);
+    m_pictures->setMinimumHeight(160);
+    setCentralWidget(m_pictures);
+}
+
+void DockDesk::addDock(QWidget *content, const QString &name, const QString &title, int percent)
+{
+    auto *dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    dock->setTitleBarWidget(new DockGrip(dock));
+    content->setMinimumSize(220, 90);
+    m_docks.push_back({dock, percent});
+}
+
+void DockDesk::saveLayout() const
+{
+    if (!m_restored) // never shown: nothing was arranged
+        return;
+    QSettings settings;
+    settings.setValue(layoutKey(m_mode), saveState(layoutVersion));
+    settings.setValue(picturesKey(m_mode), m_pictures->saveState());
+}
+
+void DockDesk::restoreLayout()
+{
+    const QSettings settings;
+    if (!restoreState(settings.value(layoutKey(m_mode)).toByteArray(), layoutVersion))
+        resetLayout();
+    else
+        m_pictures->restoreState(settings.value(picturesKey(m_mode)).toByteArray());
+}
+
+void DockDesk::resetLayout()
+{
+    QDockWidget *above = nullptr;
+    QList<QDockWidget *> docks;
+    QList<int> heights;
+    for (const Dock &dock : m_docks) {
+        dock.widget->setFloating(false);
+        addDockWidget(Qt::BottomDockWidgetArea, dock.widget);
+        dock.widget->show();
+        if (above)
+            splitDockWidget(above, dock.widget, Qt::Vertical);
+        above = dock.widget;
+        docks << dock.widget;
+        heights << height() * dock.percent / 100;
+    }
+    resizeDocks(docks, heights, Qt::Vertical);
+    evenPictures();
+}
+
+void DockDesk::evenPictures()
+{
+    QList<int> widths(m_pictures->count(), pictureWidth);
+    if (!widths.isEmpty())
+        widths.last() = mapWidth;
+    m_pictures->setSizes(widths);
+}
+
+QList<QAction *> DockDesk::dockActions() const
+{
+    QList<QAction *> actions;
+    for (const Dock &dock : m_docks)
+        actions << dock.widget->toggleViewAction();
+    return actions;
+}
+
+void DockDesk::showEvent(QShowEvent *event)
+{
+    QMainWindow::showEvent(event);
+    if (!m_restored)
+        restoreLayout();
+    m_restored = true;
+}
+
+void DockDesk::resizeEvent(QResizeEvent *event)
+{
+    QMainWindow::resizeEvent(event);
+    // Docks keep their height by themselves, so that the pictures alone would have to give way.
+    const int before = event->oldSize().height(), now = event->size().height();
+    if (!m_restored || before <= 0 || before == now)
+        return;
+    QList<QDockWidget *> docks;
+    QList<int> heights;
+    for (const Dock &dock : m_docks) {
+        const Qt::DockWidgetArea area = dockWidgetArea(dock.widget);
+        if (dock.widget->isFloating() || dock.widget->isHidden() ||
+            (area != Qt::BottomDockWidgetArea && area != Qt::TopDockWidgetArea))
+            continue;
+        docks << dock.widget;
+        heights << dock.widget->height() * now / before;
+    }
+    if (!docks.isEmpty())
+        resizeDocks(docks, heights, Qt::Vertical);
+}
+
+} // namespace odo

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/robot_colours.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+class Words
+{
+    Q_DECLARE_TR_FUNCTIONS(RobotColours)
+};
+
+constexpr int paletteSize = static_cast<int>(drawingColours.size());
+
+int placeOf(DrawingColour colour)
+{
+    return static_cast<int>(std::ranges::find(drawingColours, colour) - drawingColours.begin());
+}
+
+} // namespace
+
+std::vector<int> colourPlaces(const std::vector<DrawingColour> &chosen)
+{
+    std::array<bool, drawingColours.size()> taken{};
+    for (const DrawingColour colour : chosen)
+        if (colour != DrawingColour::Automatic)
+            taken.at(static_cast<std::size_t>(placeOf(colour))) = true;
+    std::vector<int> places;
+    int next = 0;
+    for (const DrawingColour colour : chosen) {
+        if (colour != DrawingColour::Automatic) {
+            places.push_back(placeOf(colour));
+            continue;
+        }
+        while (next < paletteSize && taken.at(static_cast<std::size_t>(next)))
+            ++next;
+        places.push_back(next < paletteSize ? next++ : static_cast<int>(places.size()) % paletteSize);
+    }
+    return places;
+}
+
+std::vector<int> colourPlaces(const std::vector<RobotRecord> &robots)
+{
+    std::vector<DrawingColour> chosen;
+    for (const RobotRecord &robot : robots)
+        chosen.push_back(robot.drawingColour);
+    return colourPlaces(chosen);
+}
+
+std::vector<int> colourPlaces(const TrialScene &scene)
+{
+    std::vector<DrawingColour> chosen;
+    for (const SceneRobot &robot : scene.robots)
+        chosen.push_back(robot.robot.drawingColour);
+    return colourPlaces(chosen);
+}
+
+QString drawingColourName(DrawingColour colour)
+{
+    switch (colour) {
+    case DrawingColour::Automatic:
+        break;
+    case DrawingColour::Blue:
+        return Words::tr("blue");
+    case DrawingColour::Vermilion:
+        return Words::tr("vermilion");
+    case DrawingColour::Green:
+        return Words::tr("green");
+    case DrawingColour::Purple:
+        return Words::tr("purple");
+    case DrawingColour::Orange:
+        return Words::tr("orange");
+    case DrawingColour::SkyBlue:
+        return Words::tr("sky blue");
+    }
+    return Words::tr("by itself");
+}
+
+} // namespace odo
