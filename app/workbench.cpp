@@ -35,7 +35,7 @@ Result<void> runWorkbench(const std::optional<std::filesystem::path> &project)
     return {};
 }
 
-Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, const QString &mode,
+Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,
                             QSize size, const std::filesystem::path &picture)
 {
     installPluralForms(*qApp);
@@ -48,15 +48,12 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
         return tl::unexpected(readable.error());
     if (auto shown = window.showTrial(trial); !shown)
         return shown;
-    if (mode == QStringLiteral("history"))
-        window.showMode(MainWindow::Mode::History);
-    else if (mode == QStringLiteral("compare")) {
+    if (mode == WindowMode::Compare) {
         if (auto compared = window.compareTrials({QString::fromStdString(trial)}); !compared)
             return compared;
-    } else if (mode == QStringLiteral("testbed"))
-        window.showMode(MainWindow::Mode::Testbed);
-    else
-        window.showMode(MainWindow::Mode::Review);
+    } else {
+        window.showMode(mode);
+    }
     const QImage image = paintWindow(window, size);
     if (!image.save(QString::fromStdString(picture.string())))
         return fail(ErrorCode::Io, "picture '" + picture.string() + "'", "it could not be written",

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "ui/main_window/modes.h"
 
 #include <QSize>
-#include <QString>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ namespace odo {
 Result<void> runWorkbench(const std::optional<std::filesystem::path> &project);
 
 /// The window as a user would see it with a trial in one of its modes, painted without a display into a picture file.
-Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, const QString &mode,
+Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,
                             QSize size, const std::filesystem::path &picture);
 
 } // namespace odo

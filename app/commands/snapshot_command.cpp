@@ -30,12 +30,11 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
     const auto inRange = [](double px) { return px >= smallestPx && px <= largestPx; };
     if (!inRange(wanted->first) || !inRange(wanted->second))
         return call.wrongCall(QStringLiteral("--size is from 200x200 to 8000x8000"));
-    if (!QStringList{QStringLiteral("review"), QStringLiteral("compare"), QStringLiteral("history"), QStringLiteral("testbed")}.contains(
-            QString::fromStdString(call.value(mode))))
+    const auto shown = modeFromWord(QString::fromStdString(call.value(mode)));
+    if (!shown || *shown == WindowMode::Record) // which shows no trial
         return call.wrongCall(QStringLiteral("--mode is review, compare, history or testbed"));
-    const auto painted =
-        paintWorkbench(call.text(0), call.text(1), QString::fromStdString(call.value(mode)),
-                       QSize(int(wanted->first), int(wanted->second)), call.value(output));
+    const auto painted = paintWorkbench(call.text(0), call.text(1), *shown,
+                                        QSize(int(wanted->first), int(wanted->second)), call.value(output));
     if (!painted)
         return painted;
     const QString file = QString::fromStdString(call.value(output));

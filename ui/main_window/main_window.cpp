@@ -87,11 +87,8 @@ MainWindow::~MainWindow()
 
 void MainWindow::makeCentre()
 {
-    m_modeBar->addMode(QStringLiteral("testbed"), tr("Testbed"));
-    m_modeBar->addMode(QStringLiteral("record"), tr("Record"));
-    m_modeBar->addMode(QStringLiteral("review"), tr("Review"));
-    m_modeBar->addMode(QStringLiteral("compare"), tr("Compare"));
-    m_modeBar->addMode(QStringLiteral("history"), tr("History"));
+    for (const Mode mode : allModes)
+        m_modeBar->addMode(modeWord(mode), modeName(mode));
     m_modeBar->setModesEnabled(false);
     m_stack->addWidget(m_welcome);
     auto *right = new QVBoxLayout;

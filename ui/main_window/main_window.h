@@ -37,7 +37,7 @@ class MainWindow : public QMainWindow
 {
     Q_OBJECT
 public:
-    using Mode = ProjectPages::Mode;
+    using Mode = WindowMode;
 
     MainWindow();
     ~MainWindow() override;

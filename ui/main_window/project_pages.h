@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "ui/main_window/modes.h"
 #include "ui/models/trial_scene.h"
 
 #include <QObject>
@@ -31,7 +32,7 @@ class ProjectPages : public QObject
 {
     Q_OBJECT
 public:
-    enum class Mode { Testbed, Record, Review, Compare, History };
+    using Mode = WindowMode;
 
     /// The pages come to the stack, and leave it with this object.
     ProjectPages(Workspace &workspace, QStackedWidget &stack, QObject *parent = nullptr);
@@ -66,8 +67,8 @@ public:
     TrialScenePtr scene() const;
 
 Q_SIGNALS:
-    void made(odo::ProjectPages::Mode mode);
-    void shown(odo::ProjectPages::Mode mode);
+    void made(odo::WindowMode mode);
+    void shown(odo::WindowMode mode);
     void changed(); ///< by one of the pages
     void told(const QString &words);
     void failed(const odo::Error &error);
@@ -95,7 +96,7 @@ private:
     ReviewPage *m_review = nullptr;
     ComparePage *m_compare = nullptr;
     HistoryPage *m_history = nullptr;
-    std::array<QWidget *, 5> m_pages{}; ///< in the order of the modes; null: not made yet
+    std::array<QWidget *, allModes.size()> m_pages{}; ///< in the order of the modes; null: not made yet
     std::set<QWidget *> m_stale;
     Mode m_mode = Mode::Review;
     bool m_isOneShown = false;

@@ -10,7 +10,6 @@
 #include "ui/views/command_names.h"
 
 #include <QMenu>
-#include <array>
 
 namespace odo {
 
@@ -55,10 +54,7 @@ void HelpActions::setPages(const ProjectPages *pages)
 
 void HelpActions::showPage()
 {
-    static const std::array<QString, 5> names{QStringLiteral("testbed"), QStringLiteral("record"),
-                                              QStringLiteral("review"), QStringLiteral("compare"),
-                                              QStringLiteral("history")};
-    m_panel.showPage(m_pages ? names[static_cast<std::size_t>(m_pages->mode())] : QStringLiteral("welcome"));
+    m_panel.showPage(m_pages ? modeWord(m_pages->mode()) : QStringLiteral("welcome"));
 }
 
 void HelpActions::beginLesson()
