@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/workflow/copy_job.h"
 #include "core/workflow/demo.h"
+#include "ui/main_window/import_tracks_dialog.h"
 #include "ui/main_window/recent_projects.h"
 #include "ui/main_window/transfer_actions.h"
 #include "ui/main_window/workspace.h"
@@ -17,9 +18,12 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QStandardPaths>
+#include <algorithm>
 
 namespace odo {
 namespace {
+
+const QString projectSuffix = QStringLiteral(".odo");
 
 QString documentsFolder()
 {
@@ -29,7 +33,7 @@ QString documentsFolder()
 QString withSuffix(QString file)
 {
     if (QFileInfo(file).suffix().isEmpty())
-        file += QStringLiteral(".odo");
+        file += projectSuffix;
     return file;
 }
 
@@ -115,6 +119,22 @@ Result<void> FileActions::open(const std::filesystem::path &file)
     if (opened)
         m_recent.add(file);
     return opened;
+}
+
+void FileActions::openDropped(const QStringList &files)
+{
+    if (files.isEmpty())
+        return;
+    if (files.front().endsWith(projectSuffix, Qt::CaseInsensitive))
+        beginOpening(pathOf(files.front()));
+    else if (files.front().endsWith(QLatin1String(TransferActions::archiveSuffix), Qt::CaseInsensitive))
+        m_transfer->askUnpack(pathOf(files.front()));
+    else if (m_workspace.project() && !m_workspace.isReadOnly()) {
+        if (std::ranges::all_of(files, &ImportTracksDialog::isTrackFile))
+            Q_EMIT tracksDropped(files);
+        else
+            Q_EMIT videosDropped(files);
+    }
 }
 
 void FileActions::askNew()

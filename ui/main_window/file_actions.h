@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 
 #include <QObject>
+#include <QStringList>
 #include <filesystem>
 
 class QAction;
@@ -30,16 +31,20 @@ public:
     QAction *newProject() const { return m_new; }
     QAction *openProject() const { return m_open; }
     QAction *demo() const { return m_demo; }
-    TransferActions &transfer() const { return *m_transfer; }
     /// Begins to open, and remembers it among the recent ones when it is open.
     void beginOpening(const std::filesystem::path &file);
     /// As beginOpening, but waits.
     Result<void> open(const std::filesystem::path &file);
 
+    /// Opens a project, unpacks an archive, or asks for videos or tracks to be imported where a project is open.
+    void openDropped(const QStringList &files);
+
 Q_SIGNALS:
     void failed(const odo::Error &error);
     void done(const QString &words);
     void demoOpened();
+    void videosDropped(const QStringList &files);
+    void tracksDropped(const QStringList &files);
 
 private:
     void askNew();

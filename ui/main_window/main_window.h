@@ -9,7 +9,6 @@
 #include <memory>
 #include <string>
 
-class QLabel;
 class QStackedWidget;
 
 namespace odo {
@@ -20,11 +19,12 @@ class FileActions;
 class HelpActions;
 class HelpPanel;
 class HistoryActions;
-class JobIndicator;
 class MessageBar;
 class ModeBar;
+class PageMenus;
 class RecentProjects;
 class ReportActions;
+class StatusLine;
 class TrialActions;
 class UndoActions;
 class ViewActions;
@@ -70,8 +70,6 @@ protected:
 private:
     void makeCentre();
     void makeMenus();
-    void makeStatusBar();
-    void showUnits();
     void connectActions();
     void connectJobs();
     void closePages();
@@ -85,7 +83,6 @@ private:
     void showTitle();
     void showState();
     void tellFailure(const Error &error);
-    Error named(Error error) const;
     void showDesk(Mode mode);
 
     RecentProjects *m_recent;
@@ -105,10 +102,8 @@ private:
     QStackedWidget *m_stack;
     WelcomePage *m_welcome;
     std::unique_ptr<ProjectPages> m_pages; ///< null: no project is open
-    QMenu *m_viewMenu = nullptr, *m_toolsMenu = nullptr, *m_trialMenu = nullptr, *m_spikeMenu = nullptr, *m_recordMenu = nullptr,
-          *m_historyMenu = nullptr, *m_playMenu = nullptr;
-    QLabel *m_saved, *m_analysis, *m_units;
-    JobIndicator *m_job;
+    std::unique_ptr<PageMenus> m_menus;
+    StatusLine *m_status;
 };
 
 } // namespace odo

@@ -66,6 +66,8 @@ MessageBar::MessageBar(QWidget *parent)
 
 void MessageBar::showError(const Error &error)
 {
+    if (error.code == ErrorCode::Cancelled)
+        return showDone(tr("Cancelled. Nothing was changed."));
     m_timer->stop();
     present("bad", QStringLiteral("warning"), errorInWords(error));
 }

@@ -17,6 +17,7 @@ class MessageBar : public QFrame
     Q_OBJECT
 public:
     explicit MessageBar(QWidget *parent = nullptr);
+    /// What was cancelled is no error: it is told as what was done.
     void showError(const Error &error);
     void showDone(const QString &text);
     QString text() const;

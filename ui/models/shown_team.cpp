@@ -14,6 +14,19 @@ const QString pseudonymsKey = QStringLiteral("history/pseudonyms");
 /// read once.
 std::atomic<int> known = -1;
 
+QString veiled(QString sentence, const std::vector<TeamRecord> &teams)
+{
+    const auto quoted = [](const std::string &name) { return QStringLiteral("'%1'").arg(QString::fromStdString(name)); };
+    for (const TeamRecord &team : teams) {
+        if (team.pseudonym.empty())
+            continue;
+        sentence.replace(quoted(team.name), quoted(team.pseudonym));
+        for (const std::string &member : team.members)
+            sentence.replace(quoted(member), QStringLiteral("'…'"));
+    }
+    return sentence;
+}
+
 } // namespace
 
 bool arePseudonymsShown()
@@ -44,20 +57,13 @@ QString shownTeam(const TeamRecord &team)
     return shownTeam(team.name, team.pseudonym);
 }
 
-QString shownSentence(const QString &sentence, const std::vector<TeamRecord> &teams)
+Error shownError(Error error, const std::vector<TeamRecord> &teams)
 {
-    QString shown = sentence;
     if (!arePseudonymsShown())
-        return shown;
-    const auto quoted = [](const std::string &name) { return QStringLiteral("'%1'").arg(QString::fromStdString(name)); };
-    for (const TeamRecord &team : teams) {
-        if (team.pseudonym.empty())
-            continue;
-        shown.replace(quoted(team.name), quoted(team.pseudonym));
-        for (const std::string &member : team.members)
-            shown.replace(quoted(member), QStringLiteral("'…'"));
-    }
-    return shown;
+        return error;
+    for (std::string *part : {&error.what, &error.why, &error.advice})
+        *part = veiled(QString::fromStdString(*part), teams).toStdString();
+    return error;
 }
 
 } // namespace odo

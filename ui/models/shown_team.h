@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/project/records.h"
 
 #include <QString>
@@ -18,8 +19,8 @@ QString shownTeam(const std::string &name, const std::string &pseudonym);
 QString shownTeam(const TrialRecord &trial); ///< empty without a team
 QString shownTeam(const TeamRecord &team);
 
-/// A sentence of the core ("team 'Anna and Ben': …") with the pseudonyms of teams in the place of their quoted names, and without the
+/// An error of the core ("team 'Anna and Ben': …") with the pseudonyms of teams in the place of their quoted names, and without the
 /// quoted names of their members, where pseudonyms are shown.
-QString shownSentence(const QString &sentence, const std::vector<TeamRecord> &teams);
+Error shownError(Error error, const std::vector<TeamRecord> &teams);
 
 } // namespace odo

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
+#include <QUrl>
 
 namespace odo {
 
@@ -18,6 +19,15 @@ std::filesystem::path pathOf(const QString &text)
 QString textOf(const std::filesystem::path &path)
 {
     return QString::fromStdString(path.string());
+}
+
+QStringList localFiles(const QMimeData &data)
+{
+    QStringList files;
+    for (const QUrl &url : data.urls())
+        if (url.isLocalFile())
+            files << url.toLocalFile();
+    return files;
 }
 
 PathField::PathField(const QString &name, const QString &filter, QWidget *parent)
@@ -58,13 +68,13 @@ void PathField::browse()
 
 void PathField::dragEnterEvent(QDragEnterEvent *event)
 {
-    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile())
+    if (!localFiles(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
 void PathField::dropEvent(QDropEvent *event)
 {
-    m_line->setText(event->mimeData()->urls().front().toLocalFile());
+    m_line->setText(localFiles(*event->mimeData()).front());
     event->acceptProposedAction();
 }
 

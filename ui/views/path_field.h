@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <filesystem>
 
 class QLineEdit;
+class QMimeData;
 
 namespace odo {
 
 std::filesystem::path pathOf(const QString &text);
 QString textOf(const std::filesystem::path &path);
+/// Of what is dragged or dropped: this machine's files.
+QStringList localFiles(const QMimeData &data);
 
 /// A line for the path of one existing file, and a button that looks for it. A file can be dropped on it.
 class PathField : public QWidget

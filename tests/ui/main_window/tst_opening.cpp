@@ -8,7 +8,10 @@
 #include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
 
+#include <QApplication>
+#include <QDropEvent>
 #include <QFile>
+#include <QMimeData>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -127,7 +130,34 @@ private Q_SLOTS:
             qPrintable(second.findChild<MessageBar *>()->text()));
     }
 
+    void whatIsDroppedIsOpened()
+    {
+        MainWindow window;
+        QSignalSpy opened(&window.workspace(), &Workspace::opened);
+        QVERIFY(
+            !drop(window, {QUrl(QStringLiteral("https://example.org/other.odo"))})); // not on this machine
+        QVERIFY(drop(window, {QUrl::fromLocalFile(QStringLiteral("/nowhere/run.mkv"))}));
+        QVERIFY(!window.workspace().isBusy()); // videos belong to no project yet
+        QVERIFY(drop(window, {QUrl::fromLocalFile(QString::fromStdString(m_project.string()))}));
+        QTRY_COMPARE(opened.count(), 1);
+        QCOMPARE(window.workspace().project()->title(), std::string("Year 9 robotics"));
+    }
+
 private:
+    /// Whether the window takes it.
+    static bool drop(QWidget &window, const QList<QUrl> &urls)
+    {
+        QMimeData dragged;
+        dragged.setUrls(urls);
+        QDragEnterEvent enter({}, Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+        enter.ignore();
+        QApplication::sendEvent(&window, &enter);
+        if (!enter.isAccepted())
+            return false;
+        QDropEvent event({}, Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+        return QApplication::sendEvent(&window, &event);
+    }
+
     std::filesystem::path path(const char *name) const
     {
         return m_folder.filePath(QString::fromLatin1(name)).toStdString();

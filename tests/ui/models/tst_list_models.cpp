@@ -261,14 +261,19 @@ private Q_SLOTS:
         QCOMPARE(model.index(1, TrialModel::TeamColumn).data().toString(), QStringLiteral("Team Four"));
         showPseudonyms(false);
     }
-    void sentencesNameTeamsAsTheyAreShown()
+    void errorsNameTeamsAsTheyAreShown()
     {
         const std::vector<TeamRecord> teams{{1, "Anna and Ben", "9B", "Team 4", {"Anna", "Ben"}}, {2, "Owl", "9B"}};
-        const QString sentence = QStringLiteral("team 'Anna and Ben': 'Anna' is there twice, as in 'Owl'");
-        QCOMPARE(shownSentence(sentence, teams), sentence);
+        const Error error{ErrorCode::InvalidInput, "team 'Anna and Ben'", "'Anna' is there twice, as in 'Owl'", "rename 'Ben'"};
+        const auto words = [&error](const std::vector<TeamRecord> &known) {
+            const Error shown = shownError(error, known);
+            return QString::fromStdString(shown.what + "|" + shown.why + "|" + shown.advice);
+        };
+        const QString told = QStringLiteral("team 'Anna and Ben'|'Anna' is there twice, as in 'Owl'|rename 'Ben'");
+        QCOMPARE(words(teams), told);
         showPseudonyms(true);
-        QCOMPARE(shownSentence(sentence, teams), QString::fromUtf8("team 'Team 4': '…' is there twice, as in 'Owl'"));
-        QCOMPARE(shownSentence(sentence, {}), sentence);
+        QCOMPARE(words(teams), QString::fromUtf8("team 'Team 4'|'…' is there twice, as in 'Owl'|rename '…'"));
+        QCOMPARE(words({}), told);
         showPseudonyms(false);
     }
     void scoresAreSortedAndExplained()

@@ -6,6 +6,7 @@
 #include "ui/testbed/lens/film_strip.h"
 #include "ui/views/action_button.h"
 #include "ui/views/card.h"
+#include "ui/views/path_field.h"
 #include "ui/views/plain_button.h"
 
 #include <QAction>
@@ -200,17 +201,13 @@ void LensPicturesPage::say(const QString &headline, const QString &detail)
 
 void LensPicturesPage::dragEnterEvent(QDragEnterEvent *event)
 {
-    if (event->mimeData()->hasUrls())
+    if (!localFiles(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
 void LensPicturesPage::dropEvent(QDropEvent *event)
 {
-    QStringList files;
-    for (const QUrl &url : event->mimeData()->urls())
-        if (url.isLocalFile())
-            files << url.toLocalFile();
-    Q_EMIT filesDropped(files);
+    Q_EMIT filesDropped(localFiles(*event->mimeData()));
 }
 
 } // namespace odo

@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "ui/testbed/targets/target_dialog.h"
 #include "ui/views/live_camera_box.h"
+#include "ui/views/path_field.h"
 #include "ui/views/plain_button.h"
 
 #include <QComboBox>
@@ -24,15 +25,6 @@ namespace {
 
 constexpr double usualSquareMm = 25;
 constexpr int indent = 24;
-
-QStringList localFiles(const QMimeData &data)
-{
-    QStringList files;
-    for (const QUrl &url : data.urls())
-        if (url.isLocalFile())
-            files << url.toLocalFile();
-    return files;
-}
 
 } // namespace
 
