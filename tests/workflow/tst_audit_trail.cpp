@@ -17,12 +17,7 @@ class TestAuditTrail : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase()
-    {
-        const auto made = storeExample(m_folder.path().toStdString());
-        QVERIFY2(made, made ? "" : made.error().message().c_str());
-        m_project = std::move(*Project::open(*made, Project::Access::ReadWrite));
-    }
+    void initTestCase() { m_project = openStoredExample(m_folder.path().toStdString()); }
     void measuringAgainIsToldOnceItIsKept()
     {
         ReprocessJob job("Trial 1");

@@ -18,9 +18,7 @@ private Q_SLOTS:
     void isTakenBackAndMadeAgain()
     {
         const QTemporaryDir folder;
-        const auto made = storeExample(folder.path().toStdString());
-        QVERIFY2(made, made ? "" : made.error().message().c_str());
-        const auto project = std::move(*Project::open(*made, Project::Access::ReadWrite));
+        const auto project = openStoredExample(folder.path().toStdString());
         const TrialRecord trial = project->trials().find("Trial 1").value();
         const auto words = [&] {
             return project->trials().overrules(trial.id, trial.robots.front()).value().size();

@@ -59,9 +59,7 @@ private Q_SLOTS:
     {
         const QString folder = m_folder.filePath(QString::number(++m_projects));
         QVERIFY(QDir().mkpath(folder));
-        const auto made = storeExample(folder.toStdString());
-        QVERIFY2(made.has_value(), made ? "" : made.error().message().c_str());
-        m_project = std::move(*Project::open(*made, Project::Access::ReadWrite));
+        m_project = openStoredExample(folder.toStdString());
     }
 
     void listsWhatThereIs()

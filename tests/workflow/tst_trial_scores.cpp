@@ -17,9 +17,7 @@ private Q_SLOTS:
     void runsOfScoredTasksAreScored()
     {
         QTemporaryDir folder;
-        const auto file = storeExample(folder.path().toStdString());
-        QVERIFY2(file, file ? "" : file.error().message().c_str());
-        const auto project = std::move(*Project::open(*file, Project::Access::ReadWrite));
+        const auto project = openStoredExample(folder.path().toStdString());
         const auto scores = [&] { return trialScores(*project, Instant::min(), Instant::max()).value(); };
         QVERIFY(scores().empty());
         const TrialRecord trial = *project->trials().find("Trial 1");

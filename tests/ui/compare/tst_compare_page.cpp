@@ -93,9 +93,7 @@ private Q_SLOTS:
     {
         QStandardPaths::setTestModeEnabled(true);
         QSettings().clear();
-        const auto made = storeExample(m_folder.path().toStdString(), {90, 320, 180});
-        QVERIFY2(made, made ? "" : made.error().message().c_str());
-        m_project = std::move(*Project::open(*made, Project::Access::ReadWrite));
+        m_project = openStoredExample(m_folder.path().toStdString(), {90, 320, 180});
     }
 
     void showsTwoRunsInStep()

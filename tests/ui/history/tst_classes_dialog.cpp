@@ -2,6 +2,7 @@
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/history/classes_dialog.h"
@@ -26,31 +27,9 @@
 #include <QTest>
 
 using namespace odo;
+using namespace odo::test;
 
 namespace {
-
-QPushButton *button(const QWidget &in, const char *text)
-{
-    for (QPushButton *each : in.findChildren<QPushButton *>())
-        if (each->text() == QString::fromUtf8(text))
-            return each;
-    qFatal("no button %s", text);
-}
-
-QString told(const QWidget &in)
-{
-    for (QLabel *each : in.findChildren<QLabel *>())
-        if (each->accessibleName() == QLatin1String("What was done"))
-            return each->text();
-    return {};
-}
-
-void press(const QDialog &dialog, const QKeySequence &keys)
-{
-    for (QAction *action : dialog.actions())
-        if (action->shortcut() == keys)
-            action->trigger();
-}
 
 const QKeySequence undoKeys(Qt::CTRL | Qt::Key_Z), redoKeys(Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
 
@@ -63,9 +42,7 @@ private Q_SLOTS:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();
-        const auto made = storeExample(m_folder->path().toStdString());
-        QVERIFY2(made, made ? "" : made.error().message().c_str());
-        m_project = std::move(*Project::open(*made, Project::Access::ReadWrite));
+        m_project = openStoredExample(m_folder->path().toStdString());
     }
     void classesAreMadeRenamedAndDeleted();
     void teamsAreMadeRenamedAndMoved();
@@ -143,11 +120,11 @@ void TestClassesDialog::classesAreMadeRenamedAndDeleted()
         button(dialog, "&Rename…")->click();
         QVERIFY(person.isDone());
     }
-    QVERIFY(told(dialog).startsWith(QLatin1String("class '9B': ")));
+    QVERIFY(named<QLabel>(dialog, "What was done")->text().startsWith(QLatin1String("class '9B': ")));
     QVERIFY(m_project->classes().all()->size() == 2);
     button(dialog, "Dele&te")->click();
     QCOMPARE(m_project->classes().all()->size(), std::size_t(1));
-    press(dialog, undoKeys);
+    pressKeys(dialog, undoKeys);
     QCOMPARE(m_project->classes().all()->size(), std::size_t(2));
     list->setCurrentRow(0);
     QVERIFY(!button(dialog, "Dele&te")->isEnabled()); // it has teams
@@ -164,7 +141,7 @@ void TestClassesDialog::teamsAreMadeRenamedAndMoved()
     table->item(0, 1)->setText(QStringLiteral("Team 4"));
     QCOMPARE(find("Falcon")->pseudonym, std::string("Team 4"));
     table->item(0, 0)->setText(QStringLiteral("Heron")); // taken
-    QVERIFY(told(dialog).startsWith(QLatin1String("team 'Heron': ")));
+    QVERIFY(named<QLabel>(dialog, "What was done")->text().startsWith(QLatin1String("team 'Heron': ")));
     QCOMPARE(table->item(0, 0)->text(), QStringLiteral("Falcon")); // what is stored stands there again
     table->item(0, 0)->setText(QStringLiteral("Merlin"));
     QCOMPARE(table->item(table->currentRow(), 0)->text(),
@@ -186,7 +163,7 @@ void TestClassesDialog::teamsAreMadeRenamedAndMoved()
     QVERIFY(!find("Otter"));
     button(dialog, "&Delete")->click(); // Heron has trials
     QVERIFY(find("Heron").has_value());
-    QVERIFY(told(dialog).contains(QLatin1String("a trial is its")));
+    QVERIFY(named<QLabel>(dialog, "What was done")->text().contains(QLatin1String("a trial is its")));
     QSignalSpy roster(&dialog, &ClassesDialog::rosterRequested);
     button(dialog, "&Import roster…")->click();
     QCOMPARE(roster.count(), 1);

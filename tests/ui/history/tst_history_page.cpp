@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/empty_bin.h"
+#include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/project_content.h"
 #include "tests/ui/support/stored_example.h"
@@ -64,9 +65,7 @@ private:
 
 void TestHistoryPage::initTestCase()
 {
-    const auto made = storeExample(m_folder.path().toStdString());
-    QVERIFY2(made, made ? "" : made.error().message().c_str());
-    m_project = std::move(*Project::open(*made, Project::Access::ReadWrite));
+    m_project = openStoredExample(m_folder.path().toStdString());
 }
 
 void TestHistoryPage::searchesAsYouType()
@@ -132,11 +131,8 @@ void TestHistoryPage::comparesWhatIsSelected()
     HistoryPage page(*m_project);
     page.refresh();
     page.selectTrial(QStringLiteral("Trial 2"));
-    QPushButton *compare = nullptr;
-    for (QPushButton *button : page.findChildren<QPushButton *>())
-        if (button->text() == QLatin1String("&Compare"))
-            compare = button;
-    QVERIFY(compare && !compare->isEnabled()); // one trial is not enough
+    QPushButton *compare = test::button(page, "Compare");
+    QVERIFY(!compare->isEnabled()); // one trial is not enough
     QSignalSpy wanted(&page, &HistoryPage::compareRequested);
     page.findChild<QTableView *>(QStringLiteral("trials"))->selectAll();
     QVERIFY(compare->isEnabled());

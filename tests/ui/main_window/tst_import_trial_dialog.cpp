@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/found_widgets.h"
 #include "ui/main_window/import_trial_dialog.h"
 #include "ui/main_window/view_steps.h"
 #include "ui/views/path_field.h"
@@ -74,9 +75,7 @@ void TestImportTrialDialog::aTeamProposesItsRobots()
 
 void TestImportTrialDialog::addThirdView() const
 {
-    for (auto *button : m_dialog->findChildren<QPushButton *>())
-        if (button->text() == QStringLiteral("Add &view"))
-            button->click();
+    test::button(*m_dialog, "Add view")->click();
     field<QComboBox>("Camera of view 3")->setCurrentText(QStringLiteral("Wall"));
     const auto files = m_dialog->findChildren<PathField *>();
     for (int i = 0; i < 3; ++i)

@@ -2,6 +2,7 @@
 // A project is opened in the background, and the window tells that it opens, or why it does not.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/job_indicator.h"
 #include "ui/main_window/main_window.h"
@@ -12,9 +13,7 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QMimeData>
-#include <QSettings>
 #include <QSignalSpy>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -26,10 +25,7 @@ class TestOpening : public QObject
 private Q_SLOTS:
     void initTestCase()
     {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("odograph-test"));
-        QCoreApplication::setApplicationName(QStringLiteral("tst_opening"));
-        QSettings().clear();
+        test::beginWithoutSettings();
         m_project = storeExample(m_folder.path().toStdString()).value();
     }
 

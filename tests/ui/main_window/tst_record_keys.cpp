@@ -2,6 +2,7 @@
 // Recording by F9 through the whole window, wherever the focus is.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/ui/support/driven_window.h"
 #include "ui/main_window/main_window.h"
 #include "ui/record/camera_choice.h"
 #include "ui/record/record_page.h"
@@ -11,8 +12,6 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QWindow>
@@ -35,10 +34,7 @@ private Q_SLOTS:
 
 void TestRecordKeys::f9RecordsAndStopsWithTheFocusInTheTeamsCard()
 {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName(QStringLiteral("odograph-test"));
-    QCoreApplication::setApplicationName(QStringLiteral("tst_record_keys"));
-    QSettings().clear();
+    test::beginWithoutSettings();
     rememberCameras({{"A", "sim:A"}}); // whatever else this machine has
     QTemporaryDir folder;
     const std::filesystem::path file = folder.filePath(QStringLiteral("lesson.odo")).toStdString();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/robots_dialog.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLabel>
@@ -16,16 +16,9 @@
 #include <QTest>
 
 using namespace odo;
+using namespace odo::test;
 
 namespace {
-
-QPushButton *button(const QWidget &in, const char *text)
-{
-    for (QPushButton *each : in.findChildren<QPushButton *>())
-        if (each->text() == QString::fromUtf8(text))
-            return each;
-    qFatal("no button %s", text);
-}
 
 Answer call(const QString &name)
 {
@@ -44,9 +37,7 @@ private Q_SLOTS:
     void robotsAreAddedChangedAndDeleted()
     {
         QTemporaryDir folder;
-        const auto made = storeExample(folder.path().toStdString());
-        QVERIFY2(made, made ? "" : made.error().message().c_str());
-        const auto project = std::move(*Project::open(*made, Project::Access::ReadWrite));
+        const auto project = openStoredExample(folder.path().toStdString());
         RobotsDialog dialog(*project);
         auto *table = dialog.findChild<QTableWidget *>();
         QCOMPARE(table->rowCount(), 2);
@@ -81,9 +72,7 @@ private Q_SLOTS:
         QCOMPARE(table->item(table->currentRow(), 2)->text(), QStringLiteral("sky blue"));
         button(dialog, "&Delete")->click();
         QCOMPARE(project->robots().all()->size(), std::size_t(2));
-        for (QAction *action : dialog.actions())
-            if (action->shortcut() == QKeySequence(Qt::CTRL | Qt::Key_Z))
-                action->trigger();
+        pressKeys(dialog, QKeySequence(Qt::CTRL | Qt::Key_Z));
         QVERIFY(project->robots().find("Green 4").has_value());
         table->setCurrentCell(0, 0);
         button(dialog, "&Delete")->click(); // it drove

@@ -7,6 +7,7 @@
 #include "core/workflow/demo.h"
 #include "tests/support/patience.h"
 #include "tests/ui/support/busy_watch.h"
+#include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/person.h"
 #include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
@@ -24,8 +25,6 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -56,8 +55,11 @@ private:
     QString path(const QString &name) const { return m_folder.filePath(name); }
     QString message() const { return m_window->findChild<MessageBar *>()->text(); }
     Project &project() const { return *m_window->workspace().project(); }
-    void command(const char *name, const QList<Answer> &answers);
-    void wait() const;
+    void command(const char *name, const QList<Answer> &answers)
+    {
+        test::run(*m_window, m_window->findChild<QAction *>(QString::fromLatin1(name)), answers);
+        test::waitFor(*m_window);
+    }
     Answer importAnswer(const QString &trial, const QString &team, const QString &videosOf) const;
 
     QTemporaryDir m_folder;
@@ -67,12 +69,8 @@ private:
 
 void TestSchoolDay::initTestCase()
 {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    QCoreApplication::setOrganizationName(QStringLiteral("odograph-test"));
-    QCoreApplication::setApplicationName(QStringLiteral("tst_school_day"));
+    test::beginWithoutSettings();
     QLocale::setDefault(QLocale::c());
-    QSettings().clear();
     QVERIFY(QDir().mkpath(path(QStringLiteral("home"))));
     const auto made = makeDemo(path(QStringLiteral("school")).toStdString(), {});
     QVERIFY2(made, made ? "" : made.error().message().c_str());
@@ -80,7 +78,7 @@ void TestSchoolDay::initTestCase()
     m_window->resize(1366, 768);
     m_window->show();
     QVERIFY(m_window->openProject(*made));
-    wait();
+    test::waitFor(*m_window);
     m_watch = std::make_unique<BusyWatch>();
 }
 
@@ -94,21 +92,6 @@ void TestSchoolDay::cleanup()
     const bool opens = qstrcmp(QTest::currentTestFunction(), "theProjectGoesHome") == 0;
     QVERIFY2(busyMs < (opens ? longestOpeningMs : longestBusyMs) * odo::test::slowness,
              qPrintable(QString::number(busyMs)));
-}
-
-void TestSchoolDay::wait() const
-{
-    QTRY_VERIFY_WITH_TIMEOUT(!m_window->workspace().isBusy() && m_window->isSettled(), 120000);
-}
-
-void TestSchoolDay::command(const char *name, const QList<Answer> &answers)
-{
-    auto *action = m_window->findChild<QAction *>(QString::fromLatin1(name));
-    QVERIFY2(action && action->isEnabled(), name);
-    Person person(answers);
-    action->trigger();
-    QVERIFY2(person.isDone(), qPrintable(message()));
-    wait();
 }
 
 void TestSchoolDay::theRosterComesIn()
@@ -152,7 +135,7 @@ void TestSchoolDay::threeRunsAreImportedAndTracked()
         QVERIFY2(stored, qPrintable(message()));
         QCOMPARE(QString::fromStdString(stored->teamName), team);
         QTRY_COMPARE(m_window->findChild<ReviewPage *>()->trial(), trial);
-        wait();
+        test::waitFor(*m_window);
         command("track", {[&](QDialog &dialog) {
                     auto *list = dialog.findChild<QListWidget *>();
                     for (int row = 0; row < list->count(); ++row)
@@ -168,7 +151,7 @@ void TestSchoolDay::threeRunsAreImportedAndTracked()
 void TestSchoolDay::aSpikeIsOverruled()
 {
     QVERIFY(m_window->showTrial(bench.toStdString()));
-    wait();
+    test::waitFor(*m_window);
     auto *review = m_window->findChild<ReviewPage *>();
     const auto &profile = review->scene()->robots.front().analysis->profile;
     QVERIFY(!profile.spikes.empty());
@@ -178,7 +161,7 @@ void TestSchoolDay::aSpikeIsOverruled()
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
     review->setFocus();
     QTest::keyClick(review, Qt::Key_U);
-    wait();
+    test::waitFor(*m_window);
     QTRY_VERIFY2_WITH_TIMEOUT(message().contains(QStringLiteral("is used")), qPrintable(message()), 20000);
     const auto &samples = review->scene()->robots.front().analysis->profile.samples;
     const auto sample = std::ranges::find(samples, frame, &Sample::frame);
@@ -188,22 +171,22 @@ void TestSchoolDay::aSpikeIsOverruled()
 void TestSchoolDay::twoRunsAreCompared()
 {
     m_window->showMode(MainWindow::Mode::Compare);
-    wait();
+    test::waitFor(*m_window);
     QVERIFY(m_window->compareTrials({QStringLiteral("figure-eight"), QStringLiteral("Marten 1")}));
-    wait();
+    test::waitFor(*m_window);
     auto *compare = m_window->findChild<ComparePage *>();
     QVERIFY(compare->scene());
     QCOMPARE(compare->scene()->runCount(), std::size_t(2));
     QTest::keyClick(compare, Qt::Key_Space); // both play
     QTRY_VERIFY(compare->timeline().currentFrame() > 5);
     QTest::keyClick(compare, Qt::Key_Space);
-    wait();
+    test::waitFor(*m_window);
 }
 
 void TestSchoolDay::theHistoryIsSearched()
 {
     m_window->showMode(MainWindow::Mode::History);
-    wait();
+    test::waitFor(*m_window);
     auto *history = m_window->findChild<HistoryPage *>();
     auto *search = history->findChild<QLineEdit *>(QStringLiteral("search"));
     auto *table = history->findChild<QTableView *>(QStringLiteral("trials"));
@@ -225,7 +208,7 @@ void TestSchoolDay::theProjectGoesHome()
     QVERIFY(QString::fromStdString(project().file().string()).startsWith(path(QStringLiteral("home"))));
     QCOMPARE(project().trials().all()->size(), trials);
     QVERIFY(m_window->showTrial("Marten 1"));
-    wait();
+    test::waitFor(*m_window);
     const TrialScenePtr scene = m_window->findChild<ReviewPage *>()->scene();
     QVERIFY(scene && scene->robots.front().analysis);
     for (const SceneView &view : scene->views)

@@ -2,6 +2,7 @@
 // A person's word on a sample, in the window: by key, stored, analysed again, and taken back.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/message_bar.h"
@@ -10,8 +11,6 @@
 #include "ui/review/review_page.h"
 
 #include <QAction>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -23,8 +22,7 @@ class TestSpikeWords : public QObject
 private Q_SLOTS:
     void aKeyMarksASpikeAndUndoTakesItBack()
     {
-        QStandardPaths::setTestModeEnabled(true);
-        QSettings().clear();
+        test::beginWithoutSettings();
         QTemporaryDir folder;
         const auto made = storeExample(folder.path().toStdString());
         QVERIFY2(made, made ? "" : made.error().message().c_str());

@@ -3,17 +3,16 @@
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
+#include "tests/ui/support/driven_window.h"
+#include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
 
-#include <QAction>
 #include <QDir>
 #include <QFile>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -31,7 +30,10 @@ private Q_SLOTS:
 private:
     QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
     QString message() const { return m_window->findChild<MessageBar *>()->text(); }
-    void run(const char *action, const QList<Answer> &answers);
+    void run(const char *action, const QList<Answer> &answers)
+    {
+        test::run(*m_window, test::actionOf(*m_window, action), answers);
+    }
     std::size_t lostVideos() const;
 
     QTemporaryDir m_folder;
@@ -40,31 +42,12 @@ private:
 
 void TestTransfer::initTestCase()
 {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    QCoreApplication::setOrganizationName(QStringLiteral("odograph-test"));
-    QCoreApplication::setApplicationName(QStringLiteral("tst_transfer"));
-    QSettings().clear();
+    test::beginWithoutSettings();
     QVERIFY(QDir().mkpath(path("school")) && QDir().mkpath(path("home")) && QDir().mkpath(path("empty")));
     const auto made = storeExample(path("school").toStdString());
     QVERIFY2(made, made ? "" : made.error().message().c_str());
     m_window = std::make_unique<MainWindow>();
     QVERIFY(m_window->openProject(*made));
-}
-
-void TestTransfer::run(const char *text, const QList<Answer> &answers)
-{
-    for (QAction *action : m_window->findChildren<QAction *>()) {
-        if (action->text().remove(u'&') != QString::fromUtf8(text))
-            continue;
-        QVERIFY2(action->isEnabled(), text);
-        Person person(answers);
-        action->trigger();
-        QVERIFY2(person.isDone(), qPrintable(message()));
-        QTRY_VERIFY_WITH_TIMEOUT(!m_window->workspace().isBusy(), 120000);
-        return;
-    }
-    QFAIL(text);
 }
 
 std::size_t TestTransfer::lostVideos() const

@@ -2,14 +2,13 @@
 // Two windows on one project: the first changes it, the second shows it.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
 
 #include <QFile>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -21,10 +20,7 @@ class TestTwoWindows : public QObject
 private Q_SLOTS:
     void initTestCase()
     {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("odograph-test"));
-        QCoreApplication::setApplicationName(QStringLiteral("tst_two_windows"));
-        QSettings().clear();
+        test::beginWithoutSettings();
         m_project = storeExample(m_folder.path().toStdString()).value();
     }
 

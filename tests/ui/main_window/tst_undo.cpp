@@ -2,6 +2,7 @@
 // Undo and redo in the window: what a person changed is taken back, and what is shown follows.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/project_content.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/history/history_page.h"
@@ -12,7 +13,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPlainTextEdit>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -24,7 +24,7 @@ class TestUndo : public QObject
 private Q_SLOTS:
     void initTestCase()
     {
-        QStandardPaths::setTestModeEnabled(true);
+        test::beginWithoutSettings();
         const auto made = storeExample(m_folder.path().toStdString());
         QVERIFY2(made, made ? "" : made.error().message().c_str());
         m_window = std::make_unique<MainWindow>();

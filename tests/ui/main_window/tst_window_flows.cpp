@@ -6,6 +6,8 @@
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "core/workflow/cameras.h"
+#include "tests/ui/support/driven_window.h"
+#include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/project_content.h"
 #include "ui/main_window/import_trial_dialog.h"
@@ -27,8 +29,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -84,7 +84,6 @@ private:
     void renderMaterial() const;
     /// Triggers the action of this text and answers its dialogs; waits for the job that may follow.
     void run(const char *action, const QList<Answer> &answers);
-    QAction *actionOf(const char *text) const;
     void runAndCancel(const char *action, const Answer &answer);
     QString message() const { return m_window->findChild<MessageBar *>()->text(); }
     Project &project() const { return *m_window->workspace().project(); }
@@ -120,12 +119,8 @@ void TestWindowFlows::renderMaterial() const
 
 void TestWindowFlows::initTestCase()
 {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName(QStringLiteral("odograph-test"));
-    QCoreApplication::setApplicationName(QStringLiteral("tst_window_flows"));
-    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    test::beginWithoutSettings();
     QLocale::setDefault(QLocale::c());
-    QSettings().clear();
     m_scene.durationS = 1.5;
     SimulatedRobot robot;
     robot.name = "red";
@@ -141,23 +136,11 @@ void TestWindowFlows::initTestCase()
     m_window->show();
 }
 
-QAction *TestWindowFlows::actionOf(const char *text) const
-{
-    for (QAction *action : m_window->findChildren<QAction *>())
-        if (action->text().remove(QLatin1Char('&')) == QString::fromUtf8(text))
-            return action;
-    return nullptr;
-}
-
 void TestWindowFlows::run(const char *text, const QList<Answer> &answers)
 {
-    QTRY_VERIFY2(actionOf(text), text); // the pages of a project that was just made are still to come
-    QAction *action = actionOf(text);
-    QVERIFY2(action->isEnabled(), text);
-    Person person(answers);
-    action->trigger();
-    QVERIFY2(person.isDone(), qPrintable(message()));
-    QTRY_VERIFY_WITH_TIMEOUT(!m_window->workspace().isBusy(), 120000);
+    QTRY_VERIFY2(test::actionOf(*m_window, text),
+                 text); // the pages of a project that was just made are still to come
+    test::run(*m_window, test::actionOf(*m_window, text), answers);
 }
 
 void TestWindowFlows::runAndCancel(const char *text, const Answer &answer)

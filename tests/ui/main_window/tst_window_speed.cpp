@@ -4,6 +4,7 @@
 #include "core/project/repositories.h"
 #include "tests/support/patience.h"
 #include "tests/ui/support/busy_watch.h"
+#include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/year_project.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/appearance.h"
@@ -16,9 +17,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
-#include <QSettings>
 #include <QStackedWidget>
-#include <QStandardPaths>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -64,10 +63,7 @@ class TestWindowSpeed : public QObject
 private Q_SLOTS:
     void initTestCase()
     {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("odograph-test"));
-        QCoreApplication::setApplicationName(QStringLiteral("tst_window_speed"));
-        QSettings().clear();
+        test::beginWithoutSettings();
         applyAppearance(*qApp, Theme::Light);
         const auto made = test::makeYearProject(m_folder.path().toStdString(), trialCount);
         QVERIFY2(made, made ? "" : made.error().message().c_str());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which device is which camera, how it is set, and the set-up doctor: all by keys.
+#include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "ui/models/live_cameras.h"
 #include "ui/record/camera_choice_dialog.h"
@@ -17,6 +18,7 @@
 #include <QTest>
 
 using namespace odo;
+using namespace odo::test;
 
 namespace {
 
@@ -25,25 +27,6 @@ const CameraDescription webcam{.uri = "v4l2:/dev/video0",
                                .name = "Webcam",
                                .formats = {"MJPG 1280×720 at 30 frames/s", "YUYV 640×480 at 30 frames/s"}};
 const CameraDescription industrial{.uri = "aravis:S1", .kind = "aravis", .name = "Vendor Model"};
-
-QPushButton *buttonOf(const QDialog &dialog, const QString &text)
-{
-    for (QPushButton *button : dialog.findChildren<QPushButton *>()) {
-        if (button->text() == text)
-            return button;
-    }
-    return nullptr;
-}
-
-template <class Widget>
-Widget *named(const QDialog &dialog, const QString &accessibleName)
-{
-    for (Widget *widget : dialog.findChildren<Widget *>()) {
-        if (widget->accessibleName() == accessibleName)
-            return widget;
-    }
-    return nullptr;
-}
 
 /// Walks there by the tabulator, as somebody without a mouse does.
 bool walkTo(QDialog &dialog, const QWidget *wanted)
@@ -79,10 +62,10 @@ void TestRecordDialogs::devicesAreChosenByKeys()
     LiveCameras connected([] { return std::vector<CameraDescription>{webcam, industrial}; });
     CameraChoiceDialog dialog({{"A", ""}, {"B", ""}}, connected);
     show(dialog);
-    auto *a = named<QComboBox>(dialog, QStringLiteral("Device that is camera A"));
-    auto *b = named<QComboBox>(dialog, QStringLiteral("Device that is camera B"));
+    auto *a = named<QComboBox>(dialog, "Device that is camera A");
+    auto *b = named<QComboBox>(dialog, "Device that is camera B");
     QTRY_COMPARE(a->count(), 3);
-    QPushButton *use = buttonOf(dialog, QStringLiteral("Use these"));
+    QPushButton *use = button(dialog, "Use these");
     QTRY_VERIFY(!connected.isLooking());
     QVERIFY(!use->isEnabled()); // none is used
     QVERIFY(walkTo(dialog, a));
@@ -102,7 +85,7 @@ void TestRecordDialogs::oneDeviceIsNotTwoCameras()
     show(dialog);
     QTRY_VERIFY(dialog.findChild<QLabel *>(QStringLiteral("quiet"))->text() ==
                 QStringLiteral("One device cannot be two cameras."));
-    QVERIFY(!buttonOf(dialog, QStringLiteral("Use these"))->isEnabled());
+    QVERIFY(!button(dialog, "Use these")->isEnabled());
     QTest::keyClick(&dialog, Qt::Key_Escape);
     QCOMPARE(dialog.result(), int(QDialog::Rejected));
 }
@@ -111,16 +94,16 @@ void TestRecordDialogs::settingsGoIntoTheAddress()
 {
     CameraWishesDialog usb(webcam, webcam.uri);
     QCOMPARE(usb.uri(), webcam.uri); // nothing is wanted
-    auto *picture = named<QComboBox>(usb, QStringLiteral("Picture"));
+    auto *picture = named<QComboBox>(usb, "Picture");
     picture->setCurrentIndex(2);
-    named<QDoubleSpinBox>(usb, QStringLiteral("Rate"))->setValue(15);
+    named<QDoubleSpinBox>(usb, "Rate")->setValue(15);
     QCOMPARE(usb.uri(), std::string("v4l2:/dev/video0?format=YUYV&size=640x480&rate=15"));
 
     CameraWishesDialog gige(industrial, industrial.uri);
     show(gige);
-    auto *rate = named<QDoubleSpinBox>(gige, QStringLiteral("Rate"));
-    auto *exposure = named<QDoubleSpinBox>(gige, QStringLiteral("Exposure"));
-    auto *trigger = named<QCheckBox>(gige, QStringLiteral("Software trigger"));
+    auto *rate = named<QDoubleSpinBox>(gige, "Rate");
+    auto *exposure = named<QDoubleSpinBox>(gige, "Exposure");
+    auto *trigger = named<QCheckBox>(gige, "Software trigger");
     QVERIFY(walkTo(gige, rate));
     QTest::keyClick(rate, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(rate, QStringLiteral("60"));
@@ -139,10 +122,10 @@ void TestRecordDialogs::settingsOfAnAddressAreShownAndKept()
     const std::string uri =
         "aravis:S1?format=BayerGB8&rate=60&exposure_ms=4&trigger=software&size=640x480&packet_delay_us=12";
     CameraWishesDialog dialog(industrial, uri);
-    QCOMPARE(named<QComboBox>(dialog, QStringLiteral("Picture"))->currentText(), QStringLiteral("BayerGB8"));
+    QCOMPARE(named<QComboBox>(dialog, "Picture")->currentText(), QStringLiteral("BayerGB8"));
     QCOMPARE(dialog.uri(), uri);
-    named<QDoubleSpinBox>(dialog, QStringLiteral("Exposure"))->setValue(0);
-    named<QCheckBox>(dialog, QStringLiteral("Software trigger"))->setChecked(false);
+    named<QDoubleSpinBox>(dialog, "Exposure")->setValue(0);
+    named<QCheckBox>(dialog, "Software trigger")->setChecked(false);
     QCOMPARE(dialog.uri(), std::string("aravis:S1?format=BayerGB8&rate=60&size=640x480&packet_delay_us=12"));
     // A picture that the camera is not known to have stays as it was asked for.
     const std::string other = "v4l2:/dev/video0?format=MJPG&size=800x600";
@@ -155,11 +138,11 @@ void TestRecordDialogs::settingsAreAskedForFromTheChoice()
     CameraChoiceDialog dialog({{"A", "v4l2:/dev/video0"}, {"B", ""}}, connected);
     show(dialog);
     QTRY_VERIFY(!connected.isLooking());
-    auto *settings = named<QPushButton>(dialog, QStringLiteral("Settings of camera A"));
+    auto *settings = named<QPushButton>(dialog, "Settings of camera A");
     QVERIFY(settings->isEnabled());
-    QVERIFY(!named<QPushButton>(dialog, QStringLiteral("Settings of camera B"))->isEnabled());
+    QVERIFY(!named<QPushButton>(dialog, "Settings of camera B")->isEnabled());
     Person person({[](QDialog &asked) {
-        named<QDoubleSpinBox>(asked, QStringLiteral("Rate"))->setValue(10);
+        named<QDoubleSpinBox>(asked, "Rate")->setValue(10);
         press(asked);
     }});
     QVERIFY(walkTo(dialog, settings));
@@ -173,7 +156,7 @@ void TestRecordDialogs::theDoctorLooksAndLooksAgain()
     RunningCameras none;
     DoctorDialog dialog(none);
     show(dialog);
-    QPushButton *again = buttonOf(dialog, QStringLiteral("&Look again"));
+    QPushButton *again = button(dialog, "&Look again");
     QTRY_VERIFY(again->isEnabled());
     QVERIFY(walkTo(dialog, again));
     QTest::keyClick(again, Qt::Key_Space);

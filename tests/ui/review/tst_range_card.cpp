@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/range_statistics.h"
 #include "tests/ui/support/example_scene.h"
+#include "tests/ui/support/found_widgets.h"
 #include "ui/models/timeline.h"
 #include "ui/review/range_card.h"
 #include "ui/review/range_facts.h"
@@ -143,9 +144,7 @@ private Q_SLOTS:
             button->click();
             auto *dialog = shown.window.findChild<QDialog *>(QStringLiteral("explanation"));
             QVERIFY(dialog);
-            for (QPushButton *each : dialog->findChildren<QPushButton *>())
-                if (each->text() == QStringLiteral("&Copy"))
-                    each->click();
+            test::button(*dialog, "Copy")->click();
             const QString text = QApplication::clipboard()->text();
             QCOMPARE(QString(text).replace(QChar::Nbsp, u' '),
                      dialog->findChild<QPlainTextEdit *>()->toPlainText());

@@ -159,4 +159,16 @@ Result<std::filesystem::path> storeExample(const std::filesystem::path &folder,
     return file;
 }
 
+std::unique_ptr<Project> openStoredExample(const std::filesystem::path &folder,
+                                           const StoredExampleOptions &options)
+{
+    const auto made = storeExample(folder, options);
+    if (!made)
+        qFatal("%s", made.error().message().c_str());
+    auto project = Project::open(*made, Project::Access::ReadWrite);
+    if (!project)
+        qFatal("%s", project.error().message().c_str());
+    return std::move(*project);
+}
+
 } // namespace odo

@@ -4,8 +4,11 @@
 #include "core/base/error.h"
 
 #include <filesystem>
+#include <memory>
 
 namespace odo {
+
+class Project;
 
 struct StoredExampleOptions
 {
@@ -18,6 +21,10 @@ struct StoredExampleOptions
 /// "Trial 1" (Falcon, one robot, analysed, with videos), "Trial 2" (Heron, two robots, analysed, the same
 /// videos) and "Trial 3" (no team, not tracked, its videos are missing). Trial 1 is the newest.
 Result<std::filesystem::path> storeExample(const std::filesystem::path &folder,
+                                           const StoredExampleOptions &options = {});
+
+/// The same, opened; ends the test where it cannot be had.
+std::unique_ptr<Project> openStoredExample(const std::filesystem::path &folder,
                                            const StoredExampleOptions &options = {});
 
 } // namespace odo

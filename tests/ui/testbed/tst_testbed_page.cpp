@@ -37,9 +37,7 @@ private:
 
 void TestTestbedPage::initTestCase()
 {
-    const auto made = storeExample(m_folder.path().toStdString());
-    QVERIFY2(made, made ? "" : made.error().message().c_str());
-    m_project = std::move(*Project::open(*made, Project::Access::ReadWrite));
+    m_project = openStoredExample(m_folder.path().toStdString());
 }
 
 void TestTestbedPage::showsCamerasAndTheirState()
@@ -76,7 +74,7 @@ void TestTestbedPage::drawsCamerasWhereTheyStand()
 void TestTestbedPage::warnsAndShowsWhatHasMoved()
 {
     QTemporaryDir folder; // the others keep theirs as it is
-    const auto project = std::move(*Project::open(*storeExample(folder.path().toStdString()), Project::Access::ReadWrite));
+    const auto project = openStoredExample(folder.path().toStdString());
     const auto camera = project->cameras().find("B");
     const RecordId registration = project->cameras().currentRegistration(camera->id).value()->id;
     QVERIFY(project->cameras().addCheck(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Preferences in the window: what is chosen counts at once, and again at the next start.
+#include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/main_window.h"
@@ -13,7 +14,6 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
@@ -26,8 +26,7 @@ class TestPreferencesDialog : public QObject
 private Q_SLOTS:
     void initTestCase()
     {
-        QStandardPaths::setTestModeEnabled(true);
-        QSettings().clear();
+        test::beginWithoutSettings();
         const auto made = storeExample(m_folder.path().toStdString());
         QVERIFY2(made, made ? "" : made.error().message().c_str());
         m_window = std::make_unique<MainWindow>();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The map of expected accuracy as a person uses it, by mouse and by keyboard.
 #include "core/simulation/demo_testbed.h"
-#include "tests/ui/testbed/check/found_widgets.h"
+#include "tests/ui/support/found_widgets.h"
 #include "ui/testbed/check/accuracy_dialog.h"
 #include "ui/testbed/check/floor_sketch.h"
 

@@ -3,7 +3,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
-#include "tests/ui/testbed/check/found_widgets.h"
+#include "tests/ui/support/found_widgets.h"
 #include "ui/models/live_cameras.h"
 #include "ui/testbed/check/length_page.h"
 #include "ui/testbed/check/length_wizard.h"

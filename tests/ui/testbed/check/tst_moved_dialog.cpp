@@ -7,7 +7,7 @@
 #include "core/video/picture_writer.h"
 #include "core/workflow/register_job.h"
 #include "core/workflow/registered_view.h"
-#include "tests/ui/testbed/check/found_widgets.h"
+#include "tests/ui/support/found_widgets.h"
 #include "ui/models/camera_list_model.h"
 #include "ui/models/live_cameras.h"
 #include "ui/testbed/check/moved_dialog.h"

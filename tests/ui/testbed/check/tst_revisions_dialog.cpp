@@ -3,8 +3,8 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/revisions.h"
+#include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/stored_example.h"
-#include "tests/ui/testbed/check/found_widgets.h"
 #include "ui/testbed/check/reprocess_dialog.h"
 #include "ui/testbed/check/revisions_dialog.h"
 
@@ -53,7 +53,7 @@ void TestRevisionsDialog::init()
 {
     const QString folder = m_folder.filePath(QString::number(++m_projects));
     QVERIFY(QDir().mkpath(folder));
-    m_project = std::move(*Project::open(*storeExample(folder.toStdString()), Project::Access::ReadWrite));
+    m_project = openStoredExample(folder.toStdString());
     m_first = currentRegistration();
     const auto cameras = m_project->cameras().all();
     for (const CameraRecord &camera : *cameras) {

@@ -4,6 +4,7 @@
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "tests/ui/support/busy_watch.h"
+#include "tests/ui/support/found_widgets.h"
 #include "ui/models/live_cameras.h"
 #include "ui/testbed/floor/floor_source_page.h"
 #include "ui/testbed/floor/floor_wizard.h"
@@ -25,26 +26,11 @@
 #include <QTest>
 
 using namespace odo;
+using namespace odo::test;
 
 namespace {
 
 constexpr int patienceMs = 60'000;
-
-QPushButton *button(QWidget &window, const char *text)
-{
-    for (auto *each : window.findChildren<QPushButton *>())
-        if (each->text().remove(QLatin1Char('&')) == QLatin1String(text))
-            return each;
-    return nullptr;
-}
-
-bool says(QWidget &window, const char *words)
-{
-    for (const QLabel *label : window.findChildren<QLabel *>())
-        if (label->text().contains(QString::fromUtf8(words)))
-            return true;
-    return false;
-}
 
 } // namespace
 

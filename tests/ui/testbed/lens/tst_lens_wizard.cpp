@@ -6,6 +6,7 @@
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "tests/ui/support/busy_watch.h"
+#include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "ui/models/live_cameras.h"
 #include "ui/testbed/lens/board_canvas.h"
@@ -31,6 +32,7 @@
 #include <QTest>
 
 using namespace odo;
+using namespace odo::test;
 
 namespace {
 
@@ -70,13 +72,8 @@ private Q_SLOTS:
 
 private:
     std::unique_ptr<LensWizard> makeWizard(bool cameraThere = true);
-    static QPushButton *button(LensWizard &wizard, const char *text);
     static int page(LensWizard &wizard) { return wizard.findChild<QStackedWidget *>()->currentIndex(); }
     static QWidget *focused() { return QApplication::focusWidget(); }
-    static bool says(const LensWizard &wizard, const char *words)
-    {
-        return std::ranges::any_of(wizard.findChildren<QLabel *>(), [&](const QLabel *label) { return label->text().contains(QString::fromUtf8(words)); });
-    }
     QStringList draw(int count, const QString &name) const;
     void walkToPictures(LensWizard &wizard);
     void typeFiles(QDialog &dialog);
@@ -127,14 +124,6 @@ std::unique_ptr<LensWizard> TestLensWizard::makeWizard(bool cameraThere)
                               [this](const MeasuredLens &lens, const JobControl &) { return keep(lens); }});
     wizard->show(); // not modal: who answers dialogs must not take it for one
     return wizard;
-}
-
-QPushButton *TestLensWizard::button(LensWizard &wizard, const char *text)
-{
-    for (auto *each : wizard.findChildren<QPushButton *>())
-        if (each->text().remove(QLatin1Char('&')) == QLatin1String(text))
-            return each;
-    return nullptr;
 }
 
 void TestLensWizard::walkToPictures(LensWizard &wizard)

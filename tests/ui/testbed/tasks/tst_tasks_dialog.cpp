@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/trajectory/task_templates.h"
+#include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/testbed/tasks/gate_table.h"
@@ -26,25 +27,9 @@
 #include <QTest>
 
 using namespace odo;
+using namespace odo::test;
 
 namespace {
-
-template <class Widget>
-Widget *named(const QWidget &in, const char *name)
-{
-    for (Widget *each : in.findChildren<Widget *>())
-        if (each->accessibleName() == QLatin1String(name))
-            return each;
-    qFatal("no %s", name);
-}
-
-QPushButton *button(const QWidget &in, const char *text)
-{
-    for (QPushButton *each : in.findChildren<QPushButton *>())
-        if (each->text() == QString::fromUtf8(text))
-            return each;
-    qFatal("no button %s", text);
-}
 
 TaskDraft draftOf(TaskTemplate kind)
 {
@@ -83,9 +68,7 @@ private:
 void TestTasksDialog::init()
 {
     m_folder = std::make_unique<QTemporaryDir>();
-    const auto made = storeExample(m_folder->path().toStdString());
-    QVERIFY2(made, made ? "" : made.error().message().c_str());
-    m_project = std::move(*Project::open(*made, Project::Access::ReadWrite));
+    m_project = openStoredExample(m_folder->path().toStdString());
 }
 
 void TestTasksDialog::aTemplateIsMadeAndSized()

@@ -2,8 +2,8 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/stored_registration.h"
+#include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/stored_example.h"
-#include "tests/ui/testbed/check/found_widgets.h"
 #include "ui/testbed/together/joint_dialog.h"
 
 #include <QDoubleSpinBox>
@@ -58,11 +58,7 @@ private:
 
 void TestJointDialog::initTestCase()
 {
-    const auto file = storeExample(m_folder.path().toStdString());
-    QVERIFY(file);
-    auto project = Project::open(*file, Project::Access::ReadWrite);
-    QVERIFY(project);
-    m_project = std::move(*project);
+    m_project = openStoredExample(m_folder.path().toStdString());
 }
 
 void TestJointDialog::showsWhatChangesAndThenStores()
