@@ -103,10 +103,10 @@ RunChooser::RunChooser(QWidget *parent)
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(6);
     grid->setColumnStretch(1, 1);
-    grid->addWidget(named(tr("&First"), m_first), 0, 0);
+    grid->addWidget(named(tr("F&irst"), m_first), 0, 0);
     grid->addWidget(m_first, 0, 1);
     grid->addWidget(m_swap, 0, 2);
-    grid->addWidget(named(tr("S&econd"), m_second), 1, 0);
+    grid->addWidget(named(tr("Seco&nd"), m_second), 1, 0);
     grid->addWidget(m_second, 1, 1);
     grid->addWidget(m_more, 1, 2);
     grid->addWidget(named(tr("&Align by"), m_align), 2, 0);

@@ -40,7 +40,7 @@ ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     m_robots->setNames(offer.robots, offer.robots.size() == 1);
     auto *form = new QFormLayout;
     form->addRow(tr("&Name"), m_name);
-    form->addRow(tr("&Team"), m_team);
+    form->addRow(tr("Te&am"), m_team);
     form->addRow(tr("Tas&k"), m_task);
     form->addRow(tr("R&obots"), m_robots);
     form->addRow(tr("Videos"), makeVideos());

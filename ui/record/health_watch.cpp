@@ -66,7 +66,7 @@ void HealthWatch::showTrouble(const CaptureHealth &health)
         words = Words::tr("This project can only be read: nothing can be recorded into it.");
     const QString unregistered = m_cameras.session() ? unregisteredWords(cameras) : QString();
     if (words.isEmpty() && !unregistered.isEmpty())
-        m_trouble.setWords(unregistered, Words::tr("&Register it in Testbed"));
+        m_trouble.setWords(unregistered, Words::tr("Register &it in Testbed"));
     else
         m_trouble.setWords(words);
 }

@@ -38,7 +38,7 @@ RunCard::RunCard(QWidget *parent)
     m_form->setVerticalSpacing(5);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_form->addRow(tr("&Class"), m_class);
-    m_form->addRow(tr("&Team"), m_team);
+    m_form->addRow(tr("Te&am"), m_team);
     m_form->addRow(tr("Tas&k"), m_task);
     m_form->addRow(tr("R&obots"), m_robots);
     m_form->addRow(tr("Trial &name"), m_trial);

@@ -29,7 +29,7 @@ std::vector<Metric> shownMetrics(const std::vector<Metric> &all, std::size_t cou
 
 RunResultCard::RunResultCard(QWidget *parent)
     : Card(tr("Result"), parent), m_grid(new FigureGrid), m_words(new QLabel),
-      m_open(new QPushButton(tr("Open in Re&view")))
+      m_open(new QPushButton(tr("&Open in Review")))
 {
     auto *content = new QWidget;
     content->setObjectName(QStringLiteral("cardBody"));

@@ -3,6 +3,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/ui/support/found_widgets.h"
+#include "tests/ui/support/mnemonics.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/history/classes_dialog.h"
@@ -108,6 +109,7 @@ void TestClassesDialog::classesAreMadeRenamedAndDeleted()
     ClassesDialog dialog(*m_project);
     QSignalSpy changed(&dialog, &ClassesDialog::changed);
     auto *list = dialog.findChild<QListWidget *>();
+    QVERIFY2(sharedMnemonics(dialog).isEmpty(), qPrintable(sharedMnemonics(dialog).join(u'\n')));
     {
         Person person({enterText(QStringLiteral("9C & co"))});
         button(dialog, "&New class…")->click();

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A laptop's screen of 1366×768, or one of 2732×1536 at 200 %: nothing may need more.
+#include "tests/ui/support/mnemonics.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/main_window.h"
 
 #include <QApplication>
+#include <QHeaderView>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStandardPaths>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -61,6 +64,12 @@ private Q_SLOTS:
                  qPrintable(words));
         window.resize(screen.width(), screen.height() - decoration);
         QCOMPARE(window.size(), QSize(screen.width(), screen.height() - decoration));
+        const QStringList shared = test::sharedMnemonics(window);
+        QVERIFY2(shared.isEmpty(), qPrintable(shared.join(u'\n')));
+        if (mode == static_cast<int>(MainWindow::Mode::History)) { // its last column is the score
+            const auto *trials = page->findChild<QTableView *>(QStringLiteral("trials"));
+            QTRY_VERIFY(trials->horizontalHeader()->length() <= trials->viewport()->width());
+        }
     }
 };
 

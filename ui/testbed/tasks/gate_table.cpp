@@ -50,8 +50,8 @@ QString roleName(GateRole role)
 }
 
 GateTable::GateTable(QWidget *parent)
-    : QWidget(parent), m_table(new QTableWidget(0, ColumnCount)), m_remove(plainButton(tr("&Remove"))),
-      m_turn(plainButton(tr("Other &way")))
+    : QWidget(parent), m_table(new QTableWidget(0, ColumnCount)), m_remove(plainButton(tr("Remo&ve"))),
+      m_turn(plainButton(tr("&Other way")))
 {
     m_table->setHorizontalHeaderLabels(
         {tr("Gate"), tr("Role"), tr("x₁, mm"), tr("y₁, mm"), tr("x₂, mm"), tr("y₂, mm")});

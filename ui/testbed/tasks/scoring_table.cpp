@@ -47,7 +47,7 @@ QString figureWords(const std::string &metric)
 
 ScoringTable::ScoringTable(const std::vector<std::string> &metrics, QWidget *parent)
     : QWidget(parent), m_metrics(metrics), m_table(new QTableWidget(0, ColumnCount)),
-      m_remove(plainButton(tr("&Remove line"))), m_words(new QLabel)
+      m_remove(plainButton(tr("Remo&ve line"))), m_words(new QLabel)
 {
     auto *intro = new QLabel(tr("Each line gives all of its points where the figure is at the one bound or "
                                 "better, none at the other or worse, "

@@ -104,7 +104,7 @@ QLayout *TaskEditor::makeButtons()
     m_message->setWordWrap(true);
     m_message->setObjectName(QStringLiteral("problem"));
     m_message->setAccessibleName(tr("What is wrong"));
-    auto *import = plainButton(tr("&Import file…")), *cancel = plainButton(tr("Cancel"));
+    auto *import = plainButton(tr("Import &file…")), *cancel = plainButton(tr("Cancel"));
     import->setToolTip(tr("Take gates, path, limits and zones from a task file (JSON)"));
     m_save->setProperty("primary", true);
     m_save->setDefault(true);

@@ -91,11 +91,11 @@ void TemplateForm::showSizes()
     const auto call = [this](QWidget *field, const QString &words) {
         qobject_cast<QLabel *>(m_form->labelForField(field))->setText(words);
     };
-    call(m_length, kind == TaskTemplate::Circle        ? tr("&Diameter")
+    call(m_length, kind == TaskTemplate::Circle        ? tr("Diam&eter")
                    : kind == TaskTemplate::FigureEight ? tr("&Width")
-                   : kind == TaskTemplate::Free        ? tr("Start to &finish")
+                   : kind == TaskTemplate::Free        ? tr("Start to finis&h")
                                                        : tr("&Length"));
-    call(m_width, kind == TaskTemplate::FigureEight ? tr("&Height") : tr("&Swing, side to side"));
+    call(m_width, kind == TaskTemplate::FigureEight ? tr("&Height") : tr("S&wing, side to side"));
 }
 
 void TemplateForm::setTemplate(TaskTemplate kind, const TemplateSizes &sizes)

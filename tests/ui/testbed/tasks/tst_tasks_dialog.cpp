@@ -3,6 +3,7 @@
 #include "core/project/repositories.h"
 #include "core/trajectory/task_templates.h"
 #include "tests/ui/support/found_widgets.h"
+#include "tests/ui/support/mnemonics.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/testbed/tasks/gate_table.h"
@@ -22,6 +23,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -58,6 +60,7 @@ private Q_SLOTS:
     void aCourseThatIsChangedIsToldAndMeasuredAgain();
     void aTaskIsArchivedAndRestored();
     void whatIsReadOnlyIsNotChanged();
+    void everyKeyReachesOneThing();
     void everyWidgetHasAName();
 
 private:
@@ -144,9 +147,9 @@ void TestTasksDialog::gatesAreWrittenInTheTable()
     button(editor, "&Add gate")->click();
     QCOMPARE(editor.task().task.gates.size(), std::size_t(3));
     const Gate before = editor.task().task.gates[1];
-    button(editor, "Other &way")->click();
+    button(editor, "Other way")->click();
     QVERIFY(editor.task().task.gates[1].from == before.to);
-    button(editor, "&Remove")->click();
+    button(editor, "Remove")->click();
     QCOMPARE(editor.task().task.gates.size(), std::size_t(2));
 }
 
@@ -251,7 +254,7 @@ void TestTasksDialog::aScoringIsWritten()
                 .contains(QString::fromUtf8("30 points at 4\u00a0s or less, none at 20\u00a0s or more")));
     table->item(0, 2)->setText(QStringLiteral("4"));
     QVERIFY(editor.problem().startsWith(QLatin1String("line 1 of the scoring: all points and no points")));
-    button(*scoring, "&Remove line")->click();
+    button(*scoring, "Remove line")->click();
     QVERIFY(editor.problem().isEmpty() && editor.scoring().empty());
 }
 
@@ -349,6 +352,21 @@ void TestTasksDialog::whatIsReadOnlyIsNotChanged()
     TasksDialog dialog(*m_project, true);
     for (const char *text : {"&New", "&Edit…", "&Copy…", "&Rename…", "&Archive", "&Delete"})
         QVERIFY(!button(dialog, text)->isEnabled());
+}
+
+void TestTasksDialog::everyKeyReachesOneThing()
+{
+    for (const TaskTemplate kind : {TaskTemplate::StraightLine, TaskTemplate::Circle,
+                                    TaskTemplate::FigureEight, TaskTemplate::Slalom, TaskTemplate::Free}) {
+        TaskEditor editor(draftOf(kind));
+        for (int tab = 0; tab < 2; ++tab) {
+            editor.findChild<QTabWidget *>()->setCurrentIndex(tab);
+            const QStringList shared = sharedMnemonics(editor);
+            QVERIFY2(shared.isEmpty(), qPrintable(shared.join(u'\n')));
+        }
+    }
+    TasksDialog dialog(*m_project);
+    QVERIFY2(sharedMnemonics(dialog).isEmpty(), qPrintable(sharedMnemonics(dialog).join(u'\n')));
 }
 
 void TestTasksDialog::everyWidgetHasAName()
