@@ -17,7 +17,7 @@ constexpr int tickSide = 20;
 
 LessonBar::LessonBar(Lesson &lesson, QWidget *parent)
     : QFrame(parent), m_lesson(lesson), m_place(new QLabel), m_tick(new QLabel), m_title(new QLabel), m_words(new QLabel),
-      m_next(new QPushButton(tr("&Next"))), m_leave(new QPushButton(tr("&Leave the lesson")))
+      m_next(new QPushButton(tr("Ne&xt"))), m_leave(new QPushButton(tr("&Leave the lesson")))
 {
     setObjectName(QStringLiteral("lessonBar"));
     setAccessibleName(tr("Lesson"));
