@@ -93,10 +93,11 @@ void TestClassesDialog::membersAndRobotsAreWritten()
         button(dialog, "Members and r&obots…")->click();
         QVERIFY(person.isDone());
     }
-    QVERIFY2(told(dialog).startsWith(QLatin1String("name of a member: it has 201 characters")), qPrintable(told(dialog)));
-    press(dialog, undoKeys);
+    const QString told = named<QLabel>(dialog, "What was done")->text();
+    QVERIFY2(told.startsWith(QLatin1String("name of a member: it has 201 characters")), qPrintable(told));
+    pressKeys(dialog, undoKeys);
     QVERIFY(team().members.empty() && team().robots.empty());
-    press(dialog, redoKeys);
+    pressKeys(dialog, redoKeys);
     QCOMPARE(team().members.size(), std::size_t(2));
     showPseudonyms(true);
     QCOMPARE(shownMembers(team()), QStringLiteral("2 member(s)")); // tests have no translation

@@ -183,7 +183,7 @@ void TestWindowFlows::addsARobot()
 {
     const Answer red = [](QDialog &dialog) {
         dialog.findChild<QLineEdit *>()->setText(QStringLiteral("red"));
-        dialog.findChild<QComboBox *>()->setCurrentIndex(1);
+        dialog.findChildren<QComboBox *>().last()->setCurrentIndex(1); // its height is told
         dialog.findChild<QDoubleSpinBox *>()->setValue(60);
         press(dialog);
     };

@@ -64,7 +64,7 @@ ZoneTable::ZoneTable(const Eigen::Vector2d &middle, QWidget *parent)
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->horizontalHeader()->setSectionResizeMode(RuleColumn, QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(CornersColumn, QHeaderView::Stretch);
-    auto *inside = plainButton(tr("Add zone to &stay in")), *outside = plainButton(tr("Add zone to &keep out of"));
+    auto *inside = plainButton(tr("Add zone to sta&y in")), *outside = plainButton(tr("Add zone to &keep out of"));
     auto *buttons = new QHBoxLayout;
     for (QPushButton *button : {inside, outside, m_remove})
         buttons->addWidget(button);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/found_widgets.h"
 #include "ui/main_window/help/lesson.h"
 
 #include "tests/ui/support/stored_example.h"
@@ -79,11 +80,7 @@ void TestLesson::theFirstLessonFollowsWhatIsDone()
     timeline.play();
     QTRY_VERIFY(lesson.isDone());
     timeline.pause();
-    const auto button = [bar](const QString &text) {
-        const auto buttons = bar->findChildren<QPushButton *>();
-        return *std::ranges::find(buttons, text, &QPushButton::text);
-    };
-    QTest::keyClick(button(QStringLiteral("&Next")), Qt::Key_Space);
+    QTest::keyClick(test::button(*bar, "Next"), Qt::Key_Space);
     timeline.setCurrentFrame(timeline.currentFrame() > 15 ? 0 : 29);
     QVERIFY(lesson.isDone());
     while (lesson.step().title != QStringLiteral("Compare two runs"))
@@ -95,10 +92,10 @@ void TestLesson::theFirstLessonFollowsWhatIsDone()
     window.showMode(MainWindow::Mode::History);
     QTRY_VERIFY(lesson.isDone());
     lesson.next();
-    QTest::keyClick(button(QStringLiteral("&Finish")), Qt::Key_Space);
+    QTest::keyClick(test::button(*bar, "Finish"), Qt::Key_Space);
     QVERIFY(bar->isHidden());
     window.findChild<QAction *>(QStringLiteral("lesson"))->trigger();
-    QTest::keyClick(button(QStringLiteral("&Leave the lesson")), Qt::Key_Space);
+    QTest::keyClick(test::button(*bar, "Leave the lesson"), Qt::Key_Space);
     QVERIFY(bar->isHidden());
 }
 

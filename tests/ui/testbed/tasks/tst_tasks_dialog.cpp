@@ -157,7 +157,7 @@ void TestTasksDialog::zonesAreWrittenAndDragged()
 {
     TaskEditor editor(draftOf(TaskTemplate::StraightLine));
     const auto zone = [&](std::size_t i) { return editor.task().task.zones.at(i); };
-    button(editor, "Add zone to &stay in")->click();
+    button(editor, "Add zone to sta&y in")->click();
     button(editor, "Add zone to &keep out of")->click();
     QVERIFY(zone(0).rule == ZoneRule::StayInside && zone(1).rule == ZoneRule::StayOutside);
     QVERIFY(editor.problem().isEmpty());
