@@ -6,6 +6,7 @@
 #include "ui/models/profile_place.h"
 #include "ui/models/timeline.h"
 #include "ui/views/camera_view.h"
+#include "ui/views/chart_picture.h"
 #include "ui/views/theme.h"
 
 #include <QComboBox>
@@ -68,6 +69,7 @@ CompareDesk::CompareDesk(Timeline &timeline, QWidget *parent)
     m_map->setToolTip(
         tr("Drag a gate along the way; with the keys: Up and Down choose one, Left and Right move it"));
     m_mapCard->setContent(m_map);
+    new ChartPicture(*m_map, [this] { return PictureHeading{m_mapCard->title(), m_scene ? m_scene->names() : QStringList(), {}}; });
     m_mapCard->setRemark(tr("both runs"));
     for (std::size_t run = 0; run < pictured; ++run) {
         auto *clock = new Timeline(this);

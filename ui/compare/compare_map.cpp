@@ -3,6 +3,7 @@
 
 #include "ui/models/profile_place.h"
 #include "ui/models/timeline.h"
+#include "ui/views/chart_painting.h"
 #include "ui/views/comparison_painting.h"
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
@@ -133,11 +134,7 @@ void CompareMap::paintEvent(QPaintEvent *)
         drawPathGate(painter, gateLine(gate), QString::fromStdString(m_gates[gate].name), m_chosen == gate,
                      palette());
     paintRobots(painter);
-    if (hasFocus()) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(ThemeColours::of(palette()).accent, 1));
-        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
-    }
+    drawChartFocus(painter, *this);
 }
 
 std::optional<std::size_t> CompareMap::gateAt(const QPointF &place) const

@@ -6,6 +6,7 @@
 #include "ui/models/shown_units.h"
 #include "ui/models/timeline.h"
 #include "ui/views/chart_bubbles.h"
+#include "ui/views/chart_picture.h"
 #include "ui/views/comparison_painting.h"
 #include "ui/views/series_key.h"
 #include "ui/views/theme.h"
@@ -83,8 +84,7 @@ void DistanceArea::paintEvent(QPaintEvent *)
     painter.setFont(font());
     painter.setRenderHint(QPainter::Antialiasing);
     paintCursor(painter);
-    if (hasFocus())
-        drawChartFocus(painter, rect(), palette());
+    drawChartFocus(painter, *this);
 }
 
 void DistanceArea::resizeEvent(QResizeEvent *)
@@ -130,27 +130,26 @@ DistanceChart::DistanceChart(Timeline &timeline, Compared what, QWidget *parent)
 {
     setContent(m_area);
     m_area->setAccessibleName(title());
+    new ChartPicture(*m_area, [this] { return PictureHeading{title(), m_names, remark()}; }, m_key);
     if (m_key)
         addToHeader(m_key);
 }
 
 void DistanceChart::setScene(ComparisonScenePtr scene)
 {
-    QStringList names;
-    for (std::size_t run = 0; scene && run < scene->runCount(); ++run)
-        names << QString::fromStdString(scene->name(run));
+    m_names = scene ? scene->names() : QStringList();
     if (m_key)
-        m_key->setNames(names);
+        m_key->setNames(m_names);
     QString remark;
     if (scene && m_what == Compared::Speed)
-        remark = tr("%1 \u00b7 smoothed \u00b195 %").arg(shownUnits().speed.name);
+        remark = tr("%1 · smoothed ±95 %").arg(shownUnits().speed.name);
     else if (scene)
         remark =
             scene->runCount() == 2
-                ? tr("s \u00b7 above 0: %2 is later than %1 \u00b7 \u00b195 % \u00b7 grey: within the error")
-                      .arg(names[0], names[1])
-                : tr("s \u00b7 above 0: later than %1 \u00b7 \u00b195 % \u00b7 grey: within the error")
-                      .arg(names[0]);
+                ? tr("s · above 0: %2 is later than %1 · ±95 % · grey: within the error")
+                      .arg(m_names[0], m_names[1])
+                : tr("s · above 0: later than %1 · ±95 % · grey: within the error")
+                      .arg(m_names[0]);
     setRemark(remark);
     m_area->setScene(std::move(scene));
     m_area->setAccessibleDescription(remark);

@@ -6,6 +6,8 @@
 #include "ui/views/chart_painting.h"
 #include "ui/views/still_layer.h"
 
+#include <QStringList>
+
 namespace odo {
 
 class ChartBubbles;
@@ -60,6 +62,7 @@ public:
 private:
     Compared m_what;
     DistanceArea *m_area;
+    QStringList m_names; ///< of the runs
     SeriesKey *m_key; ///< of the speed alone; the other chart stands below it
 };
 

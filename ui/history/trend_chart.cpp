@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/history/trend_chart.h"
 
+#include "ui/views/chart_painting.h"
+#include "ui/views/chart_picture.h"
 #include "ui/views/theme.h"
 #include "ui/views/trend_painting.h"
 
@@ -10,12 +12,15 @@ namespace odo {
 TrendChart::TrendChart(QWidget *parent) : QWidget(parent)
 {
     setAccessibleName(tr("Progress of the team"));
+    setFocusPolicy(Qt::StrongFocus);
+    new ChartPicture(*this, [this] { return PictureHeading{accessibleName(), {m_name}, {}}; });
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
 
 void TrendChart::setTeam(const TeamStanding *team, const QString &name, const QString &progress)
 {
     m_team = team ? *team : TeamStanding();
+    m_name = name;
     setAccessibleDescription(
         team ? tr("%1: %2 trials, progress: %3").arg(name).arg(team->runs.size()).arg(progress)
              : tr("No team is selected"));
@@ -28,11 +33,12 @@ void TrendChart::paintEvent(QPaintEvent *)
     painter.setFont(font());
     if (!m_team.runs.empty()) {
         drawTrend(painter, rect(), m_team, palette());
-        return;
+    } else {
+        painter.setPen(ThemeColours::of(palette()).muted);
+        painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("Select a team to see its trials through the term."));
     }
-    painter.setPen(ThemeColours::of(palette()).muted);
-    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("Select a team to see its trials through the term."));
+    drawChartFocus(painter, *this);
 }
 
 } // namespace odo

@@ -25,6 +25,7 @@ protected:
 
 private:
     TeamStanding m_team; ///< of no runs: nothing is shown
+    QString m_name;
 };
 
 } // namespace odo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/message_bar.h"
 
+#include "ui/models/error_words.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAccessible>
@@ -17,27 +18,7 @@ namespace {
 constexpr int iconSide = 20;
 constexpr std::chrono::seconds doneStays{8};
 
-QString sentence(const std::string &part)
-{
-    QString text = QString::fromStdString(part).simplified();
-    if (text.isEmpty())
-        return text;
-    text[0] = text.at(0).toUpper();
-    if (!text.endsWith(QLatin1Char('.')) && !text.endsWith(QLatin1Char('?')) &&
-        !text.endsWith(QLatin1Char('!')))
-        text += QLatin1Char('.');
-    return text;
-}
-
 } // namespace
-
-QString errorInWords(const Error &error)
-{
-    QStringList sentences{sentence(error.what + (error.why.empty() ? std::string() : ": " + error.why))};
-    if (!error.advice.empty())
-        sentences << sentence(error.advice);
-    return sentences.join(QLatin1Char(' '));
-}
 
 MessageBar::MessageBar(QWidget *parent)
     : QFrame(parent), m_icon(new QLabel(this)), m_text(new QLabel(this)), m_timer(new QTimer(this))

@@ -29,7 +29,4 @@ private:
     QTimer *m_timer;
 };
 
-/// An Error as a person reads it: what, why, and what to do, as sentences.
-QString errorInWords(const Error &error);
-
 } // namespace odo

@@ -6,7 +6,7 @@
 #include "core/video/video_reader.h"
 #include "core/workflow/picture_source.h"
 #include "ui/main_window/box_canvas.h"
-#include "ui/main_window/message_bar.h"
+#include "ui/models/error_words.h"
 #include "ui/views/path_field.h"
 
 #include <QComboBox>

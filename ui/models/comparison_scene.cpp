@@ -18,6 +18,14 @@ Nanoseconds alignedAt(const ComparisonScene &scene, std::size_t run)
 
 } // namespace
 
+QStringList ComparisonScene::names() const
+{
+    QStringList names;
+    for (std::size_t run = 0; run < runCount(); ++run)
+        names << QString::fromStdString(name(run));
+    return names;
+}
+
 Nanoseconds ComparisonScene::ownTime(std::size_t run, Nanoseconds common) const
 {
     return common + alignedAt(*this, run);

@@ -4,6 +4,7 @@
 #include "core/workflow/compare_trials.h"
 #include "ui/models/trial_scene.h"
 
+#include <QStringList>
 #include <memory>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct ComparisonScene
     const RobotRecord &robot(std::size_t run) const { return scenes[run]->robots[robots[run]].robot; }
     const Profile &profile(std::size_t run) const { return trials.runs[run].analysis.profile; }
     std::string name(std::size_t run) const { return runName(trials.runs[run]); }
+    QStringList names() const; ///< of all runs
     /// The common time, 0 at what counts as the same moment, and a run's own.
     Nanoseconds ownTime(std::size_t run, Nanoseconds common) const;
     Nanoseconds commonTime(std::size_t run, Nanoseconds own) const;

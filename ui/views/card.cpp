@@ -69,6 +69,11 @@ void Card::setRemark(const QString &remark)
     setAccessibleDescription(remark);
 }
 
+QString Card::remark() const
+{
+    return m_remark->fullText();
+}
+
 void Card::setBadge(const Badge &badge)
 {
     m_badgeShown = badge;

@@ -24,6 +24,7 @@ public:
     QString title() const;
     void setTitle(const QString &title);
     void setRemark(const QString &remark);
+    QString remark() const;
     /// An empty text hides the badge.
     void setBadge(const Badge &badge);
     /// The one widget below the title; replaces (and deletes) an earlier one.

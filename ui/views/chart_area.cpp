@@ -139,8 +139,7 @@ void ChartArea::paintEvent(QPaintEvent *)
     if (m_fit && m_fit->quantity == m_quantity)
         drawFit(painter);
     drawCursor(painter);
-    if (hasFocus())
-        drawChartFocus(painter, rect(), palette());
+    drawChartFocus(painter, *this);
 }
 
 void ChartArea::resizeEvent(QResizeEvent *)

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/chart_painting.h"
 
+#include "ui/views/chart_picture.h"
 #include "ui/views/theme.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
+#include <QWidget>
 #include <algorithm>
 
 namespace odo {
@@ -100,12 +102,14 @@ void drawChartFit(QPainter &painter, const ChartPlot &plot, const QList<QPointF>
     painter.restore();
 }
 
-void drawChartFocus(QPainter &painter, const QRect &widget, const QPalette &palette)
+void drawChartFocus(QPainter &painter, const QWidget &plot)
 {
+    if (!plot.hasFocus() || ChartPicture::isPaintedBy(painter, plot))
+        return;
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(ThemeColours::of(palette).accent, 1));
-    painter.drawRect(widget.adjusted(0, 0, -1, -1));
+    painter.setPen(QPen(ThemeColours::of(plot.palette()).accent, 1));
+    painter.drawRect(plot.rect().adjusted(0, 0, -1, -1));
 }
 
 QRectF drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &value, double top,

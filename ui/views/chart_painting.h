@@ -13,6 +13,7 @@
 class QFont;
 class QPainter;
 class QPalette;
+class QWidget;
 
 namespace odo {
 
@@ -55,8 +56,8 @@ void drawChartSpikes(QPainter &painter, const ChartPlot &plot, const QList<QPoin
 void drawChartFit(QPainter &painter, const ChartPlot &plot, const QList<QPointF> &values,
                   const QPalette &palette);
 
-/// The frame of a chart that has the focus.
-void drawChartFocus(QPainter &painter, const QRect &widget, const QPalette &palette);
+/// The frame of a chart or map while it has the focus; none in pictures of it.
+void drawChartFocus(QPainter &painter, const QWidget &plot);
 
 /// A value beside the cursor, `top` from the upper end of the widget, and a dot on its curve. Gives where its bubble stands; the next one
 /// goes bubbleGap below it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/floor_map.h"
 
+#include "ui/views/chart_picture.h"
 #include "ui/views/explanation_dialog.h"
 #include "ui/views/map_area.h"
 
@@ -15,6 +16,7 @@ FloorMap::FloorMap(Timeline &timeline, QWidget *parent)
       m_how(new QToolButton(this)), m_disagreement(new QAction(tr("Map: &views' disagreement"), this))
 {
     setContent(m_area);
+    new ChartPicture(*m_area, [this] { return PictureHeading{title(), {m_scene ? QString::fromStdString(m_scene->trial.name) : QString()}, {}}; });
     m_area->setAccessibleName(tr("Map of the floor with the robots' trails"));
     m_colouring->setAccessibleName(tr("What colours the trails of the map"));
     m_colouring->addItems({tr("Speed"), tr("Disagreement")});

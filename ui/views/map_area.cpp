@@ -3,6 +3,7 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/models/timeline.h"
+#include "ui/views/chart_painting.h"
 #include "ui/views/theme.h"
 #include "ui/views/trail_painting.h"
 #include "ui/views/trial_map.h"
@@ -17,6 +18,7 @@ namespace odo {
 MapArea::MapArea(Timeline &timeline, QWidget *parent)
     : MapCanvas(parent), m_timeline(timeline), m_bounds(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1))
 {
+    setFocusPolicy(Qt::StrongFocus);
     connect(&m_timeline, &Timeline::currentChanged, this, qOverload<>(&QWidget::update));
     connect(&m_maker, &FloorPictureMaker::ready, this, [this](const FloorPicture &picture) {
         m_floor = picture;
@@ -138,6 +140,7 @@ void MapArea::paintEvent(QPaintEvent *)
     drawStill(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     drawTrialRobots(painter, plan(), *m_scene, m_timeline.currentTime(), palette());
+    drawChartFocus(painter, *this);
 }
 
 void MapArea::mousePressEvent(QMouseEvent *event)

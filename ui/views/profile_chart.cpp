@@ -3,6 +3,7 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/views/chart_area.h"
+#include "ui/views/chart_picture.h"
 #include "ui/views/chart_span.h"
 #include "ui/views/profile_curve.h"
 #include "ui/views/robot_colours.h"
@@ -73,6 +74,8 @@ ProfileChart::ProfileChart(Timeline &timeline, ChartSpan &span, QList<Quantity> 
         addToHeader(m_choice);
     }
     setContent(m_area);
+    const auto heading = [this] { return PictureHeading{title(), {m_scene ? QString::fromStdString(m_scene->trial.name) : QString()}, remark()}; };
+    new ChartPicture(*m_area, heading, m_key);
     connect(m_area, &ChartArea::settled, this, &ProfileChart::settled);
     connect(&m_span, &ChartSpan::axisChanged, this, &ProfileChart::describe);
     setScene(nullptr);
@@ -127,7 +130,7 @@ void ProfileChart::describe()
     }
     QStringList remark{curveUnit(m_quantity)};
     if (analysed)
-        remark += tr("smoothed \u00b195 %");
+        remark += tr("smoothed ±95 %");
     if (analysed && m_quantity != Quantity::TurnRate)
         remark += tr("measured points");
     if (m_quantity == Quantity::Speed && analysed)
@@ -138,7 +141,7 @@ void ProfileChart::describe()
         remark += tr("of the motion, anticlockwise from X");
     if (m_quantity == Quantity::TurnRate && analysed)
         remark += tr("anticlockwise positive");
-    setRemark(remark.join(QStringLiteral(" \u00b7 ")));
+    setRemark(remark.join(QStringLiteral(" · ")));
     m_area->setAccessibleName((m_span.against() == ChartSpan::Against::Time
                                    ? tr("Chart: %1 against time")
                                    : tr("Chart: %1 against the distance"))

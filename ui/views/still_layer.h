@@ -18,7 +18,7 @@ public:
     using Draw = std::function<void(QPainter &)>;
 
     /// Paints it over the whole view; where it was forgotten it is drawn anew, beginning with the colour of
-    /// the ground.
+    /// the ground. Drawn and not kept where it is painted for a ChartPicture.
     void paint(QPainter &painter, const QWidget &view, const QColor &ground, const Draw &draw);
     /// Draws more on it, if it is there.
     void add(const QWidget &view, const Draw &draw);

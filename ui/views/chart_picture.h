@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QImage>
+#include <QObject>
+#include <QStringList>
+#include <filesystem>
+#include <functional>
+
+class QPainter;
+class QWidget;
+
+namespace odo {
+
+class SeriesKey;
+
+/// What stands above a picture.
+struct PictureHeading
+{
+    QString what;     ///< "Speed"
+    QStringList runs; ///< of which; empty names are left out
+    QString remark;   ///< the unit, say
+    /// "Speed · run 1, run 2"
+    QString title() const;
+};
+
+/// A chart or map as a picture for other documents: what it shows, with its heading and the key to its lines above, on white
+/// whatever the theme is, and without the frame of the focus. The plot gets two actions for it, in its context menu: copy
+/// (also by the keys of copying while it has the focus) and save, as SVG, whose lines and words stay such, or as PNG of three dots a
+/// logical pixel. Child of the plot. GUI thread.
+class ChartPicture : public QObject
+{
+    Q_OBJECT
+public:
+    /// The heading's title is also the proposed file's name. key: nullptr: none; must outlive the plot's actions.
+    ChartPicture(QWidget &plot, std::function<PictureHeading()> heading, SeriesKey *key = nullptr);
+
+    QByteArray svg() const;
+    QImage image() const;
+    /// As SVG where the file's ending says so, else as PNG. Errors: those of writeTextFile: no file is left then, and an older one stays.
+    Result<void> save(const std::filesystem::path &file) const;
+    void copy() const;
+
+    /// Whether a painter paints a plot for one of these rather than for the screen.
+    static bool isPaintedBy(const QPainter &painter, const QWidget &plot);
+
+private:
+    QSize size() const;
+    int headHeight() const;
+    void paint(QPainter &painter) const;
+    void paintHead(QPainter &painter) const;
+    void askSave() const;
+
+    QWidget &m_plot;
+    std::function<PictureHeading()> m_heading;
+    SeriesKey *m_key;
+};
+
+} // namespace odo
