@@ -50,7 +50,7 @@ QString CameraListModel::display(const CameraRow &row, int column) const
         if (!row.intrinsics)
             return tr("not calibrated");
         if (row.intrinsics->calibration.rmsPx > 0)
-            return tr("calibrated, \u00b1%1 px")
+            return tr("calibrated, ±%1 px")
                 .arg(QLocale().toString(row.intrinsics->calibration.rmsPx, 'f', 2));
         return QString::fromStdString(row.intrinsics->origin);
     case RegistrationColumn:

@@ -57,7 +57,7 @@ QString FigureText::text() const
 {
     QString all = value;
     if (!sigma.isEmpty())
-        all += QStringLiteral(" \u00b1") + sigma;
+        all += QStringLiteral(" ±") + sigma;
     if (!unit.isEmpty())
         all += QChar(u'\u00a0') + unit;
     return all;
@@ -67,14 +67,14 @@ QString FigureText::smallPrint() const
 {
     if (sigma.isEmpty())
         return unit;
-    const QString plusMinus = QStringLiteral("\u00b1") + sigma;
+    const QString plusMinus = QStringLiteral("±") + sigma;
     return unit.isEmpty() ? plusMinus : unit + u' ' + plusMinus;
 }
 
 FigureText figureText(double value, std::optional<double> sigma, const QString &unit, const QLocale &locale)
 {
     if (!std::isfinite(value))
-        return {QStringLiteral("\u2013"), {}, unit};
+        return {QStringLiteral("–"), {}, unit};
     const bool sigmaKnown = sigma && std::isfinite(*sigma) && *sigma >= std::pow(10.0, -mostDecimals);
     if (sigmaKnown) {
         const int decimals = decimalsForSigma(*sigma);
@@ -92,7 +92,7 @@ ShownUnit metricUnit(const Metric &metric)
 {
     const ShownUnits &units = shownUnits();
     if (metric.unit == "rad/s") // nobody drives in radians
-        return {QStringLiteral("\u00b0/s"), 180 / std::numbers::pi};
+        return {QStringLiteral("°/s"), 180 / std::numbers::pi};
     if (metric.name == "path_completed")
         return {QStringLiteral("%"), 100};
     if (metric.unit == "m")
@@ -101,7 +101,7 @@ ShownUnit metricUnit(const Metric &metric)
         return {units.length.name, fromMillimetres(units.length.perSi)};
     if (metric.unit == "m/s")
         return units.speed;
-    if (metric.unit == "m/s\u00b2")
+    if (metric.unit == "m/s²")
         return units.acceleration;
     return {metric.unit == "1" ? QString() : QString::fromStdString(metric.unit), 1};
 }
@@ -182,7 +182,7 @@ QString lengthText(double metres, const QLocale &locale)
 {
     const ShownUnit &unit = shownUnits().length;
     if (!std::isfinite(metres))
-        return QStringLiteral("\u2013");
+        return QStringLiteral("–");
     constexpr double finestM = 0.0001; // 0.1 mm
     const int most = std::max(0, int(std::ceil(-std::log10(finestM * unit.perSi) - 0.5)));
     const int decimals = std::max(0, std::abs(metres) < 0.1 ? most : most - 1);

@@ -39,15 +39,15 @@ const ShownUnits &unitsOf(UnitSystem system)
         {{QStringLiteral("mm"), 1000},
          {QStringLiteral("m"), 1},
          {QStringLiteral("m/s"), 1},
-         {QStringLiteral("m/s\u00b2"), 1}},
+         {QStringLiteral("m/s²"), 1}},
         {{QStringLiteral("cm"), 100},
          {QStringLiteral("cm"), 100},
          {QStringLiteral("cm/s"), 100},
-         {QStringLiteral("cm/s\u00b2"), 100}},
+         {QStringLiteral("cm/s²"), 100}},
         {{QStringLiteral("in"), 1 / inch},
          {QStringLiteral("ft"), 1 / foot},
          {QStringLiteral("ft/s"), 1 / foot},
-         {QStringLiteral("ft/s\u00b2"), 1 / foot}},
+         {QStringLiteral("ft/s²"), 1 / foot}},
     }};
     return all[static_cast<std::size_t>(system)];
 }

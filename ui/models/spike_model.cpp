@@ -52,7 +52,7 @@ QString SpikeModel::summary() const
     const auto flagged = static_cast<qsizetype>(m_rows.size()) - restored;
     QString text = flagged == 0 ? tr("none") : tr("%1 flagged").arg(flagged);
     if (restored > 0)
-        text += QStringLiteral(" \u00b7 ") + tr("%1 restored").arg(restored);
+        text += QStringLiteral(" · ") + tr("%1 restored").arg(restored);
     return text;
 }
 
@@ -68,7 +68,7 @@ QVariant SpikeModel::display(const Row &row, int column) const
         return row.restored ? tr("%1 (restored by hand)").arg(reason) : reason;
     }
     case StateColumn:
-        return row.restored ? QStringLiteral("\u21ba") : QStringLiteral("\u2691");
+        return row.restored ? QStringLiteral("↺") : QStringLiteral("⚑");
     default:
         return {};
     }

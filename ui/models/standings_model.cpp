@@ -53,7 +53,7 @@ QString StandingsModel::display(const TeamStanding &team, int row, int column) c
 {
     switch (column) {
     case RankColumn:
-        return m_standings.isRanked() ? QLocale().toString(team.figures.rank) : QStringLiteral("\u2013");
+        return m_standings.isRanked() ? QLocale().toString(team.figures.rank) : QStringLiteral("–");
     case TeamColumn:
         return teamName(row);
     case ClassColumn:

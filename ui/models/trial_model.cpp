@@ -369,7 +369,7 @@ QVariant TrialModel::headerData(int section, Qt::Orientation orientation, int ro
     case TopSpeedColumn:
         return tr("Top speed");
     case StarColumn:
-        return QStringLiteral("\u2605"); // the word is wider than the stars
+        return QStringLiteral("★"); // the word is wider than the stars
     case ScoreColumn:
         return tr("Score");
     case TagsColumn:

@@ -22,10 +22,10 @@ QString viewRemark(const TrialScene &scene, std::size_t index)
         parts += CameraView::tr("offset by hand");
     else if (index > 0)
         parts += CameraView::tr("not synchronised");
-    parts += QStringLiteral("%1\u00d7%2").arg(recording.widthPx).arg(recording.heightPx);
+    parts += QStringLiteral("%1×%2").arg(recording.widthPx).arg(recording.heightPx);
     if (recording.framesPerSecond > 0)
         parts += CameraView::tr("%1 /s").arg(QLocale().toString(recording.framesPerSecond, 'f', 1));
-    return parts.join(QStringLiteral(" \u00b7 "));
+    return parts.join(QStringLiteral(" · "));
 }
 
 } // namespace

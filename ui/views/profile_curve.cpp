@@ -21,9 +21,9 @@ ShownUnit unitOf(Quantity quantity)
     case Quantity::Acceleration:
         return shownUnits().acceleration;
     case Quantity::Heading:
-        return {QStringLiteral("\u00b0"), degrees};
+        return {QStringLiteral("°"), degrees};
     case Quantity::TurnRate:
-        return {QStringLiteral("\u00b0/s"), degrees};
+        return {QStringLiteral("°/s"), degrees};
     case Quantity::PositionX:
     case Quantity::PositionY:
         break;

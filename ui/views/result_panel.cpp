@@ -59,8 +59,8 @@ void ResultPanel::showRobot(int robot)
     if (!m_scene->trial.teamName.empty())
         remark += shownTeam(m_scene->trial);
     if (m_robots->count() == 1)
-        remark += tr("robot \u201c%1\u201d").arg(QString::fromStdString(shown.robot.name));
-    setRemark(remark.join(QStringLiteral(" \u00b7 ")));
+        remark += tr("robot “%1”").arg(QString::fromStdString(shown.robot.name));
+    setRemark(remark.join(QStringLiteral(" · ")));
     std::vector<NamedFigure> figures;
     m_robot = static_cast<std::size_t>(robot);
     m_score = scoreOf(*m_scene, m_robot);

@@ -25,7 +25,7 @@ constexpr double offeredRates[] = {0.1, 0.25, 0.5, 1, 2, 4, 8};
 
 QString rateText(double rate)
 {
-    return QLocale().toString(rate, 'g', 3) + QChar(u'\u00d7');
+    return QLocale().toString(rate, 'g', 3) + QChar(u'×');
 }
 
 } // namespace
