@@ -2,6 +2,7 @@
 #include "app/report_options.h"
 
 #include "app/command_call.h"
+#include "app/language_option.h"
 #include "ui/report/logo.h"
 
 namespace odo {
@@ -19,7 +20,8 @@ QList<QCommandLineOption> reportOptionSyntax()
             {school, QStringLiteral("The name at the head of each page."), QStringLiteral("TEXT")},
             {logo, QStringLiteral("A picture at the head of each page (PNG, JPEG, SVG)."), QStringLiteral("FILE")},
             {remark, QStringLiteral("A line at the foot of each page."), QStringLiteral("TEXT")},
-            {method, QStringLiteral("A second page for each trial: how its figures were computed, and what was measured.")}};
+            {method, QStringLiteral("A second page for each trial: how its figures were computed, and what was measured.")},
+            languageOption()};
 }
 
 Result<ReportOptions> readReportOptions(const CommandCall &call)
@@ -32,6 +34,8 @@ Result<ReportOptions> readReportOptions(const CommandCall &call)
     options.letterhead.school = QString::fromStdString(call.value(school));
     options.letterhead.remark = QString::fromStdString(call.value(remark));
     options.withMethod = call.isSet(method);
+    if (auto applied = applyLanguage(call); !applied)
+        return tl::unexpected(applied.error());
     if (call.isSet(logo)) {
         auto picture = readLogo(call.value(logo));
         if (!picture)

@@ -11,9 +11,9 @@ namespace odo {
 
 class CommandCall;
 
-/// --paper, --school, --logo, --remark, --method: what all commands that write a report are told.
+/// --paper, --school, --logo, --remark, --method, --language: what all commands that write a report are told.
 QList<QCommandLineOption> reportOptionSyntax();
-/// WrongCall for a paper that is not known; Io for a logo that cannot be read.
+/// Installs the language. WrongCall for a paper or language that is not known; Io for a logo that cannot be read.
 Result<ReportOptions> readReportOptions(const CommandCall &call);
 
 } // namespace odo

@@ -5,9 +5,9 @@
 #include "core/project/project.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/crash_notice.h"
+#include "ui/main_window/language.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/paint_window.h"
-#include "ui/main_window/plural_forms.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/trial_scene.h"
 
@@ -18,7 +18,7 @@ namespace odo {
 
 Result<void> runWorkbench(const std::optional<std::filesystem::path> &project)
 {
-    installPluralForms(*qApp);
+    installLanguage(*qApp, chosenLanguage());
     applyAppearance(*qApp);
     if (project) {
         if (auto sound = Project::checkHeader(*project); !sound)
@@ -38,7 +38,6 @@ Result<void> runWorkbench(const std::optional<std::filesystem::path> &project)
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,
                             QSize size, const std::filesystem::path &picture)
 {
-    installPluralForms(*qApp);
     applyAppearance(*qApp);
     MainWindow window;
     if (auto opened = window.openProject(project); !opened)

@@ -4,7 +4,6 @@
 #include "app/report_options.h"
 #include "core/workflow/compare_trials.h"
 #include "core/workflow/track_warnings.h"
-#include "ui/main_window/plural_forms.h"
 #include "ui/report/pdf_file.h"
 #include "ui/report/report_job.h"
 
@@ -150,7 +149,6 @@ Result<void> writeReport(const CommandCall &call, Project &project, const Compar
     const auto options = readReportOptions(call);
     if (!options)
         return tl::unexpected(options.error());
-    installPluralForms(*qApp);
     ReportJob job(comparisonReport(settings, *options), std::make_unique<PdfFile>(call.value(output), QStringLiteral("Odograph comparison")));
     return runToEnd(job, project, call.control());
 }

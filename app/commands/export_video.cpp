@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/export_video.h"
 
+#include "app/language_option.h"
 #include "ui/report/annotated_video.h"
 
 namespace odo {
@@ -37,7 +38,8 @@ QList<QCommandLineOption> videoOptions()
 {
     return {{speed, QStringLiteral("Of a video, times that of the run: 0.1 to 1."), QStringLiteral("S"), QStringLiteral("1")},
             {size, QStringLiteral("Of a video, in pixels."), QStringLiteral("WxH"), QStringLiteral("1920x1080")},
-            {theme, QStringLiteral("Of a video: light or dark."), QStringLiteral("THEME"), QStringLiteral("light")}};
+            {theme, QStringLiteral("Of a video: light or dark."), QStringLiteral("THEME"), QStringLiteral("light")},
+            languageOption()};
 }
 
 Result<void> exportVideo(const CommandCall &call, const std::string &file)
@@ -45,6 +47,8 @@ Result<void> exportVideo(const CommandCall &call, const std::string &file)
     const auto settings = settingsOf(call, file);
     if (!settings)
         return tl::unexpected(settings.error());
+    if (auto applied = applyLanguage(call); !applied)
+        return applied;
     const auto project = call.openProject(0, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());

@@ -2,7 +2,6 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/report_options.h"
-#include "ui/main_window/plural_forms.h"
 #include "ui/report/pdf_file.h"
 #include "ui/report/report_job.h"
 
@@ -58,7 +57,6 @@ Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
             trials.push_back(trial.toStdString());
         makers.push_back(trialReports(std::move(trials), *options));
     }
-    installPluralForms(*qApp);
     ReportJob job(inTurn(std::move(makers)), std::make_unique<PdfFile>(call.value(output), QStringLiteral("Odograph report")));
     if (auto made = runToEnd(job, **project, call.control()); !made)
         return made;

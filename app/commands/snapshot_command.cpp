@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/language_option.h"
 #include "app/workbench.h"
 
 namespace odo {
@@ -15,10 +16,11 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
 {
     const QString output = QStringLiteral("output"), mode = QStringLiteral("mode"), size = QStringLiteral("size");
     CommandCall call({QStringLiteral("snapshot"),
-                      QStringLiteral("P.odo TRIAL -o picture.png [--mode review|compare|history|testbed] [--size 1600x1000]"), 2, 2,
+                      QStringLiteral("P.odo TRIAL -o picture.png [--mode review|compare|history|testbed] [--size 1600x1000] [--language en]"), 2, 2,
                       {{{QStringLiteral("o"), output}, QStringLiteral("The picture to write."), QStringLiteral("FILE")},
                        {mode, QStringLiteral("What the window shows."), QStringLiteral("MODE"), QStringLiteral("review")},
-                       {size, QStringLiteral("Of the window, in pixels."), QStringLiteral("WxH"), QStringLiteral("1600x1000")}}},
+                       {size, QStringLiteral("Of the window, in pixels."), QStringLiteral("WxH"), QStringLiteral("1600x1000")},
+                       languageOption()}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
@@ -33,6 +35,8 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
     const auto shown = modeFromWord(QString::fromStdString(call.value(mode)));
     if (!shown || *shown == WindowMode::Record) // which shows no trial
         return call.wrongCall(QStringLiteral("--mode is review, compare, history or testbed"));
+    if (auto applied = applyLanguage(call); !applied)
+        return applied;
     const auto painted = paintWorkbench(call.text(0), call.text(1), *shown,
                                         QSize(int(wanted->first), int(wanted->second)), call.value(output));
     if (!painted)

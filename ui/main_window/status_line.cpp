@@ -58,7 +58,7 @@ void StatusLine::showState(const Workspace &workspace, const TrialScenePtr &tria
 void StatusLine::showUnits()
 {
     const ShownUnits &units = shownUnits();
-    m_units->setText(QStringLiteral("%1 \u00b7 %2 \u00b7 s").arg(units.length.name, units.speed.name));
+    m_units->setText(QStringLiteral("%1 · %2 · s").arg(units.length.name, units.speed.name));
 }
 
 } // namespace odo

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/help/help_dialogs.h"
 
-#include "resources/resources.h"
+#include "ui/main_window/language.h"
 #include "ui/main_window/preferences/command_keys.h"
 
 #include <QCoreApplication>
@@ -49,7 +49,7 @@ void showKeys(const CommandKeys &keys, QWidget &window)
     auto *text = new QTextBrowser;
     text->setAccessibleName(Words::tr("List of keys"));
     text->setFrameShape(QFrame::NoFrame);
-    text->setHtml(commandTables(keys) + QString::fromUtf8(resourceBytes(QStringLiteral("help/keys.html"))));
+    text->setHtml(commandTables(keys) + helpPage(QStringLiteral("keys")));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     auto *layout = new QVBoxLayout(dialog);

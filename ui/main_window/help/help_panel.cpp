@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/help/help_panel.h"
 
-#include "resources/resources.h"
+#include "ui/main_window/language.h"
 #include "ui/views/theme_icon.h"
 
 #include <QHBoxLayout>
@@ -44,7 +44,7 @@ HelpPanel::HelpPanel(QWidget *parent) : QFrame(parent), m_text(new QTextBrowser)
 
 void HelpPanel::showPage(const QString &name)
 {
-    m_text->setHtml(QString::fromUtf8(resourceBytes(QStringLiteral("help/%1.html").arg(name))));
+    m_text->setHtml(helpPage(name));
 }
 
 } // namespace odo

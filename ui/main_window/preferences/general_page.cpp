@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/preferences/general_page.h"
 
+#include "ui/main_window/language.h"
 #include "ui/models/shown_units.h"
 #include "ui/views/theme.h"
 
@@ -10,6 +11,7 @@
 #include <QLinearGradient>
 #include <QPainter>
 #include <QSettings>
+#include <algorithm>
 
 namespace odo {
 namespace {
@@ -38,6 +40,10 @@ QLabel *quietWords(const QString &words)
 GeneralPage::GeneralPage(Theme theme, QWidget *parent) : QWidget(parent)
 {
     auto *form = new QFormLayout(this);
+    m_languageWords = quietWords(tr("Odograph shows it when it is started again."));
+    m_languageWords->hide();
+    form->addRow(tr("&Language"), makeLanguages());
+    form->addRow(QString(), m_languageWords);
     form->addRow(tr("&Units of results"), makeUnits());
     form->addRow(QString(), quietWords(tr("Floors and targets are set up in millimetres, as they are printed. Exported "
                                           "files have the units that their format asks for.")));
@@ -66,6 +72,21 @@ QComboBox *GeneralPage::makeUnits()
         setShownUnitSystem(static_cast<UnitSystem>(system));
         QSettings().setValue(unitsKey, unitSystemWord(shownUnitSystem()));
         Q_EMIT lookChanged();
+    });
+    return box;
+}
+
+QComboBox *GeneralPage::makeLanguages()
+{
+    auto *box = new QComboBox;
+    box->setAccessibleName(tr("Language"));
+    box->addItem(tr("As the computer has it"), QString());
+    for (const Language &each : languages())
+        box->addItem(each.name, each.code);
+    box->setCurrentIndex(std::max(0, box->findData(chosenLanguage())));
+    connect(box, &QComboBox::activated, this, [this, box] {
+        chooseLanguage(box->currentData().toString());
+        m_languageWords->show();
     });
     return box;
 }

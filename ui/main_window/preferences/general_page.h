@@ -6,10 +6,11 @@
 #include <QWidget>
 
 class QComboBox;
+class QLabel;
 
 namespace odo {
 
-/// How everything looks and is told: units, theme, colours of maps. What is chosen is in force, and kept in the
+/// How everything looks and is told: language, units, theme, colours of maps. What is chosen is in force, and kept in the
 /// settings, at once.
 class GeneralPage : public QWidget
 {
@@ -25,9 +26,12 @@ Q_SIGNALS:
     void lookChanged(); ///< what is on the screen must be made anew
 
 private:
+    QComboBox *makeLanguages();
     QComboBox *makeUnits();
     QComboBox *makeThemes(Theme theme);
     QComboBox *makeScales();
+
+    QLabel *m_languageWords; ///< hidden until another language is chosen
 };
 
 } // namespace odo

@@ -1,0 +1,8606 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>AccuracyLayer</name>
+    <message>
+        <source>expected ±, hatched: not seen</source>
+        <translation>erwartetes ±, schraffiert: nicht gesehen</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>AnalysisWords</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>begun %1 earlier</source>
+        <translation>%1 früher begonnen</translation>
+    </message>
+    <message>
+        <source>begun %1 later</source>
+        <translation>%1 später begonnen</translation>
+    </message>
+    <message>
+        <source>Kalman/RTS, noise from the data</source>
+        <translation>Kalman/RTS, Rauschen aus den Daten</translation>
+    </message>
+    <message>
+        <source>Savitzky–Golay, cubic, 11 points</source>
+        <translation>Savitzky–Golay, kubisch, 11 Punkte</translation>
+    </message>
+    <message>
+        <source>differences as in Tracker</source>
+        <translation>Differenzen wie in Tracker</translation>
+    </message>
+    <message>
+        <source>none: raw differences</source>
+        <translation>keine: rohe Differenzen</translation>
+    </message>
+    <message>
+        <source>%1, as told by hand</source>
+        <translation>%1, von Hand angegeben</translation>
+    </message>
+    <message>
+        <source>in step to %1, found from the motion; %2</source>
+        <translation>synchron auf %1, aus der Bewegung bestimmt; %2</translation>
+    </message>
+    <message>
+        <source>in step to %1, found from a flash of light; %2</source>
+        <translation>synchron auf %1, aus einem Lichtblitz bestimmt; %2</translation>
+    </message>
+    <message>
+        <source>in step to %1, by the cameras&apos; time stamps; %2</source>
+        <translation>synchron auf %1, nach den Zeitstempeln der Kameras; %2</translation>
+    </message>
+    <message>
+        <source>taken as begun together</source>
+        <translation>als gleichzeitig begonnen angenommen</translation>
+    </message>
+    <message>
+        <source>, its clock %1 ppm fast</source>
+        <translation>, ihre Uhr geht %1 ppm vor</translation>
+    </message>
+    <message>
+        <source>, its clock %1 ppm slow</source>
+        <translation>, ihre Uhr geht %1 ppm nach</translation>
+    </message>
+</context>
+<context>
+    <name>AnnotatedPicture</name>
+    <message>
+        <source>slow motion %1×</source>
+        <translation>Zeitlupe %1×</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>Diese Kamera nahm zu dieser Zeit nicht auf</translation>
+    </message>
+    <message>
+        <source>This picture cannot be decoded</source>
+        <translation>Dieses Bild lässt sich nicht decodieren</translation>
+    </message>
+</context>
+<context>
+    <name>ClassReport</name>
+    <message>
+        <source>Rank: one more than the number of teams that are better beyond doubt (medians apart by more than 1.96 σ); teams of one rank cannot be told apart.</source>
+        <translation>Rang: eins mehr als die Zahl der Teams, die zweifelsfrei besser sind (Mediane um mehr als 1.96 σ auseinander); Teams mit gleichem Rang lassen sich nicht unterscheiden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) left out: measured by another course; measure them again.</source>
+        <translation>
+            <numerusform>%n Versuch ausgelassen: nach einem anderen Parcours ausgewertet; bitte neu auswerten.</numerusform>
+            <numerusform>%n Versuche ausgelassen: nach einem anderen Parcours ausgewertet; bitte neu auswerten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Page %1 of %2 · Odograph %3</source>
+        <translation>Seite %1 von %2 · Odograph %3</translation>
+    </message>
+    <message>
+        <source>Odograph %1</source>
+        <translation>Odograph %1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>Aufgabe: %1</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>nach %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Teams</source>
+        <translation>Teams</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Bester</translation>
+    </message>
+    <message>
+        <source>Median of all runs</source>
+        <translation>Median aller Fahrten</translation>
+    </message>
+    <message>
+        <source>Middle half of the runs</source>
+        <translation>Mittlere Hälfte der Fahrten</translation>
+    </message>
+    <message>
+        <source>The teams</source>
+        <translation>Die Teams</translation>
+    </message>
+    <message>
+        <source>each run is a dot; the line is the median of the team</source>
+        <translation>jede Fahrt ist ein Punkt; der Strich ist der Median des Teams</translation>
+    </message>
+    <message>
+        <source>#</source>
+        <translation>#</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Through the term</source>
+        <translation>Im Lauf des Halbjahrs</translation>
+    </message>
+    <message>
+        <source>Its trials</source>
+        <translation>Seine Versuche</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Class: %1</source>
+        <translation>Klasse: %1</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Rang</translation>
+    </message>
+    <message numerus="yes">
+        <source>of %n team(s)</source>
+        <translation>
+            <numerusform>von %n Team</numerusform>
+            <numerusform>von %n Teams</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>class median %1</source>
+        <translation>Klassenmedian %1</translation>
+    </message>
+    <message>
+        <source>Spread of one run</source>
+        <translation>Streuung einer Fahrt</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonExplanation</name>
+    <message>
+        <source>There is no difference.</source>
+        <translation>Es gibt keinen Unterschied.</translation>
+    </message>
+    <message>
+        <source>Both are exact, so that any difference is one.</source>
+        <translation>Beide sind exakt, jeder Unterschied ist also ein echter.</translation>
+    </message>
+    <message>
+        <source>It is %1 σ, more than 1.96: were there no difference, chance would give as much in less than 5 of 100 cases.</source>
+        <translation>Er beträgt %1 σ, mehr als 1.96: Gäbe es keinen Unterschied, brächte der Zufall so viel in weniger als 5 von 100 Fällen hervor.</translation>
+    </message>
+    <message>
+        <source>It is %1 σ, not more than 1.96: within the error, so that no difference can be claimed.</source>
+        <translation>Er beträgt %1 σ, nicht mehr als 1.96: im Rahmen des Fehlers, ein Unterschied lässt sich also nicht behaupten.</translation>
+    </message>
+    <message>
+        <source>along the task&apos;s reference path</source>
+        <translation>längs der Sollbahn der Aufgabe</translation>
+    </message>
+    <message>
+        <source>along the way of %1</source>
+        <translation>längs des Wegs von %1</translation>
+    </message>
+    <message>
+        <source>time 0: each passes the start gate</source>
+        <translation>Zeitpunkt 0: beide passieren das Starttor</translation>
+    </message>
+    <message>
+        <source>time 0: each begins to move</source>
+        <translation>Zeitpunkt 0: beide setzen sich in Bewegung</translation>
+    </message>
+    <message>
+        <source>time 0: each first comes to the same place of the way</source>
+        <translation>Zeitpunkt 0: beide erreichen zum ersten Mal dieselbe Stelle des Wegs</translation>
+    </message>
+    <message>
+        <source>time 0: told by hand, to a frame</source>
+        <translation>Zeitpunkt 0: von Hand angegeben, auf ein Bild genau</translation>
+    </message>
+    <message>
+        <source>both by the same registrations and for the same solid: what the calibration adds is common, and only its difference counts</source>
+        <translation>beide mit denselben Einmessungen und für denselben Körper: Der Anteil der Kalibrierung ist gemeinsam, nur sein Unterschied zählt</translation>
+    </message>
+    <message>
+        <source>not by the same registrations, or not for the same solid: what the calibration adds counts for both in full</source>
+        <translation>nicht mit denselben Einmessungen oder nicht für denselben Körper: Der Anteil der Kalibrierung zählt für beide voll</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>%1: %2 less %3</source>
+        <translation>%1: %2 minus %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>only one of the two has it</source>
+        <translation>nur eine der beiden hat ihn</translation>
+    </message>
+    <message>
+        <source>the figure of %1 less that of %2</source>
+        <translation>der Kennwert von %1 minus der von %2</translation>
+    </message>
+    <message>
+        <source>Each: %1</source>
+        <translation>Jeweils: %1</translation>
+    </message>
+    <message>
+        <source>√(σ₁² + σ₂²), both as independent; where the runs share their calibration, its error of scale leaves only its part of the difference</source>
+        <translation>√(σ₁² + σ₂²), beide als unabhängig; wo die Fahrten die Kalibrierung gemeinsam haben, bleibt von deren Maßstabsfehler nur der Anteil am Unterschied</translation>
+    </message>
+    <message>
+        <source>not seen at an end</source>
+        <translation>an einem Ende nicht gesehen</translation>
+    </message>
+    <message>
+        <source>Sector %1 to %2: %3 less %4</source>
+        <translation>Sektor %1 bis %2: %3 minus %4</translation>
+    </message>
+    <message>
+        <source>begin</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>The time from the first arrival at the one gate to the first arrival at the next, of each run, by its place along the common path; waiting counts.</source>
+        <translation>Die Zeit jeder Fahrt von der ersten Ankunft am einen Tor bis zur ersten Ankunft am nächsten, nach ihrem Ort auf dem gemeinsamen Weg; Warten zählt mit.</translation>
+    </message>
+    <message>
+        <source>of each arrival: σ of the place along the path over the speed; displacements at two gates count as independent</source>
+        <translation>jeder Ankunft: σ des Orts längs des Wegs geteilt durch die Geschwindigkeit; die Verschiebungen an zwei Toren gelten als unabhängig</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 of the way</source>
+        <translation>von %1 bis %2 des Wegs</translation>
+    </message>
+    <message>
+        <source>Δt of %1 against %2 at %3</source>
+        <translation>Δt von %1 gegenüber %2 bei %3</translation>
+    </message>
+    <message>
+        <source>The time of the first arrival at this place of the common path, each from its own time 0: that of %1 less that of %2. Above 0 it is later.</source>
+        <translation>Die Zeit der ersten Ankunft an dieser Stelle des gemeinsamen Wegs, jede vom eigenen Zeitpunkt 0 an: die von %1 minus die von %2. Über 0 ist sie später.</translation>
+    </message>
+    <message>
+        <source>of both arrivals: σ of the place along the path over the speed, and of both times 0</source>
+        <translation>beider Ankünfte: σ des Orts längs des Wegs geteilt durch die Geschwindigkeit, und beider Zeitpunkte 0</translation>
+    </message>
+    <message>
+        <source>Speed of %1 at %2</source>
+        <translation>Geschwindigkeit von %1 bei %2</translation>
+    </message>
+    <message>
+        <source>|v| of the smoothed curve where the run first comes to this place of the common path, between frames interpolated</source>
+        <translation>|v| der geglätteten Kurve, wo die Fahrt diese Stelle des gemeinsamen Wegs zum ersten Mal erreicht, zwischen den Bildern interpoliert</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <translation>σ der geglätteten Geschwindigkeit dort, mit dem Maßstabsfehler der Kalibrierung</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonReport</name>
+    <message>
+        <source>± one σ; grey, ≈: within the error</source>
+        <translation>± ein σ; grau, ≈: im Rahmen des Fehlers</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>right − left</source>
+        <translation>rechts − links</translation>
+    </message>
+    <message>
+        <source>along the task’s path</source>
+        <translation>längs der Sollbahn der Aufgabe</translation>
+    </message>
+    <message>
+        <source>along the way of the left run</source>
+        <translation>längs des Wegs der linken Fahrt</translation>
+    </message>
+    <message>
+        <source>aligned by the start gate, %1</source>
+        <translation>ausgerichtet am Starttor, %1</translation>
+    </message>
+    <message>
+        <source>aligned by the onset of motion, %1</source>
+        <translation>ausgerichtet am Bewegungsbeginn, %1</translation>
+    </message>
+    <message>
+        <source>aligned by a place that both pass, %1</source>
+        <translation>ausgerichtet an einer Stelle, die beide passieren, %1</translation>
+    </message>
+    <message>
+        <source>aligned by hand, %1</source>
+        <translation>von Hand ausgerichtet, %1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>Aufgabe: %1</translation>
+    </message>
+    <message>
+        <source>%1: analysed %2, Odograph %3</source>
+        <translation>%1: ausgewertet %2, Odograph %3</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its error cancels as far as they do.</source>
+        <translation>Beide Fahrten haben die Kalibrierung gemeinsam: Soweit das gilt, hebt sich ihr Fehler weg.</translation>
+    </message>
+    <message>
+        <source>The runs do not share their calibration: the errors of both count.</source>
+        <translation>Die Fahrten haben die Kalibrierung nicht gemeinsam: Die Fehler beider zählen.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>Speed along the way, %1</source>
+        <translation>Geschwindigkeit längs des Wegs, %1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>mit ihrem ±95-%-Band</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>Zeitdifferenz, s</translation>
+    </message>
+    <message>
+        <source>above 0: the right run is later; grey: within the error</source>
+        <translation>über 0: die rechte Fahrt ist später; grau: im Rahmen des Fehlers</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>Sektoren, s</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Kennwerte</translation>
+    </message>
+</context>
+<context>
+    <name>Explanation</name>
+    <message>
+        <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>
+        <translation>das der geglätteten Kurve dort, und der Maßstabsfehler der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
+        <translation>Vom Bewegungsbeginn bis zum letzten Halt. In Bewegung heißt schneller als 20 mm/s und als drei σ der Geschwindigkeit, mindestens drei Bilder lang; der Zeitpunkt zwischen zwei Bildern wird interpoliert.</translation>
+    </message>
+    <message>
+        <source>of both moments: σ of the speed over its steepness there</source>
+        <translation>beider Zeitpunkte: σ der Geschwindigkeit geteilt durch ihre Steilheit dort</translation>
+    </message>
+    <message>
+        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged counts as straight.</source>
+        <translation>∫|v|dt, solange er sich bewegt, nach der Trapezregel über die geglättete Geschwindigkeit. Eine Lücke, die nicht überbrückt ist, zählt als gerade.</translation>
+    </message>
+    <message>
+        <source>of the ends&apos; positions, of errors across the path where it turns, and the calibration&apos;s error of scale</source>
+        <translation>der Orte an den Enden, der Fehler quer zur Bahn, wo sie sich krümmt, und der Maßstabsfehler der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>path length / time</source>
+        <translation>Weg / Zeit</translation>
+    </message>
+    <message>
+        <source>of both, taken as independent</source>
+        <translation>beider, als unabhängig angenommen</translation>
+    </message>
+    <message>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest, so that a badly known point does not win by its error.</source>
+        <translation>Die Geschwindigkeit |v| der geglätteten Kurve, wo |v| − 2σ am größten ist, damit ein schlecht bekannter Punkt nicht durch seinen Fehler gewinnt.</translation>
+    </message>
+    <message>
+        <source>√(mean of |v|²) while it moves</source>
+        <translation>√(Mittel von |v|²), solange er sich bewegt</translation>
+    </message>
+    <message>
+        <source>the bound for errors that all go together, and the calibration&apos;s error of scale</source>
+        <translation>die Obergrenze für Fehler, die alle in dieselbe Richtung gehen, und der Maßstabsfehler der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
+        <translation>Die Beschleunigung |a| der geglätteten Kurve, wo |a| − 2σ am größten ist.</translation>
+    </message>
+    <message>
+        <source>√(mean of |a|²) while it moves</source>
+        <translation>√(Mittel von |a|²), solange er sich bewegt</translation>
+    </message>
+    <message>
+        <source>distance from the first to the last place of the motion / path length</source>
+        <translation>Abstand vom ersten zum letzten Ort der Bewegung / Weg</translation>
+    </message>
+    <message>
+        <source>of the ends&apos; positions</source>
+        <translation>der Orte an den Enden</translation>
+    </message>
+    <message>
+        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
+        <translation>Die Zeit, in der er sich bewegt: schneller als 20 mm/s und als drei σ der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>of each start and stop: σ of the speed over its steepness</source>
+        <translation>jedes Anfahrens und Anhaltens: σ der Geschwindigkeit geteilt durch ihre Steilheit</translation>
+    </message>
+    <message>
+        <source>The pauses between the onset of motion and the last stop, counted.</source>
+        <translation>Die Zahl der Pausen zwischen dem Bewegungsbeginn und dem letzten Halt.</translation>
+    </message>
+    <message>
+        <source>time − time in motion</source>
+        <translation>Zeit − Zeit in Bewegung</translation>
+    </message>
+    <message>
+        <source>of each start and stop</source>
+        <translation>jedes Anfahrens und Anhaltens</translation>
+    </message>
+    <message>
+        <source>The speed that half of the time in motion stays below.</source>
+        <translation>Die Geschwindigkeit, unter der die Hälfte der Zeit in Bewegung bleibt.</translation>
+    </message>
+    <message>
+        <source>of the stretches within 1.5 σ of it, each by its mean</source>
+        <translation>der Abschnitte im Abstand von höchstens 1.5 σ davon, jeder mit seinem Mittel</translation>
+    </message>
+    <message>
+        <source>The speed that 95 % of the time in motion stays below.</source>
+        <translation>Die Geschwindigkeit, unter der 95 % der Zeit in Bewegung bleiben.</translation>
+    </message>
+    <message>
+        <source>The acceleration that 95 % of the time in motion stays below.</source>
+        <translation>Die Beschleunigung, unter der 95 % der Zeit in Bewegung bleiben.</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, either way, where it less 2σ is largest.</source>
+        <translation>(vx·ay − vy·ax)/|v|² der geglätteten Kurve, in beiden Richtungen, wo ihr Betrag minus 2σ am größten ist.</translation>
+    </message>
+    <message>
+        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, erste Ordnung</translation>
+    </message>
+    <message>
+        <source>The circle with the least squared distances from the places of the motion.</source>
+        <translation>Der Kreis mit den kleinsten Abstandsquadraten von den Orten der Bewegung.</translation>
+    </message>
+    <message>
+        <source>of the distances&apos; scatter, neighbours counted as fewer by 1 + 2Σρ, and the calibration&apos;s error of scale</source>
+        <translation>der Streuung der Abstände, Nachbarn um den Faktor 1 + 2Σρ weniger gezählt, und der Maßstabsfehler der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
+        <translation>Vom Passieren des Starttors bis zum Passieren des Ziels, beides zwischen den Bildern interpoliert.</translation>
+    </message>
+    <message>
+        <source>of both passages: σ of the position across the gate over the speed</source>
+        <translation>beider Durchfahrten: σ des Orts quer zum Tor geteilt durch die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Complete laps or runs, counted by the passages of the gates.</source>
+        <translation>Vollständige Runden oder Fahrten, gezählt nach den Durchfahrten der Tore.</translation>
+    </message>
+    <message>
+        <source>The shortest lap.</source>
+        <translation>Die kürzeste Runde.</translation>
+    </message>
+    <message>
+        <source>of its two passages; the calibration&apos;s error of a gate passed twice cancels</source>
+        <translation>ihrer beiden Durchfahrten; der Fehler der Kalibrierung hebt sich an einem zweimal passierten Tor weg</translation>
+    </message>
+    <message>
+        <source>The mean of the laps&apos; times.</source>
+        <translation>Das Mittel der Rundenzeiten.</translation>
+    </message>
+    <message>
+        <source>of the first and the last passage, over the number of laps</source>
+        <translation>der ersten und der letzten Durchfahrt, geteilt durch die Zahl der Runden</translation>
+    </message>
+    <message>
+        <source>The mean distance from the reference path, over the way.</source>
+        <translation>Der mittlere Abstand von der Sollbahn, über den Weg.</translation>
+    </message>
+    <message>
+        <source>of the position across the path, and of its noise, which has no sign there</source>
+        <translation>des Orts quer zur Bahn, und seines Rauschens, das dort kein Vorzeichen hat</translation>
+    </message>
+    <message>
+        <source>√(mean of the squared distance from the reference path), over the way</source>
+        <translation>√(Mittel der Abstandsquadrate von der Sollbahn), über den Weg</translation>
+    </message>
+    <message>
+        <source>of the position across the path</source>
+        <translation>des Orts quer zur Bahn</translation>
+    </message>
+    <message>
+        <source>The largest distance from the reference path.</source>
+        <translation>Der größte Abstand von der Sollbahn.</translation>
+    </message>
+    <message>
+        <source>of the position across the path, there</source>
+        <translation>des Orts quer zur Bahn, dort</translation>
+    </message>
+    <message>
+        <source>The mean of the distance from the reference path, to the left positive.</source>
+        <translation>Das Mittel des Abstands von der Sollbahn, nach links positiv.</translation>
+    </message>
+    <message>
+        <source>of the position across the path, mostly the calibration&apos;s</source>
+        <translation>des Orts quer zur Bahn, vor allem der Anteil der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>The share of the reference path that was followed.</source>
+        <translation>Der Anteil der Sollbahn, dem gefolgt wurde.</translation>
+    </message>
+    <message>
+        <source>How often the robot&apos;s centre left a zone to stay in, or came into one to keep out of. It counts where it is beyond the edge by more than three σ of the track&apos;s own noise.</source>
+        <translation>Wie oft die Mitte des Roboters eine Zone verließ, in der sie bleiben soll, oder in eine kam, die sie meiden soll. Es zählt, wenn sie um mehr als drei σ des Eigenrauschens der Spur jenseits des Rands ist.</translation>
+    </message>
+    <message>
+        <source>The time in which the robot&apos;s centre was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <translation>Die Zeit, in der die Mitte des Roboters jenseits des Rands einer Zone war, zwischen den Bildern interpoliert; in zwei Zonen zugleich zählt sie doppelt.</translation>
+    </message>
+    <message>
+        <source>of each moment at an edge: σ of the position across it over the speed; and what the time differs by when the calibration puts the track nearer or further</source>
+        <translation>jedes Zeitpunkts an einem Rand: σ des Orts quer dazu geteilt durch die Geschwindigkeit; und um wie viel die Zeit sich ändert, wenn die Kalibrierung die Spur näher oder weiter setzt</translation>
+    </message>
+    <message>
+        <source>How far the robot&apos;s centre was beyond the edge of a zone at most.</source>
+        <translation>Wie weit die Mitte des Roboters höchstens jenseits des Rands einer Zone war.</translation>
+    </message>
+    <message>
+        <source>of the position across the edge, there</source>
+        <translation>des Orts quer zum Rand, dort</translation>
+    </message>
+    <message>
+        <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
+        <translation>geglättet mit Kalman-Filter und RTS-Glätter, Rauschen nach Maximum-Likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</translation>
+    </message>
+    <message>
+        <source>smoothed by a cubic through eleven points (Savitzky and Golay 1964)</source>
+        <translation>geglättet mit einem Polynom dritten Grades durch elf Punkte (Savitzky und Golay 1964)</translation>
+    </message>
+    <message>
+        <source>differences as in Tracker, positions not smoothed</source>
+        <translation>Differenzen wie in Tracker, Orte nicht geglättet</translation>
+    </message>
+    <message>
+        <source>raw differences (Park 2018, eq. 6 to 8), nothing smoothed</source>
+        <translation>rohe Differenzen (Park 2018, Gl. 6 bis 8), nichts geglättet</translation>
+    </message>
+    <message>
+        <source>robot %1 high (estimated)</source>
+        <translation>Roboter %1 hoch (geschätzt)</translation>
+    </message>
+    <message>
+        <source>robot %1 high</source>
+        <translation>Roboter %1 hoch</translation>
+    </message>
+    <message>
+        <source>analysis %1 by Odograph %2</source>
+        <translation>Auswertung %1 von Odograph %2</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <translation>σ der geglätteten Geschwindigkeit dort, mit dem Maßstabsfehler der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>|v| = √(vx² + vy²) of the smoothed curve at this frame</source>
+        <translation>|v| = √(vx² + vy²) der geglätteten Kurve bei diesem Bild</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands</source>
+        <translation>a·v/|v| der geglätteten Kurve bei diesem Bild: längs der Bahn, Bremsen ist also negativ; |a|, solange er steht</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed acceleration there, with the calibration&apos;s error of scale</source>
+        <translation>σ der geglätteten Beschleunigung dort, mit dem Maßstabsfehler der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Fahrtrichtung</translation>
+    </message>
+    <message>
+        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn</source>
+        <translation>atan2(vy, vx) der geglätteten Kurve bei diesem Bild, gegen den Uhrzeigersinn ab X, ohne Sprünge um eine volle Drehung</translation>
+    </message>
+    <message>
+        <source>σ of the velocity across the motion over the speed</source>
+        <translation>σ der Geschwindigkeit quer zur Bewegung geteilt durch die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Drehrate</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame</source>
+        <translation>(vx·ay − vy·ax)/|v|² der geglätteten Kurve bei diesem Bild</translation>
+    </message>
+    <message>
+        <source>Position X</source>
+        <translation>Ort X</translation>
+    </message>
+    <message>
+        <source>Position Y</source>
+        <translation>Ort Y</translation>
+    </message>
+    <message>
+        <source>the smoothed curve at this frame</source>
+        <translation>die geglättete Kurve bei diesem Bild</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed position, with the calibration&apos;s part</source>
+        <translation>σ des geglätteten Orts, mit dem Anteil der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>at this frame no view found the robot: the curve goes across</source>
+        <translation>bei diesem Bild fand keine Sicht den Roboter: die Kurve geht darüber hinweg</translation>
+    </message>
+    <message>
+        <source>measured there: %1, %2 ±%3</source>
+        <translation>dort gemessen: %1, %2 ±%3</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>durch %1</translation>
+    </message>
+    <message>
+        <source>it is flagged and not used: the curve comes from its neighbours</source>
+        <translation>er ist markiert und wird nicht verwendet: die Kurve folgt aus den Nachbarn</translation>
+    </message>
+    <message>
+        <source>Jump: the place is beyond what the motion before and after allows for (χ² of two degrees of freedom, 99.9 %).</source>
+        <translation>Sprung: Der Ort liegt jenseits dessen, was die Bewegung davor und danach zulässt (χ² mit zwei Freiheitsgraden, 99.9 %).</translation>
+    </message>
+    <message>
+        <source>Limit: to get there it had to be faster than the limit of the task or of the analysis.</source>
+        <translation>Grenzwert: Um dorthin zu kommen, müsste er schneller gewesen sein als der Grenzwert der Aufgabe oder der Auswertung.</translation>
+    </message>
+    <message>
+        <source>Limit: to get there it had to accelerate harder than the limit of the task or of the analysis.</source>
+        <translation>Grenzwert: Um dorthin zu kommen, müsste er stärker beschleunigt haben als der Grenzwert der Aufgabe oder der Auswertung.</translation>
+    </message>
+    <message>
+        <source>Views disagree: their places differ by more than their errors and their usual disagreement explain (χ², 99.9 %).</source>
+        <translation>Sichten uneins: Ihre Orte weichen stärker voneinander ab, als ihre Fehler und ihre übliche Abweichung erklären (χ², 99.9 %).</translation>
+    </message>
+    <message>
+        <source>Low score: the tracker was not sure of what it saw.</source>
+        <translation>Geringe Güte: Die Verfolgung war sich nicht sicher, was sie sah.</translation>
+    </message>
+    <message>
+        <source>Lost: no view found the robot.</source>
+        <translation>Verloren: Keine Sicht fand den Roboter.</translation>
+    </message>
+    <message>
+        <source>Repeated picture: the camera gave the same picture twice, so its time is not known.</source>
+        <translation>Wiederholtes Bild: Die Kamera lieferte dasselbe Bild zweimal, daher ist seine Zeit nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Bridged: the curve goes across without a measurement.</source>
+        <translation>Überbrückt: Die Kurve geht ohne Messung darüber hinweg.</translation>
+    </message>
+    <message>
+        <source>By hand: a person judged it, over the analysis.</source>
+        <translation>Von Hand: Ein Mensch hat entschieden; das geht der Auswertung vor.</translation>
+    </message>
+    <message>
+        <source>How it is computed</source>
+        <translation>Wie es berechnet wird</translation>
+    </message>
+    <message>
+        <source>What ± contains (one standard deviation)</source>
+        <translation>Was ± enthält (eine Standardabweichung)</translation>
+    </message>
+    <message>
+        <source>What went into it</source>
+        <translation>Was eingegangen ist</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>trial %1, robot %2</source>
+        <translation>Versuch %1, Roboter %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples used</source>
+        <translation>%1 von %2 Messpunkten verwendet</translation>
+    </message>
+    <message>
+        <source>views: %1</source>
+        <translation>Sichten: %1</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3, %4 beyond the edge at most</source>
+        <translation>%1: von %2 bis %3, höchstens %4 jenseits des Rands</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>Spike at %1</source>
+        <translation>Ausreißer bei %1</translation>
+    </message>
+    <message>
+        <source>The sample is kept, but not used for the curve.</source>
+        <translation>Der Messpunkt bleibt erhalten, wird aber nicht für die Kurve verwendet.</translation>
+    </message>
+    <message>
+        <source>The sample is used for the curve nevertheless: what is wrong with it was left out, or a person restored it.</source>
+        <translation>Der Messpunkt wird dennoch für die Kurve verwendet: Das Falsche daran wurde ausgelassen, oder ein Mensch hat ihn wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>the views are %1 apart there</source>
+        <translation>die Sichten liegen dort %1 auseinander</translation>
+    </message>
+</context>
+<context>
+    <name>ExplanationDialog</name>
+    <message>
+        <source>How was this computed?</source>
+        <translation>Wie wurde das berechnet?</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>FactExplanations</name>
+    <message>
+        <source>The offset at which the tracks of the robot on the floor, as the two views see it, coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in half frames and refined by Gauss–Newton. The clocks&apos; rate is taken where it is beyond three σ.</source>
+        <translation>Der Versatz, bei dem die Spuren des Roboters auf dem Boden, wie die zwei Sichten sie sehen, zusammenfallen: kleinste Quadrate von r(t) = p₁(t) − p₂((t − Versatz)(1 + Gang)), mit einer konstanten Verschiebung und einem kleinen Maßstab dazwischen, in halben Bildern gesucht und mit Gauß–Newton verfeinert. Der Gang der Uhren wird übernommen, wo er über drei σ liegt.</translation>
+    </message>
+    <message>
+        <source>from the curvature of the sum of squares and the residual, which is taken as correlated over half a second</source>
+        <translation>aus der Krümmung der Quadratsumme und dem Residuum, das als über eine halbe Sekunde korreliert gilt</translation>
+    </message>
+    <message>
+        <source>The offset at which the jumps of light that both views saw fall together, taken where no other offset comes within a factor of 150 of its likelihood: the pairs&apos; weighted mean.</source>
+        <translation>Der Versatz, bei dem die Lichtsprünge, die beide Sichten sahen, zusammenfallen; übernommen, wenn kein anderer Versatz näher als um den Faktor 150 an seine Likelihood herankommt: das gewichtete Mittel der Paare.</translation>
+    </message>
+    <message>
+        <source>of the pairs, of their scatter, and a tenth of a frame interval for each view, for its shutter</source>
+        <translation>der Paare, ihrer Streuung und, für den Verschluss, ein Zehntel eines Bildabstands je Sicht</translation>
+    </message>
+    <message>
+        <source>Each camera&apos;s time stamps, related to this computer&apos;s clock by readings of the camera&apos;s while it recorded.</source>
+        <translation>Die Zeitstempel jeder Kamera, auf die Uhr dieses Computers bezogen durch Ablesen der Kamerauhr während der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>of both relations of the clocks</source>
+        <translation>beider Bezüge der Uhren</translation>
+    </message>
+    <message>
+        <source>Times at the gates</source>
+        <translation>Zeiten an den Toren</translation>
+    </message>
+    <message>
+        <source>When the robot&apos;s centre crosses the gate&apos;s line between its ends, the way the gate is passed: between two frames the smoothed position is the cubic through both places and velocities. It has passed when it was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
+        <translation>Wenn die Mitte des Roboters die Linie des Tors zwischen dessen Enden in Durchfahrtsrichtung kreuzt: Zwischen zwei Bildern ist der geglättete Ort das Polynom dritten Grades durch beide Orte und Geschwindigkeiten. Passiert ist das Tor, wenn sie um drei σ des Eigenrauschens der Spur vor der Linie war und dann um ebenso viel dahinter ist.</translation>
+    </message>
+    <message>
+        <source>σ of the position across the gate over the speed across it, with the calibration&apos;s part</source>
+        <translation>σ des Orts quer zum Tor geteilt durch die Geschwindigkeit quer dazu, mit dem Anteil der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>From one passing of the start to the finish, or of the one gate to the next; of each split its first passing counts.</source>
+        <translation>Von einer Durchfahrt des Starts bis zum Ziel, oder von dem einen Tor bis zum nächsten; bei jeder Zwischenzeit zählt die erste Durchfahrt.</translation>
+    </message>
+    <message>
+        <source>of both passages; the calibration&apos;s error of a gate that is passed twice at one speed cancels</source>
+        <translation>beider Durchfahrten; der Fehler der Kalibrierung hebt sich an einem Tor weg, das zweimal mit derselben Geschwindigkeit passiert wird</translation>
+    </message>
+    <message>
+        <source>to %1: %2</source>
+        <translation>bis %1: %2</translation>
+    </message>
+    <message>
+        <source>View %1 in step with the first</source>
+        <translation>Sicht %1 synchron zur ersten</translation>
+    </message>
+    <message>
+        <source>video %1, %2 frames</source>
+        <translation>Video %1, %2 Bilder</translation>
+    </message>
+    <message>
+        <source>Height of robot %1</source>
+        <translation>Höhe von Roboter %1</translation>
+    </message>
+    <message>
+        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes the outlines in all views are, by weighted least squares at some forty times of the run; where no such solid explains them, the height at which all views put the robot at the same place.</source>
+        <translation>Der Körper (Quader oder Zylinder, auf dem Boden, oder eine Platte oben auf dem Roboter), dessen Silhouetten die Umrisse in allen Sichten sind, nach gewichteten kleinsten Quadraten zu rund vierzig Zeitpunkten der Fahrt; wo kein solcher Körper sie erklärt, die Höhe, bei der alle Sichten den Roboter an denselben Ort setzen.</translation>
+    </message>
+</context>
+<context>
+    <name>FirstLesson</name>
+    <message>
+        <source>Play a run</source>
+        <translation>Eine Fahrt abspielen</translation>
+    </message>
+    <message>
+        <source>Two cameras watched a robot drive. Press Space: both videos, the map and the curves play in step. Space again stops.</source>
+        <translation>Zwei Kameras haben einem Roboter beim Fahren zugesehen. Drücken Sie die Leertaste: Beide Videos, die Karte und die Kurven laufen synchron. Die Leertaste hält wieder an.</translation>
+    </message>
+    <message>
+        <source>Read a figure</source>
+        <translation>Einen Kennwert ablesen</translation>
+    </message>
+    <message>
+        <source>Click into the speed curve. The bubble tells the speed at that moment and its ±: how far off it may be. The band around the curve is where the truth lies in 95 of 100 cases.</source>
+        <translation>Klicken Sie in die Geschwindigkeitskurve. Die Sprechblase nennt die Geschwindigkeit in diesem Moment und ihr ±: wie weit sie danebenliegen kann. Im Band um die Kurve liegt die Wahrheit in 95 von 100 Fällen.</translation>
+    </message>
+    <message>
+        <source>Look at what was flagged</source>
+        <translation>Markiertes ansehen</translation>
+    </message>
+    <message>
+        <source>Go through the trials with Ctrl+Page Up and Ctrl+Page Down to one whose list of spikes, at the right, is not empty. A spike is a moment at which what was measured cannot be true; the list says why.</source>
+        <translation>Gehen Sie mit Strg+Bild auf und Strg+Bild ab durch die Versuche bis zu einem, dessen Liste der Ausreißer rechts nicht leer ist. Ein Ausreißer ist ein Moment, in dem das Gemessene nicht wahr sein kann; die Liste sagt, warum.</translation>
+    </message>
+    <message>
+        <source>Overrule it</source>
+        <translation>Anders entscheiden</translation>
+    </message>
+    <message>
+        <source>Click a spike in the list and look at the videos: was the robot really there? Press U to use the sample all the same. Nothing that was measured is ever lost.</source>
+        <translation>Klicken Sie auf einen Ausreißer in der Liste und sehen Sie die Videos an: War der Roboter wirklich dort? Drücken Sie U, um den Messpunkt trotzdem zu verwenden. Nichts, was gemessen wurde, geht je verloren.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z. Whatever you change is saved at once, and can be taken back.</source>
+        <translation>Drücken Sie Strg+Z. Was Sie ändern, ist sofort gespeichert und lässt sich zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Compare two runs</source>
+        <translation>Zwei Fahrten vergleichen</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+4. Choose two runs above the pictures: where was one faster, and is that more than the error? What is grey is not.</source>
+        <translation>Drücken Sie Strg+4. Wählen Sie über den Bildern zwei Fahrten: Wo war eine schneller, und ist das mehr als der Fehler? Was grau ist, ist es nicht.</translation>
+    </message>
+    <message>
+        <source>Find it again</source>
+        <translation>Wiederfinden</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+5. History holds the whole year: type a team&apos;s name to search, open a run with Enter, and see under Teams who made progress.</source>
+        <translation>Drücken Sie Strg+5. Der Verlauf enthält das ganze Jahr: Tippen Sie den Namen eines Teams, um zu suchen, öffnen Sie eine Fahrt mit der Eingabetaste, und sehen Sie unter Teams, wer Fortschritte gemacht hat.</translation>
+    </message>
+    <message>
+        <source>That was it</source>
+        <translation>Das war es</translation>
+    </message>
+    <message>
+        <source>With your own robots: make a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or bring in videos (Ctrl+I). F1 explains each page.</source>
+        <translation>Mit Ihren eigenen Robotern: Legen Sie ein Projekt an (Strg+N), richten Sie unter Messplatz den Boden ein (Strg+1), nehmen Sie dann auf (Strg+2) oder importieren Sie Videos (Strg+I). F1 erklärt jede Seite.</translation>
+    </message>
+</context>
+<context>
+    <name>HealthWatch</name>
+    <message>
+        <source>The project can only be read</source>
+        <translation>Das Projekt ist nur lesbar</translation>
+    </message>
+    <message>
+        <source>Opening the cameras…</source>
+        <translation>Kameras werden geöffnet…</translation>
+    </message>
+    <message>
+        <source>No camera runs</source>
+        <translation>Keine Kamera läuft</translation>
+    </message>
+    <message>
+        <source>No camera sends pictures</source>
+        <translation>Keine Kamera sendet Bilder</translation>
+    </message>
+    <message>
+        <source>This project can only be read: nothing can be recorded into it.</source>
+        <translation>Dieses Projekt ist nur lesbar: Es lässt sich nichts darin aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Register &amp;it in Testbed</source>
+        <translation>Im &amp;Messplatz einmessen</translation>
+    </message>
+</context>
+<context>
+    <name>HelpDialogs</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>List of keys</source>
+        <translation>Liste der Tasten</translation>
+    </message>
+    <message>
+        <source>About Odograph</source>
+        <translation>Über Odograph</translation>
+    </message>
+    <message>
+        <source>Odograph %1</source>
+        <translation>Odograph %1</translation>
+    </message>
+    <message>
+        <source>Measures how a mobile robot moved, from the videos of ordinary cameras.
+
+Free software under the GNU General Public License, version 3 or later, without any warranty.
+
+The method follows S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018.</source>
+        <translation>Misst anhand der Videos gewöhnlicher Kameras, wie sich ein mobiler Roboter bewegt hat.
+
+Freie Software unter der GNU General Public License, Version 3 oder neuer, ohne jede Gewährleistung.
+
+Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory“, 2018.</translation>
+    </message>
+</context>
+<context>
+    <name>MapPainting</name>
+    <message>
+        <source>grid %1 %2</source>
+        <translation>Raster %1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>Modes</name>
+    <message>
+        <source>Testbed</source>
+        <translation>Messplatz</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Durchsicht</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+</context>
+<context>
+    <name>OwnChanges</name>
+    <message>
+        <source>nothing was changed here</source>
+        <translation>hier wurde nichts geändert</translation>
+    </message>
+    <message>
+        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <translation>frühere Änderungen im Menü Bearbeiten des Fensters zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Done: %1. Ctrl+Z takes it back.</source>
+        <translation>Erledigt: %1. Strg+Z nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>Rückgängig gemacht: %1.</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>wiederholen</translation>
+    </message>
+    <message>
+        <source>Made again: %1.</source>
+        <translation>Wiederholt: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>PageMenus</name>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>T&amp;rial</source>
+        <translation>&amp;Versuch</translation>
+    </message>
+    <message>
+        <source>&amp;Spikes</source>
+        <translation>A&amp;usreißer</translation>
+    </message>
+    <message>
+        <source>&amp;History</source>
+        <translation>Ver&amp;lauf</translation>
+    </message>
+    <message>
+        <source>Re&amp;cord</source>
+        <translation>Auf&amp;nahme</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Wiedergabe</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>E&amp;xtras</translation>
+    </message>
+</context>
+<context>
+    <name>RangeFacts</name>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>What the calibration adds to an angle is not known and not in it.</source>
+        <translation>Was die Kalibrierung zu einem Winkel beiträgt, ist nicht bekannt und nicht darin.</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s error of place is in it.</source>
+        <translation>Der Ortsfehler der Kalibrierung ist darin.</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s error of scale is in it.</source>
+        <translation>Der Maßstabsfehler der Kalibrierung ist darin.</translation>
+    </message>
+    <message>
+        <source>Neighbours of a smoothed curve share their error, so it is averaged out by time and not by frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
+        <translation>Nachbarn auf einer geglätteten Kurve haben ihren Fehler gemeinsam, er mittelt sich also über die Zeit heraus und nicht über die Bilder: mit einem Spektrum r/(1 + (ω/ω₀)⁶) für den Ort, ω₀ = √2 σv/σx.</translation>
+    </message>
+    <message>
+        <source>Of the smoothed curve, each value for half the time to both neighbours: its mean, the median (half of the time stays below it), the least and the most beyond doubt (by the value plus or minus 2σ), and the spread √(mean of the squared distance from the mean).</source>
+        <translation>Von der geglätteten Kurve, jeder Wert mit der halben Zeit zu beiden Nachbarn: ihr Mittel, der Median (die Hälfte der Zeit bleibt darunter), das zweifelsfrei Kleinste und Größte (nach dem Wert plus oder minus 2σ) und die Streuung √(Mittel der Abstandsquadrate vom Mittel).</translation>
+    </message>
+    <message>
+        <source>no value here</source>
+        <translation>hier kein Wert</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>Streuung</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not its shape: χ² is %1 times what the errors explain</source>
+        <translation>nicht seine Form: χ² ist das %1-Fache dessen, was die Fehler erklären</translation>
+    </message>
+    <message>
+        <source>fits; the stated errors are too large: χ² is %1 of what they let expect</source>
+        <translation>passt; die angegebenen Fehler sind zu groß: χ² beträgt %1 von dem, was sie erwarten lassen</translation>
+    </message>
+    <message>
+        <source>fits: χ² is %1 of what the errors let expect</source>
+        <translation>passt: χ² beträgt %1 von dem, was die Fehler erwarten lassen</translation>
+    </message>
+    <message>
+        <source>Fit of %1</source>
+        <translation>Anpassung: %1</translation>
+    </message>
+    <message>
+        <source>The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, over what the errors let expect of it: the number of points less what the coefficients take up.</source>
+        <translation>Das Polynom in t − t₀ mit dem kleinsten Σ(Residuum/σ)² über %1, t₀ = %2. χ² ist diese Summe, geteilt durch das, was die Fehler dafür erwarten lassen: die Zahl der Punkte minus das, was die Koeffizienten aufbrauchen.</translation>
+    </message>
+    <message>
+        <source>the measured places that are used</source>
+        <translation>die gemessenen Orte, die verwendet werden</translation>
+    </message>
+    <message>
+        <source>the smoothed curve</source>
+        <translation>die geglättete Kurve</translation>
+    </message>
+    <message>
+        <source>The larger of two: that of the measurements, widened by 1 + 2Σρ of the residuals where they hang together (here ×%1), and that of the smoothed curve, which knows what of their errors lasts.</source>
+        <translation>Das größere von zweien: das aus den Messungen, um den Faktor 1 + 2Σρ der Residuen verbreitert, wo sie zusammenhängen (hier ×%1), und das der geglätteten Kurve, die weiß, was von deren Fehlern bleibt.</translation>
+    </message>
+    <message>
+        <source>That the shape is the true one is taken for granted; χ² far above 1 says that it is not. Below 1 it comes of a smoother that allows for more motion than there is.</source>
+        <translation>Dass die Form die wahre ist, wird vorausgesetzt; ein χ² weit über 1 sagt, dass sie es nicht ist. Unter 1 kommt es von einer Glättung, die mehr Bewegung zulässt, als da ist.</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>%1 to %2: %3</source>
+        <translation>%1 bis %2: %3</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>slope there</source>
+        <translation>Steigung dort</translation>
+    </message>
+    <message>
+        <source>times t²</source>
+        <translation>mal t²</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Residuum</translation>
+    </message>
+    <message>
+        <source>%1 (RMS)</source>
+        <translation>%1 (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>RecordHealth</name>
+    <message>
+        <source>trouble</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>slow</source>
+        <translation>langsam</translation>
+    </message>
+    <message>
+        <source>losses</source>
+        <translation>Verluste</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>, %1 ms</source>
+        <translation>, %1 ms</translation>
+    </message>
+    <message>
+        <source>; not registered</source>
+        <translation>; nicht eingemessen</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>nicht gesehen</translation>
+    </message>
+    <message>
+        <source>unseen</source>
+        <translation>ungesehen</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, %3</source>
+        <translation>x %1, y %2, %3</translation>
+    </message>
+    <message>
+        <source>; one camera sees it</source>
+        <translation>; eine Kamera sieht ihn</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>gesehen</translation>
+    </message>
+    <message>
+        <source>fair</source>
+        <translation>mäßig</translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation>uneins</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Synchron</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>%1 MB written</source>
+        <translation>%1 MB geschrieben</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>Festplatte</translation>
+    </message>
+    <message>
+        <source>Camera %1 is not registered to the floor: it is recorded, but cannot tell where a robot is.</source>
+        <translation>Kamera %1 ist nicht zum Boden eingemessen: Sie wird aufgenommen, kann aber nicht sagen, wo ein Roboter ist.</translation>
+    </message>
+    <message>
+        <source>Camera %1 was registered for pictures of %2×%3, which it does not send now: it is recorded, but cannot tell where a robot is.</source>
+        <translation>Kamera %1 wurde für Bilder von %2×%3 eingemessen, die sie jetzt nicht sendet: Sie wird aufgenommen, kann aber nicht sagen, wo ein Roboter ist.</translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation>Aufnahme: %1</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>Kamera %1: %2</translation>
+    </message>
+    <message>
+        <source>The disk is hardly fast enough: record to a faster one, or with fewer cameras.</source>
+        <translation>Die Festplatte ist kaum schnell genug: Nehmen Sie auf eine schnellere auf oder mit weniger Kameras.</translation>
+    </message>
+    <message>
+        <source>The disk is nearly full: %1</source>
+        <translation>Die Festplatte ist fast voll: %1</translation>
+    </message>
+    <message>
+        <source>The cameras are not in step: set both to the same rate.</source>
+        <translation>Die Kameras sind nicht synchron: Stellen Sie beide auf dieselbe Bildrate.</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und noch %n</numerusform>
+            <numerusform>und noch %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>ReportChart</name>
+    <message>
+        <source>Speed, %1</source>
+        <translation>Geschwindigkeit, %1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>Beschleunigung längs der Bahn, %1</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>geglättet, mit ±95-%-Band; Punkte: wie gemessen</translation>
+    </message>
+    <message>
+        <source>No curve: the robot was not seen</source>
+        <translation>Keine Kurve: Der Roboter wurde nicht gesehen</translation>
+    </message>
+</context>
+<context>
+    <name>ReportMethod</name>
+    <message>
+        <source>%1: %2 frames at %3/s</source>
+        <translation>%1: %2 Bilder mit %3/s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n missing</source>
+        <translation>
+            <numerusform>%n fehlt</numerusform>
+            <numerusform>%n fehlen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>lens calibrated to %1 px</source>
+        <translation>Objektiv auf %1 px kalibriert</translation>
+    </message>
+    <message>
+        <source>registered to the floor to %1 px, %2</source>
+        <translation>zum Boden eingemessen auf %1 px, %2</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>nicht eingemessen</translation>
+    </message>
+    <message>
+        <source>%1 samples: %2 measured, %3 used, %4 flagged, %5 bridged; the views disagree by %6 on average</source>
+        <translation>%1 Messpunkte: %2 gemessen, %3 verwendet, %4 markiert, %5 überbrückt; die Sichten weichen im Mittel um %6 voneinander ab</translation>
+    </message>
+    <message>
+        <source>t, s</source>
+        <translation>t, s</translation>
+    </message>
+    <message>
+        <source>x, %1</source>
+        <translation>x, %1</translation>
+    </message>
+    <message>
+        <source>y, %1</source>
+        <translation>y, %1</translation>
+    </message>
+    <message>
+        <source>speed, %1</source>
+        <translation>Geschwindigkeit, %1</translation>
+    </message>
+    <message>
+        <source>± (σ)</source>
+        <translation>± (σ)</translation>
+    </message>
+    <message>
+        <source>acceleration, %1</source>
+        <translation>Beschleunigung, %1</translation>
+    </message>
+    <message>
+        <source>flags</source>
+        <translation>Markierung</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Was gemessen wurde</translation>
+    </message>
+    <message>
+        <source>every sample, smoothed</source>
+        <translation>jeder Messpunkt, geglättet</translation>
+    </message>
+    <message>
+        <source>one sample of %1, smoothed; all of them are in the exported file</source>
+        <translation>einer von %1 Messpunkten, geglättet; alle stehen in der exportierten Datei</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>smoother: %1</source>
+        <translation>Glättung: %1</translation>
+    </message>
+    <message>
+        <source>analysed %1, Odograph %2</source>
+        <translation>ausgewertet %1, Odograph %2</translation>
+    </message>
+    <message>
+        <source>%1: method</source>
+        <translation>%1: Methode</translation>
+    </message>
+    <message>
+        <source>How the figures were computed</source>
+        <translation>Wie die Kennwerte berechnet wurden</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>±: %1.</source>
+        <translation>±: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ReportStills</name>
+    <message>
+        <source>no picture: the video is missing</source>
+        <translation>kein Bild: Das Video fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>RobotColours</name>
+    <message>
+        <source>blue</source>
+        <translation>blau</translation>
+    </message>
+    <message>
+        <source>vermilion</source>
+        <translation>zinnoberrot</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>grün</translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation>violett</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>orange</translation>
+    </message>
+    <message>
+        <source>sky blue</source>
+        <translation>himmelblau</translation>
+    </message>
+    <message>
+        <source>by itself</source>
+        <translation>automatisch</translation>
+    </message>
+</context>
+<context>
+    <name>RunEvents</name>
+    <message>
+        <source>First seen, moving already</source>
+        <translation>Zuerst gesehen, schon in Bewegung</translation>
+    </message>
+    <message>
+        <source>Starts to move</source>
+        <translation>Fährt an</translation>
+    </message>
+    <message>
+        <source>Last seen, still moving</source>
+        <translation>Zuletzt gesehen, noch in Bewegung</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Hält an</translation>
+    </message>
+    <message>
+        <source>Top speed, %1</source>
+        <translation>Höchstgeschwindigkeit, %1</translation>
+    </message>
+    <message>
+        <source>Passes %1</source>
+        <translation>Passiert %1</translation>
+    </message>
+    <message>
+        <source>Spike: %1</source>
+        <translation>Ausreißer: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>(%n samples)</source>
+        <translation>
+            <numerusform>(%n Messpunkt)</numerusform>
+            <numerusform>(%n Messpunkte)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SceneDisagreement</name>
+    <message>
+        <source>Only one view at a time: nothing to compare</source>
+        <translation>Immer nur eine Sicht zugleich: nichts zu vergleichen</translation>
+    </message>
+    <message>
+        <source>RMS %1, median %2</source>
+        <translation>RMS %1, Median %2</translation>
+    </message>
+    <message>
+        <source>expected by the errors: %1</source>
+        <translation>nach den Fehlern erwartet: %1</translation>
+    </message>
+    <message>
+        <source>%1 – more than they explain</source>
+        <translation>%1 – mehr, als sie erklären</translation>
+    </message>
+    <message>
+        <source>Disagreement of the views</source>
+        <translation>Abweichung der Sichten</translation>
+    </message>
+    <message>
+        <source>Each view alone puts the robot at a place on the floor. Shown is how far these places are apart in each frame in which two views or more saw it (of more than two, the largest distance); RMS is √(mean of the squares). Samples that are not used are left out.
+Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the views&apos; step σs.
+Much more than expected means that something is not as it was told: the views are not in step (then it grows with the speed), a camera has moved or is badly registered (then it depends on the place), or the robot&apos;s height is wrong (then it points to and from the cameras).</source>
+        <translation>Jede Sicht für sich setzt den Roboter an einen Ort auf dem Boden. Gezeigt wird, wie weit diese Orte in jedem Bild auseinanderliegen, in dem zwei oder mehr Sichten ihn sahen (bei mehr als zweien der größte Abstand); RMS ist √(Mittel der Quadrate). Messpunkte, die nicht verwendet werden, sind ausgelassen.
+Erwartet ist √(tr A + tr B + (v·σs)²) aus den Kovarianzen A und B zweier Sichten (Pixel und Kalibrierung), der Geschwindigkeit v und der Unsicherheit σs der Synchronisierung.
+Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichten sind nicht synchron (dann wächst die Abweichung mit der Geschwindigkeit), eine Kamera hat sich bewegt oder ist schlecht eingemessen (dann hängt die Abweichung vom Ort ab), oder die Höhe des Roboters stimmt nicht (dann zeigt die Abweichung zu den Kameras hin oder von ihnen weg).</translation>
+    </message>
+    <message>
+        <source>%1 frames seen by two views or more; largest %2; views in step to %3 ms</source>
+        <translation>%1 Bilder von zwei oder mehr Sichten gesehen; größte Abweichung %2; Sichten synchron auf %3 ms</translation>
+    </message>
+</context>
+<context>
+    <name>ScoreText</name>
+    <message>
+        <source>%1: not measured, no points (%2)</source>
+        <translation>%1: nicht gemessen, keine Punkte (%2)</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 points (%4)</source>
+        <translation>%1 %2: %3 Punkte (%4)</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 of %4 points (%5)</source>
+        <translation>%1 %2: %3 von %4 Punkten (%5)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
+        <source>the sum of the points of each line; a line gives points × (figure − none at) / (all at − none at), from 0 to all</source>
+        <translation>die Summe der Punkte aller Zeilen; eine Zeile gibt Punkte × (Kennwert − keine bei) / (alle bei − keine bei), von 0 bis alle</translation>
+    </message>
+    <message>
+        <source>of each line half of what its points differ by when its figure is one σ more or less; root of the sum of the squares</source>
+        <translation>je Zeile die Hälfte dessen, um das sich ihre Punkte unterscheiden, wenn ihr Kennwert ein σ mehr oder weniger ist; Wurzel aus der Quadratsumme</translation>
+    </message>
+    <message>
+        <source>%1 points off at %2 or less, none off at %3 or more</source>
+        <translation>%1 Punkte Abzug bei %2 oder weniger, keiner bei %3 oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 points off at %2 or more, none off at %3 or less</source>
+        <translation>%1 Punkte Abzug bei %2 oder mehr, keiner bei %3 oder weniger</translation>
+    </message>
+    <message>
+        <source>%1 points at %2 or less, none at %3 or more</source>
+        <translation>%1 Punkte bei %2 oder weniger, keine bei %3 oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 points at %2 or more, none at %3 or less</source>
+        <translation>%1 Punkte bei %2 oder mehr, keine bei %3 oder weniger</translation>
+    </message>
+</context>
+<context>
+    <name>SnappedMarker</name>
+    <message>
+        <source>tag</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>dot</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>tape crossing</source>
+        <translation>Klebebandkreuz</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>crossing fields</source>
+        <translation>Felderkreuzung</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+</context>
+<context>
+    <name>TargetPainter</name>
+    <message>
+        <source>100 mm</source>
+        <translation>100 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Checkerboard, %1 × %2 inner corners, squares of %3</source>
+        <translation>Schachbrett, %1 × %2 innere Ecken, Quadrate von %3</translation>
+    </message>
+    <message>
+        <source>ChArUco board, %1 × %2 inner corners, squares of %3</source>
+        <translation>ChArUco-Tafel, %1 × %2 innere Ecken, Quadrate von %3</translation>
+    </message>
+    <message>
+        <source>Floor marker %1 (tag 36h11 number %2), %3</source>
+        <translation>Bodenmarker %1 (Tag 36h11 Nummer %2), %3</translation>
+    </message>
+    <message>
+        <source>Floor marker %1 (ring), %2</source>
+        <translation>Bodenmarker %1 (Ring), %2</translation>
+    </message>
+    <message>
+        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and tell Odograph what you measured.</source>
+        <translation>Mit 100 % (tatsächliche Größe) drucken. Flach auf etwas Steifes kleben, ein Quadrat messen und Odograph sagen, was Sie gemessen haben.</translation>
+    </message>
+    <message>
+        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s place is its middle, where the four lines at the edges point.</source>
+        <translation>Mit 100 % (tatsächliche Größe) drucken. Flach hinlegen; der Ort des Markers ist seine Mitte, wohin die vier Striche an den Rändern zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>TestbedState</name>
+    <message>
+        <source>standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>rational</source>
+        <translation>rational</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>Fischauge</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>%1, f = %2 px</source>
+        <translation>%1, f = %2 px</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Herkunft</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>Tafelfehler</translation>
+    </message>
+    <message>
+        <source>%1 px in %2 pictures</source>
+        <translation>%1 px in %2 Bildern</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>Kontrollfehler</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>On the floor</source>
+        <translation>Am Boden</translation>
+    </message>
+    <message>
+        <source>registered %1</source>
+        <translation>eingemessen %1</translation>
+    </message>
+    <message>
+        <source>Last check</source>
+        <translation>Letzte Prüfung</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m, %3 m high</source>
+        <translation>x %1 m, y %2 m, %3 m hoch</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>Achtung</translation>
+    </message>
+    <message>
+        <source>not calibrated: taken as free of distortion</source>
+        <translation>nicht kalibriert: gilt als verzeichnungsfrei</translation>
+    </message>
+    <message>
+        <source>not registered: positions cannot be measured yet</source>
+        <translation>nicht eingemessen: Orte lassen sich noch nicht messen</translation>
+    </message>
+</context>
+<context>
+    <name>TrailPainting</name>
+    <message>
+        <source>0 to %1 %2</source>
+        <translation>0 bis %1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>TrendPainting</name>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+</context>
+<context>
+    <name>TrialCurves</name>
+    <message>
+        <source>No curve yet: track the trial</source>
+        <translation>Noch keine Kurve: zuerst den Roboter verfolgen</translation>
+    </message>
+</context>
+<context>
+    <name>TrialExport</name>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>CSV für Programme (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>CSV für Tabellenkalkulation, 1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>CSV für Tabellenkalkulation, 1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Tracker text (*.txt)</source>
+        <translation>Tracker-Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>TUM trajectory (*.tum)</source>
+        <translation>TUM-Trajektorie (*.tum)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Robot:</source>
+        <translation>Roboter:</translation>
+    </message>
+    <message>
+        <source>export of %1</source>
+        <translation>Export von %1</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>der Roboter wurde noch nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>track it first</source>
+        <translation>ihn zuerst verfolgen</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>%1 exportieren</translation>
+    </message>
+    <message>
+        <source>%1 was exported to %2.</source>
+        <translation>%1 wurde nach %2 exportiert.</translation>
+    </message>
+</context>
+<context>
+    <name>TrialFacts</name>
+    <message>
+        <source>%1, %2 high (estimated)</source>
+        <translation>%1, %2 hoch (geschätzt)</translation>
+    </message>
+    <message>
+        <source>%1, %2 high</source>
+        <translation>%1, %2 hoch</translation>
+    </message>
+    <message>
+        <source>%1: %2×%3, %4 frames</source>
+        <translation>%1: %2×%3, %4 Bilder</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Sicht</translation>
+    </message>
+    <message>
+        <source>video missing</source>
+        <translation>Video fehlt</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>nicht eingemessen</translation>
+    </message>
+    <message>
+        <source>In step</source>
+        <translation>Synchron</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>nicht synchronisiert</translation>
+    </message>
+    <message>
+        <source>SHA-256 %1…</source>
+        <translation>SHA-256 %1…</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>Gates</source>
+        <translation>Tore</translation>
+    </message>
+    <message>
+        <source>to %1 %2</source>
+        <translation>bis %1 %2</translation>
+    </message>
+    <message>
+        <source>Lap %1</source>
+        <translation>Runde %1</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Fahrt %1</translation>
+    </message>
+    <message>
+        <source>off by %1 on average</source>
+        <translation>im Mittel %1 daneben</translation>
+    </message>
+    <message>
+        <source>%1 (RMS)</source>
+        <translation>%1 (RMS)</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 nach links</translation>
+    </message>
+    <message>
+        <source>%1 of it completed</source>
+        <translation>%1 davon geschafft</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>eingehalten</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>measured by another course</source>
+        <translation>nach anderem Parcours ausgewertet</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>none until it is measured again: the task has another course now</source>
+        <translation>keine bis zur neuen Auswertung: Die Aufgabe hat jetzt einen anderen Parcours</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Testbed</source>
+        <translation>Messplatz</translation>
+    </message>
+    <message>
+        <source>markers “%1”</source>
+        <translation>Marker „%1“</translation>
+    </message>
+    <message>
+        <source>Imported</source>
+        <translation>Importiert</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Sollbahn</translation>
+    </message>
+    <message>
+        <source>Distance from the path</source>
+        <translation>Abstand von der Sollbahn</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>Zonen</translation>
+    </message>
+    <message>
+        <source>Smoother</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Analysed</source>
+        <translation>Ausgewertet</translation>
+    </message>
+    <message>
+        <source>%1, Odograph %2</source>
+        <translation>%1, Odograph %2</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>TrialReport</name>
+    <message>
+        <source>class median %1</source>
+        <translation>Klassenmedian %1</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>Die Fahrt von oben</translation>
+    </message>
+    <message>
+        <source>coloured by speed</source>
+        <translation>gefärbt nach Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The cameras’ views</source>
+        <translation>Die Sichten der Kameras</translation>
+    </message>
+    <message>
+        <source>at %1, the top speed</source>
+        <translation>bei %1, der Höchstgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschah</translation>
+    </message>
+    <message>
+        <source>It did not move</source>
+        <translation>Er bewegte sich nicht</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>Zwischenzeiten</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Fahrt %1</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>± one σ</source>
+        <translation>± ein σ</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>This trial has not been tracked yet: there are no figures.</source>
+        <translation>In diesem Versuch wurde der Roboter noch nicht verfolgt: Es gibt keine Kennwerte.</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+</context>
+<context>
+    <name>WindowTitle</name>
+    <message>
+        <source>Team %1</source>
+        <translation>Team %1</translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>odo::AccuracyDialog</name>
+    <message>
+        <source>may hang &amp;over the floor</source>
+        <translation>darf über dem Boden &amp;hängen</translation>
+    </message>
+    <message>
+        <source>&amp;Plan a camera</source>
+        <translation>Kamera &amp;planen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Best place</source>
+        <translation>&amp;Bester Ort</translation>
+    </message>
+    <message>
+        <source>Expected accuracy</source>
+        <translation>Erwartete Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Expected accuracy in words</source>
+        <translation>Erwartete Genauigkeit in Worten</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Was nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cameras that count</source>
+        <translation>Kameras, die zählen</translation>
+    </message>
+    <message>
+        <source>All ticked cameras together</source>
+        <translation>Alle angekreuzten Kameras zusammen</translation>
+    </message>
+    <message>
+        <source>The chosen camera alone</source>
+        <translation>Nur die gewählte Kamera</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>An&amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Height of the robo&amp;t</source>
+        <translation>Höhe des Robo&amp;ters</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>As under a ceiling; a tripod would stand in the robots&apos; way</source>
+        <translation>Wie unter einer Decke; ein Stativ stünde den Robotern im Weg</translation>
+    </message>
+    <message>
+        <source>Puts the camera where, with the others that are ticked, the worst place of the floor is known best</source>
+        <translation>Setzt die Kamera dorthin, wo zusammen mit den anderen angekreuzten die ungenaueste Stelle des Bodens am besten bekannt ist</translation>
+    </message>
+    <message>
+        <source>Room beyond the &amp;markers</source>
+        <translation>Raum jenseits der &amp;Marker</translation>
+    </message>
+    <message>
+        <source>Planned camera</source>
+        <translation>Geplante Kamera</translation>
+    </message>
+    <message>
+        <source>%1, registered %2</source>
+        <translation>%1, eingemessen %2</translation>
+    </message>
+    <message>
+        <source>Planned %1</source>
+        <translation>Geplant: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3.</source>
+        <translation>%1: %2; %3.</translation>
+    </message>
+    <message>
+        <source>Looking for the best place…</source>
+        <translation>Bester Ort wird gesucht…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Badge</name>
+    <message>
+        <source>not registered</source>
+        <translation>nicht eingemessen</translation>
+    </message>
+    <message>
+        <source>moved %1</source>
+        <translation>um %1 bewegt</translation>
+    </message>
+    <message>
+        <source>marker moved %1</source>
+        <translation>Marker um %1 bewegt</translation>
+    </message>
+    <message>
+        <source>markers not found</source>
+        <translation>Marker nicht gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoardCanvas</name>
+    <message>
+        <source>Picture of the board</source>
+        <translation>Bild der Tafel</translation>
+    </message>
+    <message>
+        <source>residuals, longest %1 px</source>
+        <translation>Residuen, längstes %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoardSearchWorker</name>
+    <message>
+        <source>picture %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>in none of its pictures is a board that is still, sharp and new</source>
+        <translation>keines ihrer Bilder zeigt eine Tafel, die ruhig, scharf und an einer neuen Stelle ist</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoxCanvas</name>
+    <message>
+        <source>Picture; arrow keys move the box round the robot, with Shift they change its size</source>
+        <translation>Bild; die Pfeiltasten verschieben den Rahmen um den Roboter, mit Umschalt ändern sie seine Größe</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraChoiceDialog</name>
+    <message>
+        <source>Cameras to record with</source>
+        <translation>Kameras für die Aufnahme</translation>
+    </message>
+    <message>
+        <source>Device that is camera %1</source>
+        <translation>Gerät, das Kamera %1 ist</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Settings of camera %1</source>
+        <translation>Einstellungen von Kamera %1</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>&amp;Erneut suchen</translation>
+    </message>
+    <message>
+        <source>Use these</source>
+        <translation>Diese nehmen</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>nicht benutzt</translation>
+    </message>
+    <message>
+        <source>in use by another program</source>
+        <translation>von einem anderen Programm benutzt</translation>
+    </message>
+    <message>
+        <source>%1 (not connected)</source>
+        <translation>%1 (nicht angeschlossen)</translation>
+    </message>
+    <message>
+        <source>Looking for cameras…</source>
+        <translation>Kameras werden gesucht…</translation>
+    </message>
+    <message>
+        <source>Choose at least one camera. With two, the place of a robot is known better, and while one cannot see it.</source>
+        <translation>Wählen Sie mindestens eine Kamera. Mit zweien ist der Ort eines Roboters genauer bekannt, auch während eine ihn nicht sieht.</translation>
+    </message>
+    <message>
+        <source>One device cannot be two cameras.</source>
+        <translation>Ein Gerät kann nicht zwei Kameras sein.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraListModel</name>
+    <message>
+        <source>not calibrated</source>
+        <translation>nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>calibrated, ±%1 px</source>
+        <translation>kalibriert, ±%1 px</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>nicht eingemessen</translation>
+    </message>
+    <message>
+        <source>registered, %1</source>
+        <translation>eingemessen, %1</translation>
+    </message>
+    <message>
+        <source>Calibrate the lens, then register the camera to the floor.</source>
+        <translation>Kalibrieren Sie das Objektiv, und messen Sie dann die Kamera zum Boden ein.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraView</name>
+    <message>
+        <source>in step to %1 ms</source>
+        <translation>synchron auf %1 ms</translation>
+    </message>
+    <message>
+        <source>offset by hand</source>
+        <translation>Versatz von Hand</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>nicht synchronisiert</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Picture of the camera</source>
+        <translation>Bild der Kamera</translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <translation>Bild von %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraWishesDialog</name>
+    <message>
+        <source>as the camera has it</source>
+        <translation>wie die Kamera es vorgibt</translation>
+    </message>
+    <message>
+        <source>frames/s</source>
+        <translation>Bilder/s</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Ask for each picture, so that all such cameras take theirs together</source>
+        <translation>Jedes Bild einzeln anfordern, damit alle solchen Kameras ihres gleichzeitig aufnehmen</translation>
+    </message>
+    <message>
+        <source>Settings of %1</source>
+        <translation>Einstellungen von %1</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Software trigger</source>
+        <translation>Softwareauslöser</translation>
+    </message>
+    <message>
+        <source>&amp;Picture</source>
+        <translation>&amp;Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Rate</source>
+        <translation>Bild&amp;rate</translation>
+    </message>
+    <message>
+        <source>&amp;Exposure</source>
+        <translation>B&amp;elichtung</translation>
+    </message>
+    <message>
+        <source>&amp;Trigger</source>
+        <translation>&amp;Auslöser</translation>
+    </message>
+    <message>
+        <source>What the camera cannot do is said when it is opened.</source>
+        <translation>Was die Kamera nicht kann, wird beim Öffnen gemeldet.</translation>
+    </message>
+    <message>
+        <source>Use these</source>
+        <translation>Diese nehmen</translation>
+    </message>
+    <message>
+        <source>the best for tracking</source>
+        <translation>am besten für die Verfolgung</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChangeModel</name>
+    <message>
+        <source>made</source>
+        <translation>ausgeführt</translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation>rückgängig</translation>
+    </message>
+    <message>
+        <source>made again</source>
+        <translation>wiederholt</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Wie</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChangesDialog</name>
+    <message>
+        <source>Changes of the project</source>
+        <translation>Änderungen am Projekt</translation>
+    </message>
+    <message>
+        <source>Nothing has been changed yet.</source>
+        <translation>Noch wurde nichts geändert.</translation>
+    </message>
+    <message>
+        <source>What was changed, in this window and by the command line, the newest first. Recordings, imports and tracking are told too; they cannot be undone.</source>
+        <translation>Was geändert wurde, in diesem Fenster und über die Befehlszeile, das Neueste zuerst. Aufnahmen, Importe und Verfolgungen stehen auch dabei; sie lassen sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Search the changes…</source>
+        <translation>Änderungen durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Search the changes</source>
+        <translation>Änderungen durchsuchen</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Änderungen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChartPicture</name>
+    <message>
+        <source>&amp;Copy as a picture</source>
+        <translation>Als Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Save as a picture…</source>
+        <translation>Als Bild &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>SVG pictures (*.svg)</source>
+        <translation>SVG-Bilder (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG-Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Save as a picture</source>
+        <translation>Als Bild speichern</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChartSpan</name>
+    <message>
+        <source>Charts: show &amp;less</source>
+        <translation>Diagramme: &amp;weniger zeigen</translation>
+    </message>
+    <message>
+        <source>Charts: show &amp;more</source>
+        <translation>Diagramme: &amp;mehr zeigen</translation>
+    </message>
+    <message>
+        <source>Charts: show &amp;all</source>
+        <translation>Diagramme: &amp;alles zeigen</translation>
+    </message>
+    <message>
+        <source>Charts against the &amp;distance</source>
+        <translation>Diagramme über dem W&amp;eg</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CheckTools</name>
+    <message>
+        <source>&amp;Check the cameras…</source>
+        <translation>Kameras &amp;prüfen…</translation>
+    </message>
+    <message>
+        <source>Moved?</source>
+        <translation>Bewegt?</translation>
+    </message>
+    <message>
+        <source>Look whether each camera still stands where it was registered, before the robots run</source>
+        <translation>Nachsehen, ob jede Kamera noch da steht, wo sie eingemessen wurde, bevor die Roboter fahren</translation>
+    </message>
+    <message>
+        <source>Check a known &amp;length…</source>
+        <translation>Bekannte &amp;Länge prüfen…</translation>
+    </message>
+    <message>
+        <source>Length…</source>
+        <translation>Länge…</translation>
+    </message>
+    <message>
+        <source>Measure something of known length in a camera&apos;s picture, and see whether the camera is as good as it promises</source>
+        <translation>Etwas von bekannter Länge im Bild einer Kamera messen und sehen, ob die Kamera so gut ist, wie sie verspricht</translation>
+    </message>
+    <message>
+        <source>&amp;Expected accuracy…</source>
+        <translation>Er&amp;wartete Genauigkeit…</translation>
+    </message>
+    <message>
+        <source>Accuracy…</source>
+        <translation>Genauigkeit…</translation>
+    </message>
+    <message>
+        <source>See how well each place of the floor will be known, also with cameras that are only planned</source>
+        <translation>Sehen, wie genau jede Stelle des Bodens bekannt sein wird, auch mit Kameras, die erst geplant sind</translation>
+    </message>
+    <message>
+        <source>&amp;Older calibrations…</source>
+        <translation>Ältere K&amp;alibrierungen…</translation>
+    </message>
+    <message>
+        <source>Revisions…</source>
+        <translation>Revisionen…</translation>
+    </message>
+    <message>
+        <source>See every calibration and registration of a camera, put an older one in force, measure trials again</source>
+        <translation>Alle Kalibrierungen und Einmessungen einer Kamera ansehen, eine ältere wieder gültig machen, Versuche neu auswerten</translation>
+    </message>
+    <message>
+        <source>The cameras are checked: see their badges.</source>
+        <translation>Die Kameras sind geprüft: siehe ihre Plaketten.</translation>
+    </message>
+    <message>
+        <source>Calibrations and trials are as they were chosen.</source>
+        <translation>Kalibrierungen und Versuche sind wie gewählt.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ClassActions</name>
+    <message>
+        <source>&amp;Tasks…</source>
+        <translation>A&amp;ufgaben…</translation>
+    </message>
+    <message>
+        <source>C&amp;lasses and teams…</source>
+        <translation>Klassen und &amp;Teams…</translation>
+    </message>
+    <message>
+        <source>R&amp;obots…</source>
+        <translation>&amp;Roboter…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ClassesDialog</name>
+    <message>
+        <source>&amp;New class…</source>
+        <translation>&amp;Neue Klasse…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Umbenennen…</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>&amp;Archivieren</translation>
+    </message>
+    <message>
+        <source>Dele&amp;te</source>
+        <translation>Lös&amp;chen</translation>
+    </message>
+    <message>
+        <source>New t&amp;eam…</source>
+        <translation>Neues T&amp;eam…</translation>
+    </message>
+    <message>
+        <source>&amp;Move to</source>
+        <translation>&amp;Verschieben in</translation>
+    </message>
+    <message>
+        <source>Members and r&amp;obots…</source>
+        <translation>&amp;Mitglieder und Roboter…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Import roster…</source>
+        <translation>Klassenliste &amp;importieren…</translation>
+    </message>
+    <message>
+        <source>Classes and teams</source>
+        <translation>Klassen und Teams</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Klassen</translation>
+    </message>
+    <message>
+        <source>An archived class is out of the way: History, Record and the standings show its teams and trials only where it is chosen there by name</source>
+        <translation>Eine archivierte Klasse ist aus dem Weg: Verlauf, Aufnahme und Rangliste zeigen ihre Teams und Versuche nur, wo sie dort mit Namen gewählt ist</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Pseudonym</source>
+        <translation>Pseudonym</translation>
+    </message>
+    <message>
+        <source>Members</source>
+        <translation>Mitglieder</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Teams of the class</source>
+        <translation>Teams der Klasse</translation>
+    </message>
+    <message>
+        <source>Double-click or F2 changes a name or a pseudonym</source>
+        <translation>Doppelklick oder F2 ändert einen Namen oder ein Pseudonym</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (archived, %n team(s))</source>
+        <translation>
+            <numerusform>%1 (archiviert, %n Team)</numerusform>
+            <numerusform>%1 (archiviert, %n Teams)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%n team(s))</source>
+        <translation>
+            <numerusform>%1 (%n Team)</numerusform>
+            <numerusform>%1 (%n Teams)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Teams without a class</source>
+        <translation>Teams ohne Klasse</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>Aus dem &amp;Archiv holen</translation>
+    </message>
+    <message>
+        <source>No class</source>
+        <translation>Keine Klasse</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>New class</source>
+        <translation>Neue Klasse</translation>
+    </message>
+    <message>
+        <source>add class %1</source>
+        <translation>Klasse %1 anlegen</translation>
+    </message>
+    <message>
+        <source>Rename class</source>
+        <translation>Klasse umbenennen</translation>
+    </message>
+    <message>
+        <source>rename class %1 to %2</source>
+        <translation>Klasse %1 in %2 umbenennen</translation>
+    </message>
+    <message>
+        <source>take class %1 out of the archive</source>
+        <translation>Klasse %1 aus dem Archiv holen</translation>
+    </message>
+    <message>
+        <source>archive class %1</source>
+        <translation>Klasse %1 archivieren</translation>
+    </message>
+    <message>
+        <source>delete class %1</source>
+        <translation>Klasse %1 löschen</translation>
+    </message>
+    <message>
+        <source>New team</source>
+        <translation>Neues Team</translation>
+    </message>
+    <message>
+        <source>add team %1</source>
+        <translation>Team %1 anlegen</translation>
+    </message>
+    <message>
+        <source>take team %1 out of its class</source>
+        <translation>Team %1 aus seiner Klasse nehmen</translation>
+    </message>
+    <message>
+        <source>move team %1 to class %2</source>
+        <translation>Team %1 in Klasse %2 verschieben</translation>
+    </message>
+    <message>
+        <source>delete team %1</source>
+        <translation>Team %1 löschen</translation>
+    </message>
+    <message>
+        <source>change members and robots of team %1</source>
+        <translation>Mitglieder und Roboter von Team %1 ändern</translation>
+    </message>
+    <message>
+        <source>rename team %1 to %2</source>
+        <translation>Team %1 in %2 umbenennen</translation>
+    </message>
+    <message>
+        <source>change the pseudonym of team %1</source>
+        <translation>Pseudonym von Team %1 ändern</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CompareColumn</name>
+    <message>
+        <source>Time difference</source>
+        <translation>Zeitdifferenz</translation>
+    </message>
+    <message>
+        <source>Sectors</source>
+        <translation>Sektoren</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>Run that is shown against the first</source>
+        <translation>Fahrt, die gegen die erste gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Fahrten</translation>
+    </message>
+    <message>
+        <source>Times from gate to gate</source>
+        <translation>Zeiten von Tor zu Tor</translation>
+    </message>
+    <message>
+        <source>Figures of both runs</source>
+        <translation>Kennwerte beider Fahrten</translation>
+    </message>
+    <message>
+        <source>s · drag the gates on the map</source>
+        <translation>s · Tore auf der Karte ziehen</translation>
+    </message>
+    <message>
+        <source>grey: within the error</source>
+        <translation>grau: im Rahmen des Fehlers</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
+        <source>Later at the end</source>
+        <translation>Am Ende später</translation>
+    </message>
+    <message>
+        <source>Earlier at the end</source>
+        <translation>Am Ende früher</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Am Ende</translation>
+    </message>
+    <message>
+        <source>Later here</source>
+        <translation>Hier später</translation>
+    </message>
+    <message>
+        <source>Earlier here</source>
+        <translation>Hier früher</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Hier</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CompareDesk</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>Karte von oben</translation>
+    </message>
+    <message>
+        <source>Map of the floor with the ways of the runs and the gates of the sectors</source>
+        <translation>Karte des Bodens mit den Wegen der Fahrten und den Toren der Sektoren</translation>
+    </message>
+    <message>
+        <source>Drag a gate along the way; with the keys: Up and Down choose one, Left and Right move it</source>
+        <translation>Ziehen Sie ein Tor entlang des Wegs; mit den Tasten: Auf und Ab wählen eines, Links und Rechts verschieben es</translation>
+    </message>
+    <message>
+        <source>both runs</source>
+        <translation>beide Fahrten</translation>
+    </message>
+    <message>
+        <source>Camera of the first run</source>
+        <translation>Kamera der ersten Fahrt</translation>
+    </message>
+    <message>
+        <source>Camera of the second run</source>
+        <translation>Kamera der zweiten Fahrt</translation>
+    </message>
+    <message>
+        <source>dashed: the task&apos;s path</source>
+        <translation>gestrichelt: Sollbahn der Aufgabe</translation>
+    </message>
+    <message>
+        <source>along the first run&apos;s way</source>
+        <translation>längs des Wegs der ersten Fahrt</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Erste</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Zweite</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ComparePage</name>
+    <message>
+        <source>These runs cannot be compared</source>
+        <translation>Diese Fahrten lassen sich nicht vergleichen</translation>
+    </message>
+    <message>
+        <source>%1. What helps: %2.</source>
+        <translation>%1. Abhilfe: %2.</translation>
+    </message>
+    <message>
+        <source>Two runs are needed</source>
+        <translation>Es braucht zwei Fahrten</translation>
+    </message>
+    <message>
+        <source>Comparing shows where one run is faster than another, and whether that is more than the error. Choose two trials that have been tracked, or bring in another one.</source>
+        <translation>Der Vergleich zeigt, wo eine Fahrt schneller ist als eine andere und ob das mehr ist als der Fehler. Wählen Sie zwei Versuche mit verfolgtem Roboter, oder importieren Sie einen weiteren.</translation>
+    </message>
+    <message>
+        <source>Import trial from videos…</source>
+        <translation>Versuch aus Videos importieren…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CoveragePanel</name>
+    <message>
+        <source>Across</source>
+        <translation>Waagrecht</translation>
+    </message>
+    <message>
+        <source>Up and down</source>
+        <translation>Senkrecht</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>Nah</translation>
+    </message>
+    <message>
+        <source>Tilted</source>
+        <translation>Geneigt</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Abgedeckt</translation>
+    </message>
+    <message>
+        <source>%1 pictures: enough. More do no harm.</source>
+        <translation>%1 Bilder: genug. Mehr schaden nicht.</translation>
+    </message>
+    <message>
+        <source>1 picture; ten or more are wanted.</source>
+        <translation>1 Bild; zehn oder mehr sind nötig.</translation>
+    </message>
+    <message>
+        <source>%1 pictures; ten or more are wanted.</source>
+        <translation>%1 Bilder; zehn oder mehr sind nötig.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CrashNotice</name>
+    <message>
+        <source>Odograph ended unexpectedly</source>
+        <translation>Odograph wurde unerwartet beendet</translation>
+    </message>
+    <message>
+        <source>The last time, Odograph ended by a fault of its own. What was saved is safe. A recording that was cut off is kept up to its last second as soon as its project is opened again.</source>
+        <translation>Beim letzten Mal wurde Odograph durch einen eigenen Fehler beendet. Was gespeichert war, ist sicher. Eine abgebrochene Aufnahme bleibt bis zu ihrer letzten Sekunde erhalten, sobald ihr Projekt wieder geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>The last time, Odograph ended by a fault of its own. What was saved is safe.</source>
+        <translation>Beim letzten Mal wurde Odograph durch einen eigenen Fehler beendet. Was gespeichert war, ist sicher.</translation>
+    </message>
+    <message>
+        <source>Project:</source>
+        <translation>Projekt:</translation>
+    </message>
+    <message>
+        <source>Report:</source>
+        <translation>Bericht:</translation>
+    </message>
+    <message>
+        <source>&amp;Open the project</source>
+        <translation>Projekt ö&amp;ffnen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DifferenceModel</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>begin</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Only one of the two has it</source>
+        <translation>Nur eine der beiden hat ihn</translation>
+    </message>
+    <message>
+        <source>%1: beyond the error (95 %)</source>
+        <translation>%1: größer als der Fehler (95 %)</translation>
+    </message>
+    <message>
+        <source>%1: within the error (95 %), no difference can be claimed</source>
+        <translation>%1: im Rahmen des Fehlers (95 %), ein Unterschied lässt sich nicht behaupten</translation>
+    </message>
+    <message>
+        <source>beyond the error</source>
+        <translation>größer als der Fehler</translation>
+    </message>
+    <message>
+        <source>within the error</source>
+        <translation>im Rahmen des Fehlers</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DistanceChart</name>
+    <message>
+        <source>Speed along the way</source>
+        <translation>Geschwindigkeit längs des Wegs</translation>
+    </message>
+    <message>
+        <source>Time difference along the way</source>
+        <translation>Zeitdifferenz längs des Wegs</translation>
+    </message>
+    <message>
+        <source>%1 · smoothed ±95 %</source>
+        <translation>%1 · geglättet ±95 %</translation>
+    </message>
+    <message>
+        <source>s · above 0: %2 is later than %1 · ±95 % · grey: within the error</source>
+        <translation>s · über 0: %2 ist später als %1 · ±95 % · grau: im Rahmen des Fehlers</translation>
+    </message>
+    <message>
+        <source>s · above 0: later than %1 · ±95 % · grey: within the error</source>
+        <translation>s · über 0: später als %1 · ±95 % · grau: im Rahmen des Fehlers</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DockGrip</name>
+    <message>
+        <source>Drag to move, double click to float</source>
+        <translation>Ziehen verschiebt, Doppelklick löst ab</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DoctorDialog</name>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>schlecht</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Set-up doctor</source>
+        <translation>Aufbaudiagnose</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>&amp;Erneut prüfen</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Wird geprüft…</translation>
+    </message>
+    <message>
+        <source>. What to do: %1.</source>
+        <translation>. Was zu tun ist: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that would disturb a recording.</source>
+        <translation>Es wurde nichts gefunden, was eine Aufnahme stören würde.</translation>
+    </message>
+    <message>
+        <source>There is one thing to look at.</source>
+        <translation>Einen Punkt sollten Sie sich ansehen.</translation>
+    </message>
+    <message>
+        <source>There are %1 things to look at, the worst first.</source>
+        <translation>%1 Punkte sollten Sie sich ansehen, der schlimmste zuerst.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FigureGrid</name>
+    <message>
+        <source>Figures</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>No result yet: track the trial</source>
+        <translation>Noch kein Ergebnis: zuerst den Roboter verfolgen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FigureText</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>Höchstgeschw.</translation>
+    </message>
+    <message>
+        <source>Mean speed</source>
+        <translation>Mittlere Geschw.</translation>
+    </message>
+    <message>
+        <source>Speed (RMS)</source>
+        <translation>Geschw. (RMS)</translation>
+    </message>
+    <message>
+        <source>Top acceleration</source>
+        <translation>Max. Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Acceleration (RMS)</source>
+        <translation>Beschleunigung (RMS)</translation>
+    </message>
+    <message>
+        <source>Straightness</source>
+        <translation>Geradlinigkeit</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Stopps</translation>
+    </message>
+    <message>
+        <source>Fastest turn</source>
+        <translation>Schnellste Drehung</translation>
+    </message>
+    <message>
+        <source>Start to finish</source>
+        <translation>Start bis Ziel</translation>
+    </message>
+    <message>
+        <source>Laps</source>
+        <translation>Runden</translation>
+    </message>
+    <message>
+        <source>Best lap</source>
+        <translation>Beste Runde</translation>
+    </message>
+    <message>
+        <source>Mean lap</source>
+        <translation>Mittlere Runde</translation>
+    </message>
+    <message>
+        <source>Off the path (mean)</source>
+        <translation>Bahnabweichung (Mittel)</translation>
+    </message>
+    <message>
+        <source>Off the path (RMS)</source>
+        <translation>Bahnabweichung (RMS)</translation>
+    </message>
+    <message>
+        <source>Off the path (most)</source>
+        <translation>Bahnabweichung (max.)</translation>
+    </message>
+    <message>
+        <source>Left of the path</source>
+        <translation>Links der Bahn</translation>
+    </message>
+    <message>
+        <source>Path completed</source>
+        <translation>Bahn geschafft</translation>
+    </message>
+    <message>
+        <source>Zones broken</source>
+        <translation>Zonen verletzt</translation>
+    </message>
+    <message>
+        <source>Time beyond zones</source>
+        <translation>Zonen verletzt (Zeit)</translation>
+    </message>
+    <message>
+        <source>Beyond zones (most)</source>
+        <translation>Zonen verletzt (max.)</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Time in motion</source>
+        <translation>Zeit in Bewegung</translation>
+    </message>
+    <message>
+        <source>Views disagree by</source>
+        <translation>Abweichung der Sichten</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Spikes</source>
+        <translation>Ausreißer</translation>
+    </message>
+    <message>
+        <source>Limits broken</source>
+        <translation>Grenzwerte verletzt</translation>
+    </message>
+    <message>
+        <source>Gates passed</source>
+        <translation>Passierte Tore</translation>
+    </message>
+    <message>
+        <source>Robot&apos;s height</source>
+        <translation>Höhe des Roboters</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FileActions</name>
+    <message>
+        <source>&amp;New project…</source>
+        <translation>&amp;Neues Projekt…</translation>
+    </message>
+    <message>
+        <source>&amp;Open project…</source>
+        <translation>Projekt ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open &amp;demo lesson…</source>
+        <translation>&amp;Demo-Lektion öffnen…</translation>
+    </message>
+    <message>
+        <source>Save a &amp;copy as…</source>
+        <translation>&amp;Kopie speichern unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>Project.odo</source>
+        <translation>Projekt.odo</translation>
+    </message>
+    <message>
+        <source>Odograph projects (*.odo)</source>
+        <translation>Odograph-Projekte (*.odo)</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Odograph projects (*.odo);;All files (*)</source>
+        <translation>Odograph-Projekte (*.odo);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Where shall the demo lesson be made?</source>
+        <translation>Wo soll die Demo-Lektion angelegt werden?</translation>
+    </message>
+    <message>
+        <source>Odograph demo</source>
+        <translation>Odograph-Demo</translation>
+    </message>
+    <message>
+        <source>Making the demo lesson</source>
+        <translation>Demo-Lektion wird angelegt</translation>
+    </message>
+    <message>
+        <source>Copy of %1</source>
+        <translation>Kopie von %1</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Kopie speichern</translation>
+    </message>
+    <message>
+        <source>Saving a copy</source>
+        <translation>Kopie wird gespeichert</translation>
+    </message>
+    <message>
+        <source>A copy was saved as %1. Its videos stay where they are.</source>
+        <translation>Eine Kopie wurde als %1 gespeichert. Ihre Videos bleiben, wo sie sind.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FilmStrip</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>&amp;Herausnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Pictures that count</source>
+        <translation>Bilder, die zählen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorMap</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>Karte von oben</translation>
+    </message>
+    <message>
+        <source>Map: &amp;views&apos; disagreement</source>
+        <translation>Karte: Ab&amp;weichung der Sichten</translation>
+    </message>
+    <message>
+        <source>Map of the floor with the robots&apos; trails</source>
+        <translation>Karte des Bodens mit den Spuren der Roboter</translation>
+    </message>
+    <message>
+        <source>What colours the trails of the map</source>
+        <translation>Wonach die Spuren der Karte gefärbt sind</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Disagreement</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Disagreement of the views: %1</source>
+        <translation>Abweichung der Sichten: %1</translation>
+    </message>
+    <message>
+        <source>coloured by</source>
+        <translation>gefärbt nach</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorSketch</name>
+    <message>
+        <source>Sketch of the testbed from above</source>
+        <translation>Skizze des Messplatzes von oben</translation>
+    </message>
+    <message>
+        <source>%1 markers, %2 cameras</source>
+        <translation>%1 Marker, %2 Kameras</translation>
+    </message>
+    <message>
+        <source>%1, %2 m high</source>
+        <translation>%1, %2 m hoch</translation>
+    </message>
+    <message>
+        <source>Markers and cameras are drawn here once there is a layout or a registered camera.</source>
+        <translation>Marker und Kameras werden hier gezeichnet, sobald es einen Markerplan oder eine eingemessene Kamera gibt.</translation>
+    </message>
+    <message>
+        <source>grid 0.5 m</source>
+        <translation>Raster 0.5 m</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorSourcePage</name>
+    <message>
+        <source>Picture or video of the markers</source>
+        <translation>Bild oder Video der Marker</translation>
+    </message>
+    <message>
+        <source>Markers whose places on the floor are known tell where the camera stands. Four are enough, a fifth checks them. Afterwards the camera must not be moved.</source>
+        <translation>Marker, deren Orte auf dem Boden bekannt sind, verraten, wo die Kamera steht. Vier genügen, ein fünfter prüft sie. Danach darf die Kamera nicht mehr bewegt werden.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>Marker &amp;layout</source>
+        <translation>&amp;Markerplan</translation>
+    </message>
+    <message>
+        <source>Where the markers are seen</source>
+        <translation>Wo die Marker zu sehen sind</translation>
+    </message>
+    <message>
+        <source>Its lens is measured.</source>
+        <translation>Ihr Objektiv ist vermessen.</translation>
+    </message>
+    <message>
+        <source>Its lens was not measured: it is taken as free of distortion, and its focal length is estimated from the markers where they tell it.</source>
+        <translation>Ihr Objektiv wurde nicht vermessen: Es gilt als verzeichnungsfrei, und seine Brennweite wird aus den Markern geschätzt, soweit diese sie verraten.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorWizard</name>
+    <message>
+        <source>Register camera to the floor</source>
+        <translation>Kamera zum Boden einmessen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>The camera and its markers</source>
+        <translation>Die Kamera und ihre Marker</translation>
+    </message>
+    <message>
+        <source>The markers in the picture</source>
+        <translation>Die Marker im Bild</translation>
+    </message>
+    <message>
+        <source>Looking for the markers…</source>
+        <translation>Marker werden gesucht…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::GateTable</name>
+    <message>
+        <source>start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>finish</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>start and finish</source>
+        <translation>Start und Ziel</translation>
+    </message>
+    <message>
+        <source>split</source>
+        <translation>Zwischenzeit</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Other way</source>
+        <translation>&amp;Umdrehen</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Tor</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>x₁, mm</source>
+        <translation>x₁, mm</translation>
+    </message>
+    <message>
+        <source>y₁, mm</source>
+        <translation>y₁, mm</translation>
+    </message>
+    <message>
+        <source>x₂, mm</source>
+        <translation>x₂, mm</translation>
+    </message>
+    <message>
+        <source>y₂, mm</source>
+        <translation>y₂, mm</translation>
+    </message>
+    <message>
+        <source>Gates in the order in which they are passed</source>
+        <translation>Tore in der Reihenfolge, in der sie passiert werden</translation>
+    </message>
+    <message>
+        <source>&amp;Add gate</source>
+        <translation>&amp;Tor hinzufügen</translation>
+    </message>
+    <message>
+        <source>The chosen gate is passed the other way</source>
+        <translation>Das gewählte Tor wird in der anderen Richtung passiert</translation>
+    </message>
+    <message>
+        <source>Role of the gate</source>
+        <translation>Rolle des Tors</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>Zwischenzeit %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::GeneralPage</name>
+    <message>
+        <source>Odograph shows it when it is started again.</source>
+        <translation>Odograph zeigt sie nach dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;Units of results</source>
+        <translation>&amp;Einheiten der Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Floors and targets are set up in millimetres, as they are printed. Exported files have the units that their format asks for.</source>
+        <translation>Boden und Druckvorlagen werden in Millimetern angegeben, so wie sie gedruckt werden. Exportierte Dateien haben die Einheiten, die ihr Format verlangt.</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Design</translation>
+    </message>
+    <message>
+        <source>&amp;Colours of maps</source>
+        <translation>&amp;Farben der Karten</translation>
+    </message>
+    <message>
+        <source>Both can be told apart by people who do not see red or green, and in a print without colours.</source>
+        <translation>Beide sind auch für Menschen mit Rot-Grün-Schwäche und im Schwarzweißdruck unterscheidbar.</translation>
+    </message>
+    <message>
+        <source>Units of results</source>
+        <translation>Einheiten der Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Millimetres and metres: mm, m, m/s</source>
+        <translation>Millimeter und Meter: mm, m, m/s</translation>
+    </message>
+    <message>
+        <source>Centimetres: cm, cm/s</source>
+        <translation>Zentimeter: cm, cm/s</translation>
+    </message>
+    <message>
+        <source>Inches and feet: in, ft, ft/s</source>
+        <translation>Zoll und Fuß: in, ft, ft/s</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>As the computer has it</source>
+        <translation>Wie der Computer</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Design</translation>
+    </message>
+    <message>
+        <source>As the desktop has it</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Colours of maps</source>
+        <translation>Farben der Karten</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HelpActions</name>
+    <message>
+        <source>&amp;Help on this page</source>
+        <translation>&amp;Hilfe zu dieser Seite</translation>
+    </message>
+    <message>
+        <source>&amp;First lesson</source>
+        <translation>&amp;Erste Lektion</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;About Odograph</source>
+        <translation>Ü&amp;ber Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HelpPanel</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Close the help (F1)</source>
+        <translation>Hilfe schließen (F1)</translation>
+    </message>
+    <message>
+        <source>Close the help</source>
+        <translation>Hilfe schließen</translation>
+    </message>
+    <message>
+        <source>Help on this page</source>
+        <translation>Hilfe zu dieser Seite</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HistoryActions</name>
+    <message>
+        <source>Import &amp;roster…</source>
+        <translation>&amp;Klassenliste importieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Changes of the project…</source>
+        <translation>Ä&amp;nderungen am Projekt…</translation>
+    </message>
+    <message>
+        <source>Import a roster: a table with the columns class and team, perhaps pseudonym</source>
+        <translation>Eine Klassenliste importieren: eine Tabelle mit den Spalten class (Klasse) und team, eventuell pseudonym</translation>
+    </message>
+    <message>
+        <source>CSV tables (*.csv)</source>
+        <translation>CSV-Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>The roster is imported. Teams that are new: %1, changed: %2, as before: %3.</source>
+        <translation>Die Klassenliste ist importiert. Neue Teams: %1, geändert: %2, wie zuvor: %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Export %n trial(s): choose a folder</source>
+        <translation>
+            <numerusform>%n Versuch exportieren: Ordner wählen</numerusform>
+            <numerusform>%n Versuche exportieren: Ordner wählen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exported trials: %1 of %2.</source>
+        <translation>Exportierte Versuche: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Exporting %1 (%2 of %3)</source>
+        <translation>%1 wird exportiert (%2 von %3)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Videos of %n trial(s)</source>
+        <translation>
+            <numerusform>Video von %n Versuch</numerusform>
+            <numerusform>Videos von %n Versuchen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Videos made: %1 of %2.</source>
+        <translation>Erstellte Videos: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Making the video of %1 (%2 of %3)</source>
+        <translation>Video von %1 wird erstellt (%2 von %3)</translation>
+    </message>
+    <message>
+        <source>Trials measured again: %1 of %2.</source>
+        <translation>Neu ausgewertete Versuche: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Measuring %1 again (%2 of %3)</source>
+        <translation>%1 wird neu ausgewertet (%2 von %3)</translation>
+    </message>
+    <message>
+        <source>Emptying the bin</source>
+        <translation>Papierkorb wird geleert</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) removed for good.</source>
+        <translation>
+            <numerusform>%n Versuch endgültig entfernt.</numerusform>
+            <numerusform>%n Versuche endgültig entfernt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n trial(s) removed for good; the rest is still there.</source>
+        <translation>
+            <numerusform>%1 von %n Versuch endgültig entfernt; der Rest ist noch da.</numerusform>
+            <numerusform>%1 von %n Versuchen endgültig entfernt; der Rest ist noch da.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 could not be deleted; delete it by hand.</source>
+        <translation>%1 ließ sich nicht löschen; löschen Sie es von Hand.</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und noch %1</translation>
+    </message>
+    <message>
+        <source>mend what stands there, and choose these trials again</source>
+        <translation>beheben, was dort steht, und diese Versuche erneut wählen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HistoryPage</name>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>Teams by &amp;pseudonym</source>
+        <translation>Teams unter &amp;Pseudonym</translation>
+    </message>
+    <message>
+        <source>Tria&amp;ls</source>
+        <translation>Ver&amp;suche</translation>
+    </message>
+    <message>
+        <source>Tea&amp;ms</source>
+        <translation>&amp;Teams</translation>
+    </message>
+    <message>
+        <source>Trials or teams</source>
+        <translation>Versuche oder Teams</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>&amp;Neu auswerten</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Bericht…</translation>
+    </message>
+    <message>
+        <source>Export &amp;videos…</source>
+        <translation>V&amp;ideos exportieren…</translation>
+    </message>
+    <message>
+        <source>Search trials, teams, tasks, tags, notes…</source>
+        <translation>Versuche, Teams, Aufgaben, Schlagwörter, Notizen durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Search the trials</source>
+        <translation>Versuche durchsuchen</translation>
+    </message>
+    <message>
+        <source>Searc&amp;h</source>
+        <translation>Suc&amp;hen</translation>
+    </message>
+    <message>
+        <source>%1 (archived)</source>
+        <translation>%1 (archiviert)</translation>
+    </message>
+    <message>
+        <source>Compare the selected trials</source>
+        <translation>Die ausgewählten Versuche vergleichen</translation>
+    </message>
+    <message>
+        <source>Select two trials or more (Ctrl or Shift and a click)</source>
+        <translation>Zwei oder mehr Versuche auswählen (Strg oder Umschalt und ein Klick)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n trial(s)</source>
+        <translation>
+            <numerusform>%1 von %n Versuch</numerusform>
+            <numerusform>%1 von %n Versuchen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportTracksDialog</name>
+    <message>
+        <source>Add &amp;robot</source>
+        <translation>&amp;Roboter hinzufügen</translation>
+    </message>
+    <message>
+        <source>Import finished tracks</source>
+        <translation>Fertige Spuren importieren</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>Positions that another program has measured, or Odograph has exported: TUM, CSV or Tracker&apos;s text. They are measured as a run without video.</source>
+        <translation>Orte, die ein anderes Programm gemessen oder Odograph exportiert hat: TUM, CSV oder der Text von Tracker. Sie werden wie eine Fahrt ohne Video ausgewertet.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>&amp;Team</source>
+        <translation>&amp;Team</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>Auf&amp;gabe</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Spuren</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Robot of track %1</source>
+        <translation>Roboter der Spur %1</translation>
+    </message>
+    <message>
+        <source>A name that is new makes a new robot</source>
+        <translation>Ein neuer Name legt einen neuen Roboter an</translation>
+    </message>
+    <message>
+        <source>File of track %1</source>
+        <translation>Datei der Spur %1</translation>
+    </message>
+    <message>
+        <source>Tracks (*.csv *.txt *.tum *.tsv);;All files (*)</source>
+        <translation>Spuren (*.csv *.txt *.tum *.tsv);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportTrialDialog</name>
+    <message>
+        <source>Robots in the trial</source>
+        <translation>Roboter im Versuch</translation>
+    </message>
+    <message>
+        <source>Add &amp;view</source>
+        <translation>&amp;Sicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Camera&apos;s real &amp;rate</source>
+        <translation>Wahre &amp;Bildrate</translation>
+    </message>
+    <message>
+        <source>Import trial from videos</source>
+        <translation>Versuch aus Videos importieren</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>&amp;Team</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>Auf&amp;gabe</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>&amp;Roboter</translation>
+    </message>
+    <message>
+        <source>Videos</source>
+        <translation>Videos</translation>
+    </message>
+    <message>
+        <source>In &amp;step</source>
+        <translation>S&amp;ynchron</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Video file</source>
+        <translation>Videodatei</translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> Bilder/s</translation>
+    </message>
+    <message>
+        <source>Camera&apos;s real rate</source>
+        <translation>Wahre Bildrate der Kamera</translation>
+    </message>
+    <message>
+        <source>For slow motion: the file plays slower than the camera took it</source>
+        <translation>Für Zeitlupe: Die Datei läuft langsamer, als die Kamera sie aufgenommen hat</translation>
+    </message>
+    <message>
+        <source>Camera of view %1</source>
+        <translation>Kamera der Sicht %1</translation>
+    </message>
+    <message>
+        <source>Video of view %1</source>
+        <translation>Video der Sicht %1</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;All files (*)</source>
+        <translation>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Registration of the camera of view %1</source>
+        <translation>Einmessung der Kamera der Sicht %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::JobIndicator</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel the running job</source>
+        <translation>Laufenden Vorgang abbrechen</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Wird angehalten…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::JointDialog</name>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Known to, before</source>
+        <translation>Genauigkeit bisher</translation>
+    </message>
+    <message>
+        <source>Known to, together</source>
+        <translation>Genauigkeit gemeinsam</translation>
+    </message>
+    <message>
+        <source>Moves by</source>
+        <translation>Rückt um</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>Off by, mm</source>
+        <translation>Abweichung, mm</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>Register all cameras together</source>
+        <translation>Alle Kameras gemeinsam einmessen</translation>
+    </message>
+    <message>
+        <source>The cameras of layout %1 are fitted again at once, by the markers they were registered with: where they see the same markers, they agree better afterwards, and a marker that was measured wrongly is found.</source>
+        <translation>Die Kameras des Markerplans %1 werden auf einmal neu angepasst, mit den Markern, an denen sie eingemessen wurden: Wo sie dieselben Marker sehen, stimmen sie danach besser überein, und ein falsch gemessener Marker fällt auf.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Error of the tape measure</source>
+        <translation>Fehler des Maßbands</translation>
+    </message>
+    <message>
+        <source>The markers&apos; places were &amp;measured to</source>
+        <translation>Die Orte der Marker sind &amp;gemessen auf</translation>
+    </message>
+    <message>
+        <source>Fitting the cameras together…</source>
+        <translation>Kameras werden gemeinsam angepasst…</translation>
+    </message>
+    <message>
+        <source>What is known together reckons with the markers&apos; places being measured to %1 mm, which a camera that is registered by itself takes as exact. Nothing is changed before you save; trials keep the registration they were analysed with.</source>
+        <translation>Die gemeinsame Genauigkeit rechnet damit, dass die Orte der Marker auf %1 mm gemessen sind; eine für sich eingemessene Kamera nimmt sie als exakt an. Bis Sie speichern, wird nichts geändert; Versuche behalten die Einmessung, mit der sie ausgewertet wurden.</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>measure it again</source>
+        <translation>neu messen</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>passt</translation>
+    </message>
+</context>
+<context>
+    <name>odo::KeysPage</name>
+    <message>
+        <source>&amp;Use this key</source>
+        <translation>Taste &amp;zuweisen</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>&amp;Keine Taste</translation>
+    </message>
+    <message>
+        <source>&amp;All as usual</source>
+        <translation>&amp;Alle auf Standard</translation>
+    </message>
+    <message>
+        <source>Search for a command or a key</source>
+        <translation>Einen Befehl oder eine Taste suchen</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>Befehle und ihre Tasten</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>New key of the chosen command</source>
+        <translation>Neue Taste des gewählten Befehls</translation>
+    </message>
+    <message>
+        <source>Choose a command to give it another key.</source>
+        <translation>Wählen Sie einen Befehl, um ihm eine andere Taste zu geben.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of “%2”, which would have none.</source>
+        <translation>%1 ist die Taste von „%2“; dieser Befehl hätte dann keine.</translation>
+    </message>
+    <message>
+        <source>Press the new key in the field.</source>
+        <translation>Drücken Sie im Feld die neue Taste.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LayoutDialog</name>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>Tabellen (*.csv *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Marker layout</source>
+        <translation>Markerplan</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Was nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Where the markers lie on the floor, measured with a tape: millimetres from the origin. X goes to the right, Y away from you, seen from above.</source>
+        <translation>Wo die Marker auf dem Boden liegen, mit dem Maßband gemessen: Millimeter vom Ursprung. X geht nach rechts, Y von Ihnen weg, von oben gesehen.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Bezeichnung</translation>
+    </message>
+    <message>
+        <source>x, mm</source>
+        <translation>x, mm</translation>
+    </message>
+    <message>
+        <source>y, mm</source>
+        <translation>y, mm</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>&amp;Achsen</translation>
+    </message>
+    <message>
+        <source>&amp;CSV</source>
+        <translation>&amp;CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Origin at the chosen marker</source>
+        <translation>&amp;Ursprung beim gewählten Marker</translation>
+    </message>
+    <message>
+        <source>&amp;Quarter turn</source>
+        <translation>&amp;Vierteldrehung</translation>
+    </message>
+    <message>
+        <source>&amp;Half turn</source>
+        <translation>&amp;Halbe Drehung</translation>
+    </message>
+    <message>
+        <source>They were &amp;centimetres</source>
+        <translation>Es waren &amp;Zentimeter</translation>
+    </message>
+    <message>
+        <source>They were &amp;metres</source>
+        <translation>Es waren &amp;Meter</translation>
+    </message>
+    <message>
+        <source>They were &amp;inches</source>
+        <translation>Es waren Z&amp;oll</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <translation>Orte der Marker (label,x_mm,y_mm)</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Places of the markers</source>
+        <translation>Orte der Marker</translation>
+    </message>
+    <message>
+        <source>The layout has no name.</source>
+        <translation>Der Markerplan hat keinen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a layout of that name: cameras may stand on it, so it is not overwritten. Give another name.</source>
+        <translation>Es gibt schon einen Markerplan dieses Namens: Kameras könnten darauf beruhen, er wird daher nicht überschrieben. Geben Sie einen anderen Namen an.</translation>
+    </message>
+    <message>
+        <source>A marker has no label.</source>
+        <translation>Ein Marker hat keine Bezeichnung.</translation>
+    </message>
+    <message>
+        <source>Two markers are called %1.</source>
+        <translation>Zwei Marker heißen %1.</translation>
+    </message>
+    <message>
+        <source>The place of %1 is not a number.</source>
+        <translation>Der Ort von %1 ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>Four markers are needed, there are %1.</source>
+        <translation>Vier Marker sind nötig, es sind %1.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 lie at one place.</source>
+        <translation>%1 und %2 liegen am selben Ort.</translation>
+    </message>
+    <message>
+        <source>The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.</source>
+        <translation>Die Marker liegen fast auf einer Geraden: Sie verraten nicht, wo die Kamera steht. Legen Sie einen abseits davon.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LayoutDrawing</name>
+    <message>
+        <source>Markers from above</source>
+        <translation>Marker von oben</translation>
+    </message>
+    <message>
+        <source>grid 0.5 m</source>
+        <translation>Raster 0.5 m</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LengthPage</name>
+    <message>
+        <source>Take what lies &amp;near a click</source>
+        <translation>Auf &amp;Nahes einrasten</translation>
+    </message>
+    <message>
+        <source>Picture with both ends; arrow keys move the chosen one, Space snaps it</source>
+        <translation>Bild mit beiden Enden; die Pfeiltasten verschieben das gewählte, die Leertaste rastet es ein</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Measured length</source>
+        <translation>Gemessene Länge</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>True length</source>
+        <translation>Wahre Länge</translation>
+    </message>
+    <message>
+        <source>Unit of the true length</source>
+        <translation>Einheit der wahren Länge</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>lies on the floor</source>
+        <translation>liegt auf dem Boden</translation>
+    </message>
+    <message>
+        <source>&amp;True length</source>
+        <translation>&amp;Wahre Länge</translation>
+    </message>
+    <message>
+        <source>H&amp;eight</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Seen as</source>
+        <translation>Gesehen als</translation>
+    </message>
+    <message>
+        <source>On the floor, mm</source>
+        <translation>Am Boden, mm</translation>
+    </message>
+    <message>
+        <source>Ends of the length</source>
+        <translation>Enden der Länge</translation>
+    </message>
+    <message>
+        <source>Both ends</source>
+        <translation>Beide Enden</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Was es ist</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Lay something of known length anywhere on the floor, a metre stick or two markers of known distance, and click both its ends. By keys: the arrows move an end (Ctrl: fast, Shift: a pixel), Space snaps it.</source>
+        <translation>Legen Sie etwas von bekannter Länge irgendwo auf den Boden, einen Meterstab oder zwei Marker mit bekanntem Abstand, und klicken Sie beide Enden an. Mit Tasten: Die Pfeile verschieben ein Ende (Strg: schnell, Umschalt: ein Pixel), die Leertaste rastet es ein.</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 mm</source>
+        <translation>%1 ± %2 mm</translation>
+    </message>
+    <message>
+        <source>inside the expected error</source>
+        <translation>im Rahmen des erwarteten Fehlers</translation>
+    </message>
+    <message>
+        <source>outside the expected error</source>
+        <translation>größer als der erwartete Fehler</translation>
+    </message>
+    <message>
+        <source> Give its true length to see whether that is right.</source>
+        <translation> Geben Sie die wahre Länge an, um zu sehen, ob das stimmt.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>beyond the horizon</source>
+        <translation>jenseits des Horizonts</translation>
+    </message>
+    <message>
+        <source>not put yet</source>
+        <translation>noch nicht gesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LengthWizard</name>
+    <message>
+        <source>Check a known length</source>
+        <translation>Bekannte Länge prüfen</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Fertig</translation>
+    </message>
+    <message>
+        <source>Picture or video of the length</source>
+        <translation>Bild oder Video der Länge</translation>
+    </message>
+    <message>
+        <source>The camera and its picture</source>
+        <translation>Die Kamera und ihr Bild</translation>
+    </message>
+    <message>
+        <source>Both ends of the length</source>
+        <translation>Beide Enden der Länge</translation>
+    </message>
+    <message>
+        <source>Lay something of known length on the floor, away from the markers, and see whether the camera measures it as well as it promises. Nothing is changed by it.</source>
+        <translation>Legen Sie etwas von bekannter Länge auf den Boden, abseits der Marker, und sehen Sie, ob die Kamera es so gut misst, wie sie verspricht. Dabei wird nichts geändert.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>Where the length is seen</source>
+        <translation>Wo die Länge zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Getting the picture…</source>
+        <translation>Bild wird geholt…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensPicturesPage</name>
+    <message>
+        <source>Move it to the left of the picture</source>
+        <translation>Nach links im Bild bewegen</translation>
+    </message>
+    <message>
+        <source>Move it to the right of the picture</source>
+        <translation>Nach rechts im Bild bewegen</translation>
+    </message>
+    <message>
+        <source>Move it up</source>
+        <translation>Nach oben bewegen</translation>
+    </message>
+    <message>
+        <source>Move it down</source>
+        <translation>Nach unten bewegen</translation>
+    </message>
+    <message>
+        <source>Closer to the camera</source>
+        <translation>Näher an die Kamera</translation>
+    </message>
+    <message>
+        <source>Farther from the camera</source>
+        <translation>Weiter weg von der Kamera</translation>
+    </message>
+    <message>
+        <source>Tilt it: the left side away from the camera</source>
+        <translation>Neigen: die linke Seite von der Kamera weg</translation>
+    </message>
+    <message>
+        <source>Tilt it: the right side away from the camera</source>
+        <translation>Neigen: die rechte Seite von der Kamera weg</translation>
+    </message>
+    <message>
+        <source>Tilt it: the upper side away from the camera</source>
+        <translation>Neigen: die obere Seite von der Kamera weg</translation>
+    </message>
+    <message>
+        <source>Tilt it: the lower side away from the camera</source>
+        <translation>Neigen: die untere Seite von der Kamera weg</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>Still halten</translation>
+    </message>
+    <message>
+        <source>&amp;Take a picture now</source>
+        <translation>Bild jetzt &amp;aufnehmen</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>No picture from the camera</source>
+        <translation>Kein Bild von der Kamera</translation>
+    </message>
+    <message>
+        <source>Pictures that do not count</source>
+        <translation>Bilder, die nicht zählen</translation>
+    </message>
+    <message>
+        <source>What the pictures cover</source>
+        <translation>Was die Bilder abdecken</translation>
+    </message>
+    <message>
+        <source>Not counted</source>
+        <translation>Zählt nicht</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera…</source>
+        <translation>Warten auf die Kamera…</translation>
+    </message>
+    <message>
+        <source>Looking for the board…</source>
+        <translation>Tafel wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Hold the board before the camera</source>
+        <translation>Halten Sie die Tafel vor die Kamera</translation>
+    </message>
+    <message>
+        <source>Looking for the board</source>
+        <translation>Tafel wird gesucht</translation>
+    </message>
+    <message>
+        <source>A picture is taken by itself whenever the board is still, sharp and in a new place.</source>
+        <translation>Ein Bild wird von selbst aufgenommen, sobald die Tafel ruhig, scharf und an einer neuen Stelle ist.</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>Aufgenommen</translation>
+    </message>
+    <message>
+        <source>Now the dashed outline shows where the board would help most.</source>
+        <translation>Jetzt zeigt der gestrichelte Umriss, wo die Tafel am meisten helfen würde.</translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>No picture counts</source>
+        <translation>Kein Bild zählt</translation>
+    </message>
+    <message>
+        <source>The reasons stand at the right. Add others by dropping them here.</source>
+        <translation>Die Gründe stehen rechts. Weitere fügen Sie hinzu, indem Sie sie hier ablegen.</translation>
+    </message>
+    <message>
+        <source>Looked at all</source>
+        <translation>Alle angesehen</translation>
+    </message>
+    <message>
+        <source>They are enough.</source>
+        <translation>Sie genügen.</translation>
+    </message>
+    <message>
+        <source>More pictures can be dropped here; the bars show what is missing.</source>
+        <translation>Weitere Bilder können hier abgelegt werden; die Balken zeigen, was fehlt.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensResultPage</name>
+    <message>
+        <source>ordinary</source>
+        <translation>gewöhnlich</translation>
+    </message>
+    <message>
+        <source>wide (rational)</source>
+        <translation>Weitwinkel (rational)</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>Fischauge</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 px</source>
+        <translation>%1 ± %2 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Berechnung</translation>
+    </message>
+    <message>
+        <source>Lens model chosen by itself</source>
+        <translation>Objektivmodell automatisch</translation>
+    </message>
+    <message>
+        <source>Ordinary lens</source>
+        <translation>Gewöhnliches Objektiv</translation>
+    </message>
+    <message>
+        <source>Wide lens (rational model)</source>
+        <translation>Weitwinkelobjektiv (rationales Modell)</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>Fischauge</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>Objektivmodell</translation>
+    </message>
+    <message>
+        <source>Choose a bar to see its picture.</source>
+        <translation>Wählen Sie einen Balken, um sein Bild zu sehen.</translation>
+    </message>
+    <message>
+        <source>Stands here once the lens is known.</source>
+        <translation>Steht hier, sobald das Objektiv bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Picture and &amp;residuals</source>
+        <translation>Bild und &amp;Residuen</translation>
+    </message>
+    <message>
+        <source>&amp;Straightened</source>
+        <translation>&amp;Entzerrt</translation>
+    </message>
+    <message>
+        <source>Error by picture</source>
+        <translation>Fehler je Bild</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>What is known of the lens</source>
+        <translation>Was vom Objektiv bekannt ist</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>Wird berechnet…</translation>
+    </message>
+    <message>
+        <source>straight edges must be straight</source>
+        <translation>gerade Kanten müssen gerade sein</translation>
+    </message>
+    <message>
+        <source>Storing the lens and its pictures…</source>
+        <translation>Objektiv und Bilder werden gespeichert…</translation>
+    </message>
+    <message>
+        <source>The lens was not stored. %1</source>
+        <translation>Das Objektiv wurde nicht gespeichert. %1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>Tafelfehler</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>Kontrollfehler</translation>
+    </message>
+    <message>
+        <source>needs six pictures</source>
+        <translation>braucht sechs Bilder</translation>
+    </message>
+    <message>
+        <source>Corners left out</source>
+        <translation>Ausgelassene Ecken</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>Brennweite</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Mitte x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Mitte y</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensSourcePage</name>
+    <message>
+        <source>Be&amp;fore the camera: hold the board, pictures are taken by themselves</source>
+        <translation>&amp;Vor der Kamera: Tafel halten, Bilder werden von selbst aufgenommen</translation>
+    </message>
+    <message>
+        <source>From &amp;pictures or a video that you have taken</source>
+        <translation>Aus eigenen &amp;Bildern oder einem Video</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Prin&amp;t a board…</source>
+        <translation>&amp;Tafel drucken…</translation>
+    </message>
+    <message>
+        <source>A flat board of squares, seen from many sides, tells how the lens draws. Checkerboard or ChArUco, of any size: which it is, is found out. Measure one square on the paper; it decides every later length. The lens must not be refocused or zoomed afterwards.</source>
+        <translation>Eine ebene Tafel mit Quadraten, von vielen Seiten gesehen, verrät, wie das Objektiv abbildet. Schachbrett oder ChArUco, in jeder Größe: Was es ist, wird erkannt. Messen Sie ein Quadrat auf dem Papier; es entscheidet über jede spätere Länge. Danach darf das Objektiv nicht mehr neu fokussiert oder gezoomt werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>Side of a &amp;square, measured</source>
+        <translation>&amp;Quadratseite, gemessen</translation>
+    </message>
+    <message>
+        <source>Where the pictures of the board come from</source>
+        <translation>Woher die Bilder der Tafel kommen</translation>
+    </message>
+    <message>
+        <source>Pictures and videos of the board</source>
+        <translation>Bilder und Videos der Tafel</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Bilder und Videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Files can also be dropped here.</source>
+        <translation>Dateien können auch hier abgelegt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensWizard</name>
+    <message>
+        <source>Calibrate camera</source>
+        <translation>Kamera kalibrieren</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>The camera and the board</source>
+        <translation>Die Kamera und die Tafel</translation>
+    </message>
+    <message>
+        <source>Pictures of the board</source>
+        <translation>Bilder der Tafel</translation>
+    </message>
+    <message>
+        <source>The lens</source>
+        <translation>Das Objektiv</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LessonBar</name>
+    <message>
+        <source>Ne&amp;xt</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the lesson</source>
+        <translation>Lektion &amp;verlassen</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>&amp;Finish</source>
+        <translation>&amp;Fertig</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Skip</source>
+        <translation>Ü&amp;berspringen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveBoard</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>Karte von oben</translation>
+    </message>
+    <message>
+        <source>How cameras, map and disk do</source>
+        <translation>Wie es Kameras, Karte und Festplatte geht</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Live picture of %1</source>
+        <translation>Livebild von %1</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>nicht eingemessen</translation>
+    </message>
+    <message>
+        <source>Opening the camera…</source>
+        <translation>Kamera wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>live, sent to %1</source>
+        <translation>live, gesendet an %1</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>live</translation>
+    </message>
+    <message>
+        <source>Waiting for the first picture…</source>
+        <translation>Warten auf das erste Bild…</translation>
+    </message>
+    <message>
+        <source>No picture now</source>
+        <translation>Gerade kein Bild</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveCameraBox</name>
+    <message>
+        <source>Camera that is connected</source>
+        <translation>Angeschlossene Kamera</translation>
+    </message>
+    <message>
+        <source>%1, %2×%3</source>
+        <translation>%1, %2×%3</translation>
+    </message>
+    <message>
+        <source>Looking for cameras…</source>
+        <translation>Kameras werden gesucht…</translation>
+    </message>
+    <message>
+        <source>No camera is connected</source>
+        <translation>Keine Kamera ist angeschlossen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveMap</name>
+    <message>
+        <source>Map of the floor with the robots as they drive</source>
+        <translation>Karte des Bodens mit den Robotern während der Fahrt</translation>
+    </message>
+    <message>
+        <source>No camera is registered to the floor, so that no place on it can be told</source>
+        <translation>Keine Kamera ist zum Boden eingemessen, daher lässt sich kein Ort darauf angeben</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MainWindow</name>
+    <message>
+        <source>no project is open</source>
+        <translation>es ist kein Projekt geöffnet</translation>
+    </message>
+    <message>
+        <source>open the project that it belongs to</source>
+        <translation>das zugehörige Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Pr&amp;eferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>The pages follow when the project is opened again, for a recording goes on.</source>
+        <translation>Die Seiten folgen, wenn das Projekt wieder geöffnet wird, denn eine Aufnahme läuft noch.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MapArea</name>
+    <message>
+        <source>0 to %1 apart</source>
+        <translation>0 bis %1 auseinander</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkActions</name>
+    <message>
+        <source>&amp;Star</source>
+        <translation>&amp;Stern</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>&amp;Archivieren</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Empty the bin…</source>
+        <translation>&amp;Papierkorb leeren…</translation>
+    </message>
+    <message>
+        <source>star %1</source>
+        <translation>%1 mit Stern versehen</translation>
+    </message>
+    <message>
+        <source>take the star off %1</source>
+        <translation>Stern von %1 entfernen</translation>
+    </message>
+    <message>
+        <source>star %1 trials</source>
+        <translation>%1 Versuche mit Stern versehen</translation>
+    </message>
+    <message>
+        <source>take the star off %1 trials</source>
+        <translation>Stern von %1 Versuchen entfernen</translation>
+    </message>
+    <message>
+        <source>archive %1</source>
+        <translation>%1 archivieren</translation>
+    </message>
+    <message>
+        <source>take %1 out of the archive</source>
+        <translation>%1 aus dem Archiv holen</translation>
+    </message>
+    <message>
+        <source>archive %1 trials</source>
+        <translation>%1 Versuche archivieren</translation>
+    </message>
+    <message>
+        <source>take %1 trials out of the archive</source>
+        <translation>%1 Versuche aus dem Archiv holen</translation>
+    </message>
+    <message>
+        <source>delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>take %1 out of the bin</source>
+        <translation>%1 aus dem Papierkorb holen</translation>
+    </message>
+    <message>
+        <source>delete %1 trials</source>
+        <translation>%1 Versuche löschen</translation>
+    </message>
+    <message>
+        <source>take %1 trials out of the bin</source>
+        <translation>%1 Versuche aus dem Papierkorb holen</translation>
+    </message>
+    <message>
+        <source>Take the &amp;star off</source>
+        <translation>&amp;Stern entfernen</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>Aus dem &amp;Archiv holen</translation>
+    </message>
+    <message>
+        <source>&amp;Put back</source>
+        <translation>&amp;Zurücklegen</translation>
+    </message>
+    <message>
+        <source>Takes the selected trials out of the bin (Del)</source>
+        <translation>Holt die ausgewählten Versuche aus dem Papierkorb (Entf)</translation>
+    </message>
+    <message>
+        <source>Puts the selected trials into the bin (Del); they can be put back</source>
+        <translation>Legt die ausgewählten Versuche in den Papierkorb (Entf); sie lassen sich zurücklegen</translation>
+    </message>
+    <message>
+        <source>change the tags of %1</source>
+        <translation>Schlagwörter von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Empty the bin</source>
+        <translation>Papierkorb leeren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n trial(s) for good?</source>
+        <translation>
+            <numerusform>%n Versuch endgültig entfernen?</numerusform>
+            <numerusform>%n Versuche endgültig entfernen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Their videos (%1), measurements and results are removed from the disk. This cannot be undone.</source>
+        <translation>Die zugehörigen Videos (%1), Messungen und Ergebnisse werden von der Festplatte entfernt. Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove for good</source>
+        <translation>&amp;Endgültig entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkerCanvas</name>
+    <message>
+        <source>Picture with the markers; arrow keys move the chosen one</source>
+        <translation>Bild mit den Markern; die Pfeiltasten verschieben den gewählten</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkerPage</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>&amp;Herausnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>Place, mm</source>
+        <translation>Ort, mm</translation>
+    </message>
+    <message>
+        <source>Seen as</source>
+        <translation>Gesehen als</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>gefunden</translation>
+    </message>
+    <message>
+        <source>Choose a marker in the table and click where it is; what lies near the click is taken to the tenth of a pixel.</source>
+        <translation>Wählen Sie in der Tabelle einen Marker und klicken Sie dorthin, wo er ist; was nahe beim Klick liegt, wird auf ein Zehntel Pixel genau genommen.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>nicht gesehen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MessageBar</name>
+    <message>
+        <source>Close the message</source>
+        <translation>Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>Abgebrochen. Nichts wurde geändert.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MetricModel</name>
+    <message>
+        <source>Figure</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ModeBar</name>
+    <message>
+        <source>Modes</source>
+        <translation>Modi</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MovedDialog</name>
+    <message>
+        <source>moved %1</source>
+        <translation>um %1 bewegt</translation>
+    </message>
+    <message>
+        <source>marker moved %1</source>
+        <translation>Marker um %1 bewegt</translation>
+    </message>
+    <message>
+        <source>has not moved</source>
+        <translation>nicht bewegt</translation>
+    </message>
+    <message>
+        <source>&amp;Check</source>
+        <translation>&amp;Prüfen</translation>
+    </message>
+    <message>
+        <source>&amp;Register again…</source>
+        <translation>Neu &amp;einmessen…</translation>
+    </message>
+    <message>
+        <source>Check the cameras</source>
+        <translation>Kameras prüfen</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>New picture</source>
+        <translation>Neues Bild</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Registered cameras</source>
+        <translation>Eingemessene Kameras</translation>
+    </message>
+    <message>
+        <source>A camera that was pushed measures wrongly and nothing shows it. Before the robots run, each camera&apos;s markers are looked for again in a new picture.</source>
+        <translation>Eine angestoßene Kamera misst falsch, und nichts verrät es. Bevor die Roboter fahren, werden die Marker jeder Kamera in einem neuen Bild noch einmal gesucht.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>New picture of camera %1</source>
+        <translation>Neues Bild von Kamera %1</translation>
+    </message>
+    <message>
+        <source>Its newest recording</source>
+        <translation>Ihre neueste Aufnahme</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>A picture or video…</source>
+        <translation>Ein Bild oder Video…</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Bilder und Videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>looking…</source>
+        <translation>wird gesucht…</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>unklar</translation>
+    </message>
+    <message>
+        <source>Two markers at least must be seen. Nothing is moved or changed by the check.</source>
+        <translation>Mindestens zwei Marker müssen zu sehen sein. Die Prüfung bewegt und ändert nichts.</translation>
+    </message>
+    <message>
+        <source>&amp;Register %1 again…</source>
+        <translation>%1 neu &amp;einmessen…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::NetworkPage</name>
+    <message>
+        <source>&amp;Send live positions on the network</source>
+        <translation>Live-Orte ins Netz &amp;senden</translation>
+    </message>
+    <message>
+        <source>%1: this machine only</source>
+        <translation>%1: nur dieser Rechner</translation>
+    </message>
+    <message>
+        <source>%1: not there now</source>
+        <translation>%1: zurzeit nicht da</translation>
+    </message>
+    <message>
+        <source>The places of the robots that Record follows, as packets of SSL-Vision, for controllers and programs of your own. No name of a team or a robot is in them.</source>
+        <translation>Die Orte der Roboter, die unter Aufnahme verfolgt werden, als Pakete von SSL-Vision, für Regler und eigene Programme. Namen von Teams oder Robotern sind nicht darin.</translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation>&amp;Adresse</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>&amp;Port</translation>
+    </message>
+    <message>
+        <source>&amp;Interface</source>
+        <translation>Sch&amp;nittstelle</translation>
+    </message>
+    <message>
+        <source>Nothing is sent.</source>
+        <translation>Nichts wird gesendet.</translation>
+    </message>
+    <message>
+        <source>This is no IPv4 address; write it like 224.5.23.2.</source>
+        <translation>Das ist keine IPv4-Adresse; schreiben Sie sie wie 224.5.23.2.</translation>
+    </message>
+    <message>
+        <source>They go to the one machine that has this address.</source>
+        <translation>Sie gehen an den einen Rechner mit dieser Adresse.</translation>
+    </message>
+    <message>
+        <source>They do not leave this machine.</source>
+        <translation>Sie verlassen diesen Rechner nicht.</translation>
+    </message>
+    <message>
+        <source>Whoever is on that network can read where the robots are.</source>
+        <translation>Wer in diesem Netz ist, kann lesen, wo die Roboter sind.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PathField</name>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>Durchsuchen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PickColourDialog</name>
+    <message>
+        <source>Robot&apos;s colour from a picture</source>
+        <translation>Farbe des Roboters aus einem Bild</translation>
+    </message>
+    <message>
+        <source>Another &amp;video…</source>
+        <translation>Anderes &amp;Video…</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>&amp;Aufnahme</translation>
+    </message>
+    <message>
+        <source>&amp;Frame</source>
+        <translation>&amp;Bild</translation>
+    </message>
+    <message>
+        <source>Choose a video in which the robot is seen.</source>
+        <translation>Wählen Sie ein Video, in dem der Roboter zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Take this colour</source>
+        <translation>Diese Farbe nehmen</translation>
+    </message>
+    <message>
+        <source>Video in which the robot is seen</source>
+        <translation>Video, in dem der Roboter zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mov *.mkv *.avi *.m4v);;All files (*)</source>
+        <translation>Videos (*.mp4 *.mov *.mkv *.avi *.m4v);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s colour here: %1. It fills %2 % of the box.</source>
+        <translation>Die Farbe des Roboters hier: %1. Sie füllt %2 % des Rahmens.</translation>
+    </message>
+    <message>
+        <source>Draw a box closely round the robot with the mouse; or with the arrow keys, which move the box, and with Shift make it larger or smaller.</source>
+        <translation>Ziehen Sie mit der Maus einen engen Rahmen um den Roboter; oder mit den Pfeiltasten, die den Rahmen verschieben und mit Umschalt größer oder kleiner machen.</translation>
+    </message>
+    <message>
+        <source>%1, camera %2</source>
+        <translation>%1, Kamera %2</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureArea</name>
+    <message>
+        <source>No view</source>
+        <translation>Keine Sicht</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>Diese Kamera nahm zu dieser Zeit nicht auf</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureBars</name>
+    <message>
+        <source>Error of each picture, with a threshold</source>
+        <translation>Fehler jedes Bilds, mit einer Schwelle</translation>
+    </message>
+    <message>
+        <source>%1: %2 px</source>
+        <translation>%1: %2 px</translation>
+    </message>
+    <message>
+        <source>pictures; above %1 px they do not count</source>
+        <translation>Bilder; über %1 px zählen sie nicht</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureChoice</name>
+    <message>
+        <source>In the camera&apos;s &amp;newest recording</source>
+        <translation>In der &amp;neuesten Aufnahme der Kamera</translation>
+    </message>
+    <message>
+        <source>In what a &amp;connected camera sees now</source>
+        <translation>In dem, was eine an&amp;geschlossene Kamera jetzt sieht</translation>
+    </message>
+    <message>
+        <source>In a &amp;picture or video</source>
+        <translation>In einem &amp;Bild oder Video</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Bilder und Videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PlannedCameraForm</name>
+    <message>
+        <source>Stands at x</source>
+        <translation>Steht bei x</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Stands at y</source>
+        <translation>Steht bei y</translation>
+    </message>
+    <message>
+        <source>Height of the camera</source>
+        <translation>Höhe der Kamera</translation>
+    </message>
+    <message>
+        <source>Looks at x</source>
+        <translation>Blickt auf x</translation>
+    </message>
+    <message>
+        <source>Looks at y</source>
+        <translation>Blickt auf y</translation>
+    </message>
+    <message>
+        <source>Direction in which it looks</source>
+        <translation>Richtung, in die sie blickt</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Bildwinkel</translation>
+    </message>
+    <message>
+        <source>0° is along X, 90° along Y; turning it turns the point that it looks at about the camera</source>
+        <translation>0° ist längs X, 90° längs Y; Drehen dreht den anvisierten Punkt um die Kamera</translation>
+    </message>
+    <message>
+        <source>Across the picture&apos;s width: a webcam has some 60° to 80°, a phone 65°</source>
+        <translation>Über die Breite des Bilds: Eine Webcam hat etwa 60° bis 80°, ein Smartphone 65°</translation>
+    </message>
+    <message>
+        <source>Size of its pictures</source>
+        <translation>Größe ihrer Bilder</translation>
+    </message>
+    <message>
+        <source>&amp;Stands at x, y</source>
+        <translation>&amp;Steht bei x, y</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>&amp;Looks at x, y</source>
+        <translation>&amp;Blickt auf x, y</translation>
+    </message>
+    <message>
+        <source>D&amp;irection</source>
+        <translation>&amp;Richtung</translation>
+    </message>
+    <message>
+        <source>&amp;Field of view</source>
+        <translation>Bild&amp;winkel</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Kinds of preferences</source>
+        <translation>Arten von Einstellungen</translation>
+    </message>
+    <message>
+        <source>&amp;General</source>
+        <translation>&amp;Allgemein</translation>
+    </message>
+    <message>
+        <source>&amp;Reports</source>
+        <translation>&amp;Berichte</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Network</source>
+        <translation>&amp;Netz</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ProfileChart</name>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Fahrtrichtung</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Drehrate</translation>
+    </message>
+    <message>
+        <source>Position X</source>
+        <translation>Ort X</translation>
+    </message>
+    <message>
+        <source>Position Y</source>
+        <translation>Ort Y</translation>
+    </message>
+    <message>
+        <source>Quantity that the chart shows</source>
+        <translation>Größe, die das Diagramm zeigt</translation>
+    </message>
+    <message>
+        <source>smoothed ±95 %</source>
+        <translation>geglättet ±95 %</translation>
+    </message>
+    <message>
+        <source>measured points</source>
+        <translation>gemessene Punkte</translation>
+    </message>
+    <message>
+        <source>1 spike</source>
+        <translation>1 Ausreißer</translation>
+    </message>
+    <message>
+        <source>%1 spikes</source>
+        <translation>%1 Ausreißer</translation>
+    </message>
+    <message>
+        <source>along the path</source>
+        <translation>längs der Bahn</translation>
+    </message>
+    <message>
+        <source>of the motion, anticlockwise from X</source>
+        <translation>der Bewegung, gegen den Uhrzeigersinn ab X</translation>
+    </message>
+    <message>
+        <source>anticlockwise positive</source>
+        <translation>gegen den Uhrzeigersinn positiv</translation>
+    </message>
+    <message>
+        <source>Chart: %1 against time</source>
+        <translation>Diagramm: %1 über der Zeit</translation>
+    </message>
+    <message>
+        <source>Chart: %1 against the distance</source>
+        <translation>Diagramm: %1 über dem Weg</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RangeCard</name>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Anpassung</translation>
+    </message>
+    <message>
+        <source>Figures of the range</source>
+        <translation>Kennwerte des Bereichs</translation>
+    </message>
+    <message>
+        <source>Robot whose range is shown</source>
+        <translation>Roboter, dessen Bereich gezeigt wird</translation>
+    </message>
+    <message>
+        <source>What is fitted to the curve</source>
+        <translation>Was an die Kurve angepasst wird</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>Konstante</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>parabola</source>
+        <translation>Parabel</translation>
+    </message>
+    <message>
+        <source>Quantity that is fitted</source>
+        <translation>Größe, die angepasst wird</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RecordPage</name>
+    <message>
+        <source>No camera is connected</source>
+        <translation>Keine Kamera ist angeschlossen</translation>
+    </message>
+    <message>
+        <source>Connect a camera, or two, and look again. One that is connected and not found is a case for the set-up doctor.</source>
+        <translation>Schließen Sie eine oder zwei Kameras an und suchen Sie erneut. Eine, die angeschlossen ist und nicht gefunden wird, ist ein Fall für die Aufbaudiagnose.</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Erneut suchen</translation>
+    </message>
+    <message>
+        <source>Set-up doctor…</source>
+        <translation>Aufbaudiagnose…</translation>
+    </message>
+    <message>
+        <source>Choose &amp;cameras…</source>
+        <translation>Kamera&amp;s wählen…</translation>
+    </message>
+    <message>
+        <source>Cameras…</source>
+        <translation>Kameras…</translation>
+    </message>
+    <message>
+        <source>Choose which connected device is which camera of the project</source>
+        <translation>Wählen, welches angeschlossene Gerät welche Kamera des Projekts ist</translation>
+    </message>
+    <message>
+        <source>Set-up &amp;doctor…</source>
+        <translation>Aufbaud&amp;iagnose…</translation>
+    </message>
+    <message>
+        <source>Doctor…</source>
+        <translation>Diagnose…</translation>
+    </message>
+    <message>
+        <source>Look for what makes cameras lose pictures, or measure wrongly, with advice</source>
+        <translation>Nachsehen, wodurch Kameras Bilder verlieren oder falsch messen, mit Rat</translation>
+    </message>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 ist ausgewertet.</translation>
+    </message>
+    <message>
+        <source>It is recorded, but could not be measured: %1</source>
+        <translation>Der Versuch ist aufgenommen, ließ sich aber nicht auswerten: %1</translation>
+    </message>
+    <message>
+        <source>%1 is recorded.</source>
+        <translation>%1 ist aufgenommen.</translation>
+    </message>
+    <message>
+        <source>It could not be recorded: %1</source>
+        <translation>Der Versuch ließ sich nicht aufnehmen: %1</translation>
+    </message>
+    <message>
+        <source>Give the trial a name</source>
+        <translation>Geben Sie dem Versuch einen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RegistrationVerdict</name>
+    <message>
+        <source>Where the camera stands</source>
+        <translation>Wo die Kamera steht</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>It stands at x %1 m, y %2 m, %3 m above the floor.</source>
+        <translation>Sie steht bei x %1 m, y %2 m, %3 m über dem Boden.</translation>
+    </message>
+    <message>
+        <source>The registration was not stored. %1</source>
+        <translation>Die Einmessung wurde nicht gespeichert. %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportActions</name>
+    <message>
+        <source>The trial %1</source>
+        <translation>Der Versuch %1</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Bericht…</translation>
+    </message>
+    <message>
+        <source>The comparison of %1 and %2</source>
+        <translation>Der Vergleich von %1 und %2</translation>
+    </message>
+    <message>
+        <source>A class</source>
+        <translation>Eine Klasse</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s), a page each</source>
+        <translation>
+            <numerusform>%n Versuch, je eine Seite</numerusform>
+            <numerusform>%n Versuche, je eine Seite</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>there is no trial yet</source>
+        <translation>es gibt noch keinen Versuch</translation>
+    </message>
+    <message>
+        <source>import or record one first</source>
+        <translation>zuerst einen importieren oder aufnehmen</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>PDF files (*.pdf)</source>
+        <translation>PDF-Dateien (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>Der Bericht ist in %1.</translation>
+    </message>
+    <message>
+        <source>The report is with the printer %1.</source>
+        <translation>Der Bericht ist beim Drucker %1.</translation>
+    </message>
+    <message>
+        <source>Making the report</source>
+        <translation>Bericht wird erstellt</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportDialog</name>
+    <message>
+        <source>A page for each &amp;team</source>
+        <translation>Je &amp;Team eine Seite</translation>
+    </message>
+    <message>
+        <source>A second page with the &amp;method</source>
+        <translation>Zweite Seite zur &amp;Methode</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>Als PDF &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken…</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>&amp;Klasse</translation>
+    </message>
+    <message>
+        <source>&amp;Task</source>
+        <translation>&amp;Aufgabe</translation>
+    </message>
+    <message>
+        <source>The usual one</source>
+        <translation>Die übliche</translation>
+    </message>
+    <message>
+        <source>&amp;Figure</source>
+        <translation>K&amp;ennwert</translation>
+    </message>
+    <message>
+        <source>What tells most</source>
+        <translation>Was am meisten sagt</translation>
+    </message>
+    <message>
+        <source>Report &amp;of</source>
+        <translation>&amp;Bericht über</translation>
+    </message>
+    <message>
+        <source>P&amp;aper</source>
+        <translation>&amp;Papier</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>School, &amp;logo and wording…</source>
+        <translation>Schule, &amp;Logo und Text…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>There is nothing to print yet.</source>
+        <translation>Es gibt noch nichts zu drucken.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation>
+            <numerusform>%n Seite</numerusform>
+            <numerusform>%n Seiten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The first %n page(s); the file has all of them.</source>
+        <translation>
+            <numerusform>Die erste Seite; die Datei hat alle.</numerusform>
+            <numerusform>Die ersten %n Seiten; die Datei hat alle.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportPreview</name>
+    <message>
+        <source>Preview of the pages</source>
+        <translation>Vorschau der Seiten</translation>
+    </message>
+    <message>
+        <source>The pages are being painted…</source>
+        <translation>Seiten werden gezeichnet…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation>
+            <numerusform>%n Seite</numerusform>
+            <numerusform>%n Seiten</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportsPage</name>
+    <message>
+        <source>&amp;School</source>
+        <translation>&amp;Schule</translation>
+    </message>
+    <message>
+        <source>stands at the head of each page</source>
+        <translation>steht im Kopf jeder Seite</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.svg)</translation>
+    </message>
+    <message>
+        <source>&amp;Logo</source>
+        <translation>&amp;Logo</translation>
+    </message>
+    <message>
+        <source>How the logo looks</source>
+        <translation>Wie das Logo aussieht</translation>
+    </message>
+    <message>
+        <source>&amp;At the foot</source>
+        <translation>&amp;Fußzeile</translation>
+    </message>
+    <message>
+        <source>for example: who answers questions</source>
+        <translation>zum Beispiel: wer Fragen beantwortet</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReprocessDialog</name>
+    <message>
+        <source>none</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>&amp;Neu auswerten</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>Measure trials again</source>
+        <translation>Versuche neu auswerten</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>Was sich ändert</translation>
+    </message>
+    <message>
+        <source>What changes, in words</source>
+        <translation>Was sich ändert, in Worten</translation>
+    </message>
+    <message>
+        <source>What was seen in the videos stays as it is; where it lies on the floor is computed with the registrations in force now. Look at what changes, then keep it or not: the older analysis stays in the project too.</source>
+        <translation>Was in den Videos gesehen wurde, bleibt, wie es ist; wo es auf dem Boden liegt, wird mit den jetzt gültigen Einmessungen berechnet. Sehen Sie an, was sich ändert, und behalten Sie es oder nicht: Auch die ältere Auswertung bleibt im Projekt.</translation>
+    </message>
+    <message>
+        <source>&amp;Trial</source>
+        <translation>&amp;Versuch</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1 (measured with an older registration)</source>
+        <translation>%1 (mit älterer Einmessung ausgewertet)</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Wird ausgewertet…</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Kept: the new analysis of %1 is the current one.</source>
+        <translation>Behalten: Die neue Auswertung von %1 ist die aktuelle.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultPanel</name>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Robot whose result is shown</source>
+        <translation>Roboter, dessen Ergebnis gezeigt wird</translation>
+    </message>
+    <message>
+        <source>robot “%1”</source>
+        <translation>Roboter „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReviewColumn</name>
+    <message>
+        <source>Trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Facts of the trial</source>
+        <translation>Angaben zum Versuch</translation>
+    </message>
+    <message>
+        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and works out where it was and how fast.</source>
+        <translation>In diesem Versuch wurde der Roboter noch nicht verfolgt. Die Verfolgung folgt ihm durch die Videos und ermittelt, wo er war und wie schnell.</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>Verfolgen…</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReviewPage</name>
+    <message>
+        <source>No trials yet</source>
+        <translation>Noch keine Versuche</translation>
+    </message>
+    <message>
+        <source>A trial is one run of a robot. Bring in the videos that your cameras took of it, and it will be shown here.</source>
+        <translation>Ein Versuch ist eine Fahrt eines Roboters. Importieren Sie die Videos, die Ihre Kameras davon aufgenommen haben, und er wird hier gezeigt.</translation>
+    </message>
+    <message>
+        <source>Import trial from videos…</source>
+        <translation>Versuch aus Videos importieren…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RevisionPicture</name>
+    <message>
+        <source>Picture that it was made from</source>
+        <translation>Bild, aus dem sie entstanden ist</translation>
+    </message>
+    <message>
+        <source>Reading the picture…</source>
+        <translation>Bild wird gelesen…</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read.</source>
+        <translation>Das Bild lässt sich nicht lesen.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RevisionsDialog</name>
+    <message>
+        <source>&amp;Use this one</source>
+        <translation>&amp;Diese nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Register with this lens</source>
+        <translation>Mit diesem Objektiv &amp;einmessen</translation>
+    </message>
+    <message>
+        <source>&amp;Measure trials again…</source>
+        <translation>Versuche &amp;neu auswerten…</translation>
+    </message>
+    <message>
+        <source>Calibrations and registrations</source>
+        <translation>Kalibrierungen und Einmessungen</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Erstellt</translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>Gültig</translation>
+    </message>
+    <message>
+        <source>Revisions</source>
+        <translation>Revisionen</translation>
+    </message>
+    <message>
+        <source>Puts the chosen revision in force for what is measured from now on; trials keep theirs</source>
+        <translation>Macht die gewählte Revision für alles gültig, was von jetzt an gemessen wird; Versuche behalten ihre</translation>
+    </message>
+    <message>
+        <source>Computes the registration in force anew from the same markers, with the lens in force</source>
+        <translation>Berechnet die gültige Einmessung aus denselben Markern neu, mit dem gültigen Objektiv</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>The camera is neither calibrated nor registered yet.</source>
+        <translation>Die Kamera ist noch weder kalibriert noch eingemessen.</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Calibration %1</source>
+        <translation>Kalibrierung %1</translation>
+    </message>
+    <message>
+        <source>Registration %1</source>
+        <translation>Einmessung %1</translation>
+    </message>
+    <message>
+        <source>in force</source>
+        <translation>gültig</translation>
+    </message>
+    <message>
+        <source>No trial was measured with it.</source>
+        <translation>Kein Versuch wurde damit ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Trials measured with it: %1.</source>
+        <translation>Damit ausgewertete Versuche: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is in force. The registrations keep the lens that they were made with: register the camera with this one.</source>
+        <translation>%1 ist gültig. Die Einmessungen behalten das Objektiv, mit dem sie erstellt wurden: Messen Sie die Kamera mit diesem ein.</translation>
+    </message>
+    <message>
+        <source>%1 is in force. Trials keep theirs until they are measured again.</source>
+        <translation>%1 ist gültig. Versuche behalten ihre, bis sie neu ausgewertet werden.</translation>
+    </message>
+    <message>
+        <source>Registration %1 is in force: the same markers, with this lens. %2</source>
+        <translation>Einmessung %1 ist gültig: dieselben Marker, mit diesem Objektiv. %2</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RobotDialog</name>
+    <message>
+        <source>Add robot</source>
+        <translation>Roboter hinzufügen</translation>
+    </message>
+    <message>
+        <source>Found from the views</source>
+        <translation>Aus den Sichten ermittelt</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Changes while it runs (ramp)</source>
+        <translation>Ändert sich während der Fahrt (Rampe)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Height of the robot&apos;s top</source>
+        <translation>Höhe der Roboteroberseite</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>From a &amp;picture…</source>
+        <translation>Aus einem &amp;Bild…</translation>
+    </message>
+    <message>
+        <source>&amp;Colour of its top</source>
+        <translation>&amp;Farbe der Oberseite</translation>
+    </message>
+    <message>
+        <source>In charts and maps; it is tracked by the colour of its top</source>
+        <translation>In Diagrammen und Karten; verfolgt wird er nach der Farbe seiner Oberseite</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn in</source>
+        <translation>&amp;Gezeichnet in</translation>
+    </message>
+    <message>
+        <source>&amp;Height of its top</source>
+        <translation>&amp;Höhe der Oberseite</translation>
+    </message>
+    <message>
+        <source>Colour of the robot&apos;s top</source>
+        <translation>Farbe der Roboteroberseite</translation>
+    </message>
+    <message>
+        <source>Change robot</source>
+        <translation>Roboter ändern</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RobotsDialog</name>
+    <message>
+        <source>found from the views</source>
+        <translation>aus den Sichten ermittelt</translation>
+    </message>
+    <message>
+        <source>changes while it runs</source>
+        <translation>ändert sich während der Fahrt</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit…</source>
+        <translation>&amp;Bearbeiten…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Colour of its top</source>
+        <translation>Farbe oben</translation>
+    </message>
+    <message>
+        <source>Drawn in</source>
+        <translation>Gezeichnet in</translation>
+    </message>
+    <message>
+        <source>Height of its top</source>
+        <translation>Höhe oben</translation>
+    </message>
+    <message>
+        <source>Length × width</source>
+        <translation>Länge × Breite</translation>
+    </message>
+    <message>
+        <source>Another colour or height counts from the next tracking on; what was measured before stays as it is.</source>
+        <translation>Eine andere Farbe oder Höhe gilt ab der nächsten Verfolgung; was vorher gemessen wurde, bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>add robot %1</source>
+        <translation>Roboter %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>change robot %1</source>
+        <translation>Roboter %1 ändern</translation>
+    </message>
+    <message>
+        <source>delete robot %1</source>
+        <translation>Roboter %1 löschen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunCard</name>
+    <message>
+        <source>Up now</source>
+        <translation>Jetzt dran</translation>
+    </message>
+    <message>
+        <source>Robots that drive</source>
+        <translation>Roboter, die fahren</translation>
+    </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>&amp;Klasse</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>&amp;Team</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>Auf&amp;gabe</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>&amp;Roboter</translation>
+    </message>
+    <message>
+        <source>Trial &amp;name</source>
+        <translation>&amp;Versuchsname</translation>
+    </message>
+    <message>
+        <source>Be&amp;gins</source>
+        <translation>&amp;Beginnt</translation>
+    </message>
+    <message>
+        <source>&amp;Laps</source>
+        <translation>R&amp;unden</translation>
+    </message>
+    <message>
+        <source>Laps until it ends</source>
+        <translation>Runden bis zum Ende</translation>
+    </message>
+    <message>
+        <source>Team that is up</source>
+        <translation>Team, das dran ist</translation>
+    </message>
+    <message>
+        <source>How the recording begins</source>
+        <translation>Wie die Aufnahme beginnt</translation>
+    </message>
+    <message>
+        <source>no class</source>
+        <translation>keine Klasse</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>no team</source>
+        <translation>kein Team</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>sofort</translation>
+    </message>
+    <message>
+        <source>after a countdown of %1 s</source>
+        <translation>nach einem Countdown von %1 s</translation>
+    </message>
+    <message>
+        <source>when the robot passes the start</source>
+        <translation>wenn der Roboter den Start passiert</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunChooser</name>
+    <message>
+        <source>start gate</source>
+        <translation>Starttor</translation>
+    </message>
+    <message>
+        <source>onset of motion</source>
+        <translation>Bewegungsbeginn</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>First run</source>
+        <translation>Erste Fahrt</translation>
+    </message>
+    <message>
+        <source>Second run</source>
+        <translation>Zweite Fahrt</translation>
+    </message>
+    <message>
+        <source>The moment that counts as the same</source>
+        <translation>Der Moment, der als derselbe gilt</translation>
+    </message>
+    <message>
+        <source>Swap the two runs</source>
+        <translation>Die zwei Fahrten tauschen</translation>
+    </message>
+    <message>
+        <source>Further runs</source>
+        <translation>Weitere Fahrten</translation>
+    </message>
+    <message>
+        <source>&amp;Shift</source>
+        <translation>&amp;Versatz</translation>
+    </message>
+    <message>
+        <source>Pla&amp;ce</source>
+        <translation>&amp;Ort</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>How much later the second run&apos;s moment lies</source>
+        <translation>Wie viel später der Moment der zweiten Fahrt liegt</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>where all have begun</source>
+        <translation>wo alle begonnen haben</translation>
+    </message>
+    <message>
+        <source>How far along the way the runs are taken to be at the same time</source>
+        <translation>An welcher Stelle des Wegs die Fahrten als gleichzeitig gelten</translation>
+    </message>
+    <message>
+        <source>F&amp;irst</source>
+        <translation>&amp;Erste</translation>
+    </message>
+    <message>
+        <source>Seco&amp;nd</source>
+        <translation>&amp;Zweite</translation>
+    </message>
+    <message>
+        <source>&amp;Align by</source>
+        <translation>&amp;Ausrichten an</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatisch: %1</translation>
+    </message>
+    <message>
+        <source>There are no further runs</source>
+        <translation>Es gibt keine weiteren Fahrten</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunResultCard</name>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>&amp;Open in Review</source>
+        <translation>In &amp;Durchsicht öffnen</translation>
+    </message>
+    <message>
+        <source>The figures of a run stand here a moment after it has ended.</source>
+        <translation>Die Kennwerte einer Fahrt stehen hier kurz nach ihrem Ende.</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Wird ausgewertet…</translation>
+    </message>
+    <message>
+        <source>Spikes flagged</source>
+        <translation>Markierte Ausreißer</translation>
+    </message>
+    <message>
+        <source>From live tracking. The final figures come from the recording, in a moment.</source>
+        <translation>Aus der Live-Verfolgung. Die endgültigen Kennwerte kommen gleich aus der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Final, from every picture of the recording.</source>
+        <translation>Endgültig, aus jedem Bild der Aufnahme.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ScoringTable</name>
+    <message>
+        <source>Remo&amp;ve line</source>
+        <translation>Z&amp;eile entfernen</translation>
+    </message>
+    <message>
+        <source>Each line gives all of its points where the figure is at the one bound or better, none at the other or worse, and evenly between them. Points below zero are a penalty.</source>
+        <translation>Jede Zeile gibt all ihre Punkte, wo der Kennwert an der einen Schranke oder besser ist, keine an der anderen oder schlechter, und dazwischen gleichmäßig verteilt. Punkte unter null sind ein Abzug.</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>All points at</source>
+        <translation>Alle Punkte bei</translation>
+    </message>
+    <message>
+        <source>None at</source>
+        <translation>Keine bei</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Lines of the scoring</source>
+        <translation>Zeilen der Wertung</translation>
+    </message>
+    <message>
+        <source>What the lines mean</source>
+        <translation>Was die Zeilen bedeuten</translation>
+    </message>
+    <message>
+        <source>&amp;Add line</source>
+        <translation>Zeile &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Figure that counts</source>
+        <translation>Kennwert, der zählt</translation>
+    </message>
+    <message>
+        <source>Without a line, runs of the task are not scored.</source>
+        <translation>Ohne Zeile werden Fahrten der Aufgabe nicht gewertet.</translation>
+    </message>
+    <message>
+        <source>In all %1 points.</source>
+        <translation>Insgesamt %1 Punkte.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SeriesKey</name>
+    <message>
+        <source>Key to the lines</source>
+        <translation>Legende der Linien</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SharedPointsPage</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>&amp;Herausnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Picture of the camera to register; arrow keys move the chosen point</source>
+        <translation>Bild der einzumessenden Kamera; die Pfeiltasten verschieben den gewählten Punkt</translation>
+    </message>
+    <message>
+        <source>Picture of the registered camera; arrow keys move the chosen point</source>
+        <translation>Bild der eingemessenen Kamera; die Pfeiltasten verschieben den gewählten Punkt</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Seen in</source>
+        <translation>Gesehen in</translation>
+    </message>
+    <message>
+        <source>On the floor, mm</source>
+        <translation>Am Boden, mm</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Points of the floor</source>
+        <translation>Punkte des Bodens</translation>
+    </message>
+    <message>
+        <source>Camera %1, to be registered</source>
+        <translation>Kamera %1, einzumessen</translation>
+    </message>
+    <message>
+        <source>Camera %1, registered</source>
+        <translation>Kamera %1, eingemessen</translation>
+    </message>
+    <message>
+        <source>P%1</source>
+        <comment>a point</comment>
+        <translation>P%1</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
+        <translation>Klicken Sie im linken Bild auf einen Punkt des Bodens, dann im rechten Bild auf denselben. Was nahe bei einem Klick liegt, wird auf ein Zehntel Pixel genau genommen; die Pfeiltasten verschieben den gewählten Punkt, die Leertaste rastet ihn ein.</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>beyond the horizon</source>
+        <translation>jenseits des Horizonts</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>both pictures</source>
+        <translation>beide Bilder</translation>
+    </message>
+    <message>
+        <source>left only</source>
+        <translation>nur links</translation>
+    </message>
+    <message>
+        <source>right only</source>
+        <translation>nur rechts</translation>
+    </message>
+    <message>
+        <source>not put yet</source>
+        <translation>noch nicht gesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeActions</name>
+    <message>
+        <source>&amp;Use sample</source>
+        <translation>Messpunkt &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>What was measured at this moment is right and is to be used, whatever speaks against it</source>
+        <translation>Was in diesem Moment gemessen wurde, ist richtig und soll verwendet werden, was auch dagegen spricht</translation>
+    </message>
+    <message>
+        <source>Mark as &amp;spike</source>
+        <translation>Als &amp;Ausreißer markieren</translation>
+    </message>
+    <message>
+        <source>What was measured at this moment is wrong and is not to be used</source>
+        <translation>Was in diesem Moment gemessen wurde, ist falsch und soll nicht verwendet werden</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>Auto&amp;matisch</translation>
+    </message>
+    <message>
+        <source>Takes back what was said by hand at this moment</source>
+        <translation>Nimmt zurück, was zu diesem Moment von Hand gesagt wurde</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeList</name>
+    <message>
+        <source>Spikes</source>
+        <translation>Ausreißer</translation>
+    </message>
+    <message>
+        <source>Spikes with time and reason</source>
+        <translation>Ausreißer mit Zeit und Grund</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeModel</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 flagged</source>
+        <translation>%1 markiert</translation>
+    </message>
+    <message>
+        <source>%1 restored</source>
+        <translation>%1 wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>used, by hand</source>
+        <translation>verwendet, von Hand</translation>
+    </message>
+    <message>
+        <source>%1 (restored by hand)</source>
+        <translation>%1 (von Hand wiederhergestellt)</translation>
+    </message>
+    <message>
+        <source>Restored by hand</source>
+        <translation>Von Hand wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Flagged, not used for the curve</source>
+        <translation>Markiert, nicht für die Kurve verwendet</translation>
+    </message>
+    <message>
+        <source>Flagged, still used for the curve</source>
+        <translation>Markiert, dennoch für die Kurve verwendet</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StandingsModel</name>
+    <message>
+        <source>choose a task</source>
+        <translation>Aufgabe wählen</translation>
+    </message>
+    <message>
+        <source>three trials at different times tell</source>
+        <translation>erst ab drei Versuchen zu verschiedenen Zeiten</translation>
+    </message>
+    <message>
+        <source>within the spread (%1)</source>
+        <translation>im Rahmen der Streuung (%1)</translation>
+    </message>
+    <message>
+        <source>better: %1</source>
+        <translation>besser: %1</translation>
+    </message>
+    <message>
+        <source>worse: %1</source>
+        <translation>schlechter: %1</translation>
+    </message>
+    <message>
+        <source>one trial</source>
+        <translation>ein Versuch</translation>
+    </message>
+    <message>
+        <source>One more than the teams that are better beyond doubt: their medians differ by more than 1.96 σ. Runs of different tasks are not ranked</source>
+        <translation>Eins mehr als die Teams, die zweifelsfrei besser sind: Ihre Mediane unterscheiden sich um mehr als 1.96 σ. Fahrten verschiedener Aufgaben werden nicht gereiht</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Rang</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Bester</translation>
+    </message>
+    <message>
+        <source>± from the spread of all teams&apos; trials</source>
+        <translation>± aus der Streuung der Versuche aller Teams</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Repeatability: standard deviation of one trial about the line of progress</source>
+        <translation>Wiederholbarkeit: Standardabweichung eines Versuchs um die Gerade des Fortschritts</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Change through the term by a straight line; beyond the spread by Student&apos;s test, 95 %</source>
+        <translation>Änderung im Lauf des Halbjahrs nach einer Geraden; größer als die Streuung nach Students t-Test, 95 %</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StartCard</name>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>&amp;Record or stop</source>
+        <translation>&amp;Aufnehmen oder stoppen</translation>
+    </message>
+    <message>
+        <source>Time recorded</source>
+        <translation>Aufgenommene Zeit</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Writing the last pictures…</source>
+        <translation>Letzte Bilder werden geschrieben…</translation>
+    </message>
+    <message>
+        <source>F9 records, F9 stops</source>
+        <translation>F9 nimmt auf, F9 stoppt</translation>
+    </message>
+    <message>
+        <source>F9 records, F9 stops; %1</source>
+        <translation>F9 nimmt auf, F9 stoppt; %1</translation>
+    </message>
+    <message>
+        <source>Call off</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>in %1</translation>
+    </message>
+    <message>
+        <source>Get ready</source>
+        <translation>Bereit machen</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”; it is recorded from a second before</source>
+        <translation>Warten auf den Roboter an „%1“; aufgenommen wird ab einer Sekunde davor</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StatusLine</name>
+    <message>
+        <source>No trial</source>
+        <translation>Kein Versuch</translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>Noch nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>Analysis %1, Odograph %2</source>
+        <translation>Auswertung %1, Odograph %2</translation>
+    </message>
+    <message>
+        <source>Units of lengths, speeds and times; to be chosen in the preferences</source>
+        <translation>Einheiten von Längen, Geschwindigkeiten und Zeiten; in den Einstellungen zu wählen</translation>
+    </message>
+    <message>
+        <source>No project is open</source>
+        <translation>Kein Projekt ist geöffnet</translation>
+    </message>
+    <message>
+        <source>Read only: nothing can be changed</source>
+        <translation>Nur lesbar: Nichts lässt sich ändern</translation>
+    </message>
+    <message>
+        <source>All changes saved</source>
+        <translation>Alle Änderungen gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StepDialog</name>
+    <message>
+        <source>&lt; &amp;Back</source>
+        <translation>&lt; &amp;Zurück</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>&amp;Next &gt;</source>
+        <translation>&amp;Weiter &gt;</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TargetDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Inner corners along the board</source>
+        <translation>Innere Ecken längs der Tafel</translation>
+    </message>
+    <message>
+        <source>Inner corners across the board</source>
+        <translation>Innere Ecken quer zur Tafel</translation>
+    </message>
+    <message>
+        <source>Print targets</source>
+        <translation>Vorlagen drucken</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>Als PDF &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken…</translation>
+    </message>
+    <message>
+        <source>Checkerboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>ChArUco board</source>
+        <translation>ChArUco-Tafel</translation>
+    </message>
+    <message>
+        <source>Floor markers: tags</source>
+        <translation>Bodenmarker: Tags</translation>
+    </message>
+    <message>
+        <source>Floor markers: rings</source>
+        <translation>Bodenmarker: Ringe</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>&amp;Target</source>
+        <translation>&amp;Vorlage</translation>
+    </message>
+    <message>
+        <source>Pape&amp;r</source>
+        <translation>&amp;Papier</translation>
+    </message>
+    <message>
+        <source>&amp;Inner corners</source>
+        <translation>&amp;Innere Ecken</translation>
+    </message>
+    <message>
+        <source>S&amp;quare</source>
+        <translation>&amp;Quadrat</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>&amp;Bezeichnungen</translation>
+    </message>
+    <message>
+        <source>What is printed</source>
+        <translation>Was gedruckt wird</translation>
+    </message>
+    <message>
+        <source>One sheet. Afterwards measure a square on the paper: printers often shrink by 2 to 4 %.</source>
+        <translation>Ein Blatt. Messen Sie danach ein Quadrat auf dem Papier: Drucker verkleinern oft um 2 bis 4 %.</translation>
+    </message>
+    <message>
+        <source>One sheet for each marker. A tag&apos;s number is the place of its label in the layout.</source>
+        <translation>Ein Blatt je Marker. Die Nummer eines Tags ist der Platz seiner Bezeichnung im Markerplan.</translation>
+    </message>
+    <message>
+        <source>Save targets</source>
+        <translation>Vorlagen speichern</translation>
+    </message>
+    <message>
+        <source>targets.pdf</source>
+        <translation>Druckvorlagen.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Sent to the printer.</source>
+        <translation>An den Drucker gesendet.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TargetPreview</name>
+    <message>
+        <source>Preview of the sheets</source>
+        <translation>Vorschau der Blätter</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TaskCanvas</name>
+    <message>
+        <source>The task from above</source>
+        <translation>Die Aufgabe von oben</translation>
+    </message>
+    <message>
+        <source>Drag a gate or one of its ends, a zone&apos;s edge or corner. Keys: Page Up and Down choose a gate or a zone, arrows move it (Shift: 100 mm, Ctrl: 1 mm), &lt; and &gt; turn it, + and − change its width</source>
+        <translation>Ziehen Sie ein Tor oder eines seiner Enden, Rand oder Ecke einer Zone. Tasten: Bild auf und Bild ab wählen ein Tor oder eine Zone, die Pfeile verschieben es (Umschalt: 100 mm, Strg: 1 mm), &lt; und &gt; drehen es, + und − ändern seine Breite</translation>
+    </message>
+    <message>
+        <source>Zone %1, %2: %3 mm</source>
+        <translation>Zone %1, %2: %3 mm</translation>
+    </message>
+    <message>
+        <source>No gate or zone is chosen</source>
+        <translation>Kein Tor und keine Zone ist gewählt</translation>
+    </message>
+    <message>
+        <source>Gate %1 from %2, %3 to %4, %5</source>
+        <translation>Tor %1 von %2, %3 bis %4, %5</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TaskEditor</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>&amp;Course</source>
+        <translation>&amp;Parcours</translation>
+    </message>
+    <message>
+        <source>&amp;Zones</source>
+        <translation>&amp;Zonen</translation>
+    </message>
+    <message>
+        <source>Sco&amp;ring</source>
+        <translation>&amp;Wertung</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Was nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Import &amp;file…</source>
+        <translation>Datei &amp;importieren…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Take gates, path, limits and zones from a task file (JSON)</source>
+        <translation>Tore, Sollbahn, Grenzwerte und Zonen aus einer Aufgabendatei (JSON) übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>Speed limi&amp;t</source>
+        <translation>Grenz&amp;geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Acceleration l&amp;imit</source>
+        <translation>Grenz&amp;beschleunigung</translation>
+    </message>
+    <message>
+        <source>What no robot in the task can do: a measurement beyond it is a spike</source>
+        <translation>Was kein Roboter in der Aufgabe kann: Eine Messung darüber ist ein Ausreißer</translation>
+    </message>
+    <message>
+        <source>Task file</source>
+        <translation>Aufgabendatei</translation>
+    </message>
+    <message>
+        <source>Tasks (*.json *.yaml *.yml);;All files (*)</source>
+        <translation>Aufgaben (*.json *.yaml *.yml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>The task has no name.</source>
+        <translation>Die Aufgabe hat keinen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a task of that name. Give another name.</source>
+        <translation>Es gibt schon eine Aufgabe dieses Namens. Geben Sie einen anderen Namen an.</translation>
+    </message>
+    <message>
+        <source>A gate has no name.</source>
+        <translation>Ein Tor hat keinen Namen.</translation>
+    </message>
+    <message>
+        <source>A zone has no name.</source>
+        <translation>Eine Zone hat keinen Namen.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TasksDialog</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>&amp;Edit…</source>
+        <translation>&amp;Bearbeiten…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy…</source>
+        <translation>&amp;Kopieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Umbenennen…</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>&amp;Archivieren</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Measure them again</source>
+        <translation>N&amp;eu auswerten</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Aufgaben</translation>
+    </message>
+    <message>
+        <source>What depends on the task</source>
+        <translation>Was von der Aufgabe abhängt</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Used by</source>
+        <translation>Genutzt von</translation>
+    </message>
+    <message>
+        <source>An archived task is not offered any more; its trials, results and scores stay as they are</source>
+        <translation>Eine archivierte Aufgabe wird nicht mehr angeboten; ihre Versuche, Ergebnisse und Punkte bleiben, wie sie sind</translation>
+    </message>
+    <message numerus="yes">
+        <source>Show %n archived task(s)</source>
+        <translation>
+            <numerusform>%n archivierte Aufgabe zeigen</numerusform>
+            <numerusform>%n archivierte Aufgaben zeigen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>earlier results</source>
+        <translation>frühere Ergebnisse</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>%1, archived</source>
+        <translation>%1, archiviert</translation>
+    </message>
+    <message>
+        <source>No task yet. New makes one from a template: its gates, path and scoring say what is to be driven, and how well it was.</source>
+        <translation>Noch keine Aufgabe. Neu legt eine nach einem Muster an: Ihre Tore, Sollbahn und Wertung sagen, was zu fahren ist und wie gut es war.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The course as it was before it was changed: %n result(s) measured by it keep it.</source>
+        <translation>
+            <numerusform>Der Parcours, wie er vor der Änderung war: %n danach ausgewertetes Ergebnis behält ihn.</numerusform>
+            <numerusform>Der Parcours, wie er vor der Änderung war: %n danach ausgewertete Ergebnisse behalten ihn.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) have this task.</source>
+        <translation>
+            <numerusform>%n Versuch hat diese Aufgabe.</numerusform>
+            <numerusform>%n Versuche haben diese Aufgabe.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No trial has this task.</source>
+        <translation>Kein Versuch hat diese Aufgabe.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</source>
+        <translation>
+            <numerusform>%n davon ist nach einem anderen Parcours ausgewertet: Zeiten an Toren und Abstände von der Sollbahn gelten für jenen, und Punkte gibt es erst, wenn er neu ausgewertet ist.</numerusform>
+            <numerusform>%n davon sind nach einem anderen Parcours ausgewertet: Zeiten an Toren und Abstände von der Sollbahn gelten für jenen, und Punkte gibt es erst, wenn sie neu ausgewertet sind.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It is scored by %n figure(s).</source>
+        <translation>
+            <numerusform>Sie wird nach %n Kennwert gewertet.</numerusform>
+            <numerusform>Sie wird nach %n Kennwerten gewertet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is not scored.</source>
+        <translation>Sie wird nicht gewertet.</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>Aus dem &amp;Archiv holen</translation>
+    </message>
+    <message>
+        <source>Trials have this task, or were measured by it: it stays, so that their figures say what they were measured by</source>
+        <translation>Versuche haben diese Aufgabe oder wurden nach ihr ausgewertet: Sie bleibt, damit deren Kennwerte sagen, wonach sie ausgewertet wurden</translation>
+    </message>
+    <message>
+        <source>Deletes the task (Del); Ctrl+Z takes it back</source>
+        <translation>Löscht die Aufgabe (Entf); Strg+Z nimmt es zurück</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</source>
+        <translation>
+            <numerusform>%n nach diesem Parcours ausgewertetes Ergebnis bleibt wahr: Ein geänderter Parcours bleibt dafür als frühere Fassung erhalten. Die Versuche gehen auf den neuen über; ihre Zeiten und Punkte folgen, sobald sie neu ausgewertet sind.</numerusform>
+            <numerusform>%n nach diesem Parcours ausgewertete Ergebnisse bleiben wahr: Ein geänderter Parcours bleibt dafür als frühere Fassung erhalten. Die Versuche gehen auf den neuen über; ihre Zeiten und Punkte folgen, sobald sie neu ausgewertet sind.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>add task %1</source>
+        <translation>Aufgabe %1 anlegen</translation>
+    </message>
+    <message>
+        <source>change task %1</source>
+        <translation>Aufgabe %1 ändern</translation>
+    </message>
+    <message>
+        <source>Rename task</source>
+        <translation>Aufgabe umbenennen</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>rename task %1 to %2</source>
+        <translation>Aufgabe %1 in %2 umbenennen</translation>
+    </message>
+    <message>
+        <source>archive task %1</source>
+        <translation>Aufgabe %1 archivieren</translation>
+    </message>
+    <message>
+        <source>take task %1 out of the archive</source>
+        <translation>Aufgabe %1 aus dem Archiv holen</translation>
+    </message>
+    <message>
+        <source>delete task %1</source>
+        <translation>Aufgabe %1 löschen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TeamDialog</name>
+    <message>
+        <source>Robots of the team</source>
+        <translation>Roboter des Teams</translation>
+    </message>
+    <message>
+        <source>Team %1</source>
+        <translation>Team %1</translation>
+    </message>
+    <message>
+        <source>A name on each line</source>
+        <translation>Ein Name je Zeile</translation>
+    </message>
+    <message>
+        <source>Members of the team, one on each line</source>
+        <translation>Mitglieder des Teams, eines je Zeile</translation>
+    </message>
+    <message>
+        <source>Record and importing propose these robots for the team&apos;s runs</source>
+        <translation>Aufnahme und Import schlagen diese Roboter für die Fahrten des Teams vor</translation>
+    </message>
+    <message>
+        <source>&amp;Members</source>
+        <translation>&amp;Mitglieder</translation>
+    </message>
+    <message>
+        <source>&amp;Robots</source>
+        <translation>&amp;Roboter</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n member(s)</source>
+        <translation>
+            <numerusform>%n Mitglied</numerusform>
+            <numerusform>%n Mitglieder</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::TeamsPanel</name>
+    <message>
+        <source>Teams</source>
+        <translation>Teams</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>All classes</source>
+        <translation>Alle Klassen</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>Jede Aufgabe</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>How the teams stand</source>
+        <translation>Rangliste der Teams</translation>
+    </message>
+    <message>
+        <source>%1 (archived)</source>
+        <translation>%1 (archiviert)</translation>
+    </message>
+    <message>
+        <source>No team has a figure here</source>
+        <translation>Kein Team hat hier einen Kennwert</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n team(s)</source>
+        <translation>
+            <numerusform>%n Team</numerusform>
+            <numerusform>%n Teams</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>choose a task to rank them: runs of different tasks cannot be compared</source>
+        <translation>für eine Rangliste eine Aufgabe wählen: Fahrten verschiedener Aufgaben lassen sich nicht vergleichen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) left out: measured by another course; measure them again</source>
+        <translation>
+            <numerusform>%n Versuch ausgelassen: nach einem anderen Parcours ausgewertet; bitte neu auswerten</numerusform>
+            <numerusform>%n Versuche ausgelassen: nach einem anderen Parcours ausgewertet; bitte neu auswerten</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::TemplateForm</name>
+    <message>
+        <source>Straight line</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Figure eight</source>
+        <translation>Acht</translation>
+    </message>
+    <message>
+        <source>Slalom</source>
+        <translation>Slalom</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Te&amp;mplate</source>
+        <translation>&amp;Muster</translation>
+    </message>
+    <message>
+        <source>Centre &amp;x</source>
+        <translation>Mitte &amp;x</translation>
+    </message>
+    <message>
+        <source>Centre &amp;y</source>
+        <translation>Mitte &amp;y</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Länge</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>The way it is driven: 0° along X, 90° along Y</source>
+        <translation>Die Fahrtrichtung: 0° längs X, 90° längs Y</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>&amp;Richtung</translation>
+    </message>
+    <message>
+        <source>&amp;Poles</source>
+        <translation>&amp;Stangen</translation>
+    </message>
+    <message>
+        <source>&amp;Gates&apos; width</source>
+        <translation>&amp;Torbreite</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Diam&amp;eter</source>
+        <translation>&amp;Durchmesser</translation>
+    </message>
+    <message>
+        <source>Start to finis&amp;h</source>
+        <translation>Start bis &amp;Ziel</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>S&amp;wing, side to side</source>
+        <translation>&amp;Ausschlag quer</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TestbedPage</name>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>expected &amp;accuracy</source>
+        <translation>erwartete &amp;Genauigkeit</translation>
+    </message>
+    <message>
+        <source>No cameras yet</source>
+        <translation>Noch keine Kameras</translation>
+    </message>
+    <message>
+        <source>A testbed is a floor with markers and the cameras that watch it. Begin with the lens of the first camera, or with the places of the markers.</source>
+        <translation>Ein Messplatz ist ein Boden mit Markern und die Kameras, die ihn beobachten. Beginnen Sie mit dem Objektiv der ersten Kamera oder mit den Orten der Marker.</translation>
+    </message>
+    <message>
+        <source>Tas&amp;ks…</source>
+        <translation>A&amp;ufgaben…</translation>
+    </message>
+    <message>
+        <source>What is driven on this floor: gates, paths, limits, scoring</source>
+        <translation>Was auf diesem Boden gefahren wird: Tore, Bahnen, Grenzwerte, Wertung</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>What is known of the camera</source>
+        <translation>Was von der Kamera bekannt ist</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Marker layouts</source>
+        <translation>Markerpläne</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TestbedTools</name>
+    <message>
+        <source>&amp;Calibrate camera…</source>
+        <translation>Kamera &amp;kalibrieren…</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Kalibrieren…</translation>
+    </message>
+    <message>
+        <source>Measure a camera&apos;s lens from pictures of a board</source>
+        <translation>Objektiv einer Kamera aus Bildern einer Tafel vermessen</translation>
+    </message>
+    <message>
+        <source>&amp;Register camera…</source>
+        <translation>Kamera &amp;einmessen…</translation>
+    </message>
+    <message>
+        <source>Register…</source>
+        <translation>Einmessen…</translation>
+    </message>
+    <message>
+        <source>Find where a camera stands from the floor markers</source>
+        <translation>Aus den Bodenmarkern finden, wo eine Kamera steht</translation>
+    </message>
+    <message>
+        <source>Register t&amp;hrough another camera…</source>
+        <translation>Ü&amp;ber andere Kamera einmessen…</translation>
+    </message>
+    <message>
+        <source>Through another…</source>
+        <translation>Über andere…</translation>
+    </message>
+    <message>
+        <source>Find where a camera stands that sees no markers, from points of the floor that another camera sees as well</source>
+        <translation>Finden, wo eine Kamera steht, die keine Marker sieht, aus Punkten des Bodens, die auch eine andere Kamera sieht</translation>
+    </message>
+    <message>
+        <source>Register all cameras to&amp;gether…</source>
+        <translation>Alle Kameras &amp;gemeinsam einmessen…</translation>
+    </message>
+    <message>
+        <source>All together…</source>
+        <translation>Gemeinsam…</translation>
+    </message>
+    <message>
+        <source>Fit the cameras of the chosen layout at once, so that they agree, and find markers that were measured wrongly</source>
+        <translation>Die Kameras des gewählten Markerplans auf einmal anpassen, damit sie übereinstimmen, und falsch gemessene Marker finden</translation>
+    </message>
+    <message>
+        <source>Import &amp;intrinsics…</source>
+        <translation>&amp;Objektivdaten importieren…</translation>
+    </message>
+    <message>
+        <source>Import lens…</source>
+        <translation>Objektivdaten…</translation>
+    </message>
+    <message>
+        <source>Take a camera&apos;s lens from a ROS or OpenCV YAML file</source>
+        <translation>Objektiv einer Kamera aus einer YAML-Datei von ROS oder OpenCV übernehmen</translation>
+    </message>
+    <message>
+        <source>New marker &amp;layout…</source>
+        <translation>&amp;Neuer Markerplan…</translation>
+    </message>
+    <message>
+        <source>New layout…</source>
+        <translation>Neuer Plan…</translation>
+    </message>
+    <message>
+        <source>Say where the markers lie, from the start or from the layout that is chosen</source>
+        <translation>Angeben, wo die Marker liegen, von Grund auf oder vom gewählten Markerplan aus</translation>
+    </message>
+    <message>
+        <source>Import &amp;marker layout…</source>
+        <translation>&amp;Markerplan importieren…</translation>
+    </message>
+    <message>
+        <source>Import layout…</source>
+        <translation>Plan importieren…</translation>
+    </message>
+    <message>
+        <source>Take the places of the markers from a table</source>
+        <translation>Orte der Marker aus einer Tabelle übernehmen</translation>
+    </message>
+    <message>
+        <source>Print &amp;targets…</source>
+        <translation>Vorlagen &amp;drucken…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Drucken…</translation>
+    </message>
+    <message>
+        <source>Boards for the lens and markers for the floor, to scale</source>
+        <translation>Tafeln für das Objektiv und Marker für den Boden, maßstabsgetreu</translation>
+    </message>
+    <message>
+        <source>Camera %1 is calibrated. %2</source>
+        <translation>Kamera %1 ist kalibriert. %2</translation>
+    </message>
+    <message>
+        <source>register camera %1</source>
+        <translation>Kamera %1 einmessen</translation>
+    </message>
+    <message>
+        <source>Camera %1 is registered. %2</source>
+        <translation>Kamera %1 ist eingemessen. %2</translation>
+    </message>
+    <message>
+        <source>Camera %1 is registered through camera %2. %3</source>
+        <translation>Kamera %1 ist über Kamera %2 eingemessen. %3</translation>
+    </message>
+    <message>
+        <source>The cameras of layout %1 are registered together. %2</source>
+        <translation>Die Kameras des Markerplans %1 sind gemeinsam eingemessen. %2</translation>
+    </message>
+    <message>
+        <source>Intrinsics of a camera</source>
+        <translation>Objektivdaten einer Kamera</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml);;All files (*)</source>
+        <translation>Kalibrierungen (*.yaml *.yml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Import intrinsics</source>
+        <translation>Objektivdaten importieren</translation>
+    </message>
+    <message>
+        <source>Camera:</source>
+        <translation>Kamera:</translation>
+    </message>
+    <message>
+        <source>The lens of camera %1 was taken from %2.</source>
+        <translation>Das Objektiv von Kamera %1 wurde aus %2 übernommen.</translation>
+    </message>
+    <message>
+        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <translation>Orte der Marker (label,x_mm,y_mm)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>Tabellen (*.csv *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>add layout %1</source>
+        <translation>Markerplan %1 anlegen</translation>
+    </message>
+    <message>
+        <source>Layout %1 has %2 markers.</source>
+        <translation>Markerplan %1 hat %2 Marker.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ThroughSourcePage</name>
+    <message>
+        <source>Picture or video of the camera to register</source>
+        <translation>Bild oder Video der einzumessenden Kamera</translation>
+    </message>
+    <message>
+        <source>Picture or video of the registered camera</source>
+        <translation>Bild oder Video der eingemessenen Kamera</translation>
+    </message>
+    <message>
+        <source>A camera cannot be registered through itself: choose two different ones.</source>
+        <translation>Eine Kamera lässt sich nicht über sich selbst einmessen: Wählen Sie zwei verschiedene.</translation>
+    </message>
+    <message>
+        <source>Camera to register</source>
+        <translation>Einzumessende Kamera</translation>
+    </message>
+    <message>
+        <source>Registered camera</source>
+        <translation>Eingemessene Kamera</translation>
+    </message>
+    <message>
+        <source>A camera that sees no markers can be registered by points of the floor that a registered camera sees as well: corners of tiles, ends of tape, screws. Four are enough, six or more spread over the common part are better. Neither camera may be moved afterwards.</source>
+        <translation>Eine Kamera, die keine Marker sieht, lässt sich über Punkte des Bodens einmessen, die auch eine eingemessene Kamera sieht: Ecken von Fliesen, Enden von Klebeband, Schrauben. Vier genügen, sechs oder mehr, über den gemeinsamen Teil verteilt, sind besser. Danach darf keine der beiden Kameras bewegt werden.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera to register</source>
+        <translation>Einzumessende &amp;Kamera</translation>
+    </message>
+    <message>
+        <source>&amp;Through camera</source>
+        <translation>Ü&amp;ber Kamera</translation>
+    </message>
+    <message>
+        <source>Its picture</source>
+        <translation>Ihr Bild</translation>
+    </message>
+    <message>
+        <source>The registered camera&apos;s picture</source>
+        <translation>Das Bild der eingemessenen Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ThroughWizard</name>
+    <message>
+        <source>Register through another camera</source>
+        <translation>Über andere Kamera einmessen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Two cameras and their pictures</source>
+        <translation>Zwei Kameras und ihre Bilder</translation>
+    </message>
+    <message>
+        <source>The same points in both pictures</source>
+        <translation>Dieselben Punkte in beiden Bildern</translation>
+    </message>
+    <message>
+        <source>Getting the pictures…</source>
+        <translation>Bilder werden geholt…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TimeSlider</name>
+    <message>
+        <source>Time of the trial</source>
+        <translation>Zeit des Versuchs</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Timeline</name>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Wiedergabe oder Pause</translation>
+    </message>
+    <message>
+        <source>One frame &amp;back</source>
+        <translation>Ein Bild &amp;zurück</translation>
+    </message>
+    <message>
+        <source>One frame &amp;forward</source>
+        <translation>Ein Bild &amp;vor</translation>
+    </message>
+    <message>
+        <source>One second back</source>
+        <translation>Eine Sekunde zurück</translation>
+    </message>
+    <message>
+        <source>One second forward</source>
+        <translation>Eine Sekunde vor</translation>
+    </message>
+    <message>
+        <source>Play backwards, again: faster</source>
+        <translation>Rückwärts abspielen, erneut: schneller</translation>
+    </message>
+    <message>
+        <source>&amp;Stop; held, the two beside go by one frame</source>
+        <translation>&amp;Stopp; gehalten: die Tasten daneben gehen ein Bild weiter</translation>
+    </message>
+    <message>
+        <source>Play forwards, again: faster</source>
+        <translation>Vorwärts abspielen, erneut: schneller</translation>
+    </message>
+    <message>
+        <source>To the first frame</source>
+        <translation>Zum ersten Bild</translation>
+    </message>
+    <message>
+        <source>To the last frame</source>
+        <translation>Zum letzten Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>Schlei&amp;fe</translation>
+    </message>
+    <message>
+        <source>Range beg&amp;ins here</source>
+        <translation>Bereich &amp;beginnt hier</translation>
+    </message>
+    <message>
+        <source>Range &amp;ends here</source>
+        <translation>Bereich &amp;endet hier</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the range</source>
+        <translation>Bereich auf&amp;heben</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TimelineBar</name>
+    <message>
+        <source>Time line</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>Wiedergabegeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>To the first frame (Home)</source>
+        <translation>Zum ersten Bild (Pos1)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Abspielen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>To the last frame (End)</source>
+        <translation>Zum letzten Bild (Ende)</translation>
+    </message>
+    <message>
+        <source>no frames</source>
+        <translation>keine Bilder</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Pause (Leertaste)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrackDialog</name>
+    <message>
+        <source>Robots to follow</source>
+        <translation>Zu verfolgende Roboter</translation>
+    </message>
+    <message>
+        <source>Track %1</source>
+        <translation>%1 verfolgen</translation>
+    </message>
+    <message>
+        <source>Kalman/RTS, noise from the data (best)</source>
+        <translation>Kalman/RTS, Rauschen aus den Daten (am besten)</translation>
+    </message>
+    <message>
+        <source>Savitzky–Golay</source>
+        <translation>Savitzky–Golay</translation>
+    </message>
+    <message>
+        <source>Differences as in Tracker</source>
+        <translation>Differenzen wie in Tracker</translation>
+    </message>
+    <message>
+        <source>None: raw differences</source>
+        <translation>Keine: rohe Differenzen</translation>
+    </message>
+    <message>
+        <source>&amp;Robots</source>
+        <translation>&amp;Roboter</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothing</source>
+        <translation>&amp;Glättung</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Verfolgen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TransferActions</name>
+    <message>
+        <source>&amp;Pack into one file…</source>
+        <translation>In eine Datei &amp;packen…</translation>
+    </message>
+    <message>
+        <source>&amp;Unpack a packed project…</source>
+        <translation>Gepacktes Projekt &amp;entpacken…</translation>
+    </message>
+    <message>
+        <source>Find &amp;lost videos…</source>
+        <translation>&amp;Verlorene Videos suchen…</translation>
+    </message>
+    <message>
+        <source>Pack the project with its videos</source>
+        <translation>Projekt mit seinen Videos packen</translation>
+    </message>
+    <message>
+        <source>Packed projects (*%1)</source>
+        <translation>Gepackte Projekte (*%1)</translation>
+    </message>
+    <message>
+        <source>Packing the project</source>
+        <translation>Projekt wird gepackt</translation>
+    </message>
+    <message>
+        <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
+        <translation>Das Projekt ist in %1 gepackt. Anderswo wird es mit „Gepacktes Projekt entpacken“ entpackt.</translation>
+    </message>
+    <message>
+        <source>Note: %1.</source>
+        <translation>Hinweis: %1.</translation>
+    </message>
+    <message>
+        <source>Unpack a packed project</source>
+        <translation>Gepacktes Projekt entpacken</translation>
+    </message>
+    <message>
+        <source>Packed projects (*%1);;All files (*)</source>
+        <translation>Gepackte Projekte (*%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Where shall the project be unpacked?</source>
+        <translation>Wohin soll das Projekt entpackt werden?</translation>
+    </message>
+    <message>
+        <source>Unpacking the project</source>
+        <translation>Projekt wird entpackt</translation>
+    </message>
+    <message>
+        <source>In which folder, or below, may the lost videos lie?</source>
+        <translation>In oder unter welchem Ordner könnten die verlorenen Videos liegen?</translation>
+    </message>
+    <message>
+        <source>Looking for lost videos</source>
+        <translation>Verlorene Videos werden gesucht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lost videos were found, by their content.</source>
+        <translation>%1 von %2 verlorenen Videos wurden anhand ihres Inhalts gefunden.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrendChart</name>
+    <message>
+        <source>Progress of the team</source>
+        <translation>Fortschritt des Teams</translation>
+    </message>
+    <message>
+        <source>%1: %2 trials, progress: %3</source>
+        <translation>%1: %2 Versuche, Fortschritt: %3</translation>
+    </message>
+    <message>
+        <source>No team is selected</source>
+        <translation>Kein Team ist ausgewählt</translation>
+    </message>
+    <message>
+        <source>Select a team to see its trials through the term.</source>
+        <translation>Wählen Sie ein Team aus, um seine Versuche im Lauf des Halbjahrs zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialActions</name>
+    <message>
+        <source>Trial %1</source>
+        <translation>Versuch %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2 of %3 frames, spikes flagged: %4</source>
+        <translation>%1 in %2 von %3 Bildern, markierte Ausreißer: %4</translation>
+    </message>
+    <message>
+        <source>%1 is tracked: %2.</source>
+        <translation>%1 ist verfolgt: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is imported.</source>
+        <translation>%1 ist importiert.</translation>
+    </message>
+    <message>
+        <source>&amp;Import trial from videos…</source>
+        <translation>Versuch aus Videos &amp;importieren…</translation>
+    </message>
+    <message>
+        <source>Import finished tra&amp;cks…</source>
+        <translation>Fertige &amp;Spuren importieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Track…</source>
+        <translation>&amp;Verfolgen…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Export &amp;video…</source>
+        <translation>Vi&amp;deo exportieren…</translation>
+    </message>
+    <message>
+        <source>Add &amp;robot…</source>
+        <translation>&amp;Roboter hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 wird importiert</translation>
+    </message>
+    <message>
+        <source>Tracking %1</source>
+        <translation>%1 wird verfolgt</translation>
+    </message>
+    <message>
+        <source>the sample</source>
+        <translation>der Messpunkt</translation>
+    </message>
+    <message>
+        <source>this project can only be read</source>
+        <translation>dieses Projekt ist nur lesbar</translation>
+    </message>
+    <message>
+        <source>save a copy and work on that</source>
+        <translation>eine Kopie speichern und mit ihr arbeiten</translation>
+    </message>
+    <message>
+        <source>Measuring %1 again</source>
+        <translation>%1 wird neu ausgewertet</translation>
+    </message>
+    <message>
+        <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
+        <translation>Der Messpunkt bei %1 von %2 wird nicht verwendet. Rückgängig nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>The sample at %1 of %2 is used. Undo takes it back.</source>
+        <translation>Der Messpunkt bei %1 von %2 wird verwendet. Rückgängig nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>Video of %1</source>
+        <translation>Video von %1</translation>
+    </message>
+    <message>
+        <source>MP4 videos (*.mp4)</source>
+        <translation>MP4-Videos (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Making the video of %1</source>
+        <translation>Video von %1 wird erstellt</translation>
+    </message>
+    <message>
+        <source>The video of %1 is there: %2</source>
+        <translation>Das Video von %1 ist da: %2</translation>
+    </message>
+    <message>
+        <source>add robot %1</source>
+        <translation>Roboter %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Robot %1 is known now.</source>
+        <translation>Roboter %1 ist jetzt bekannt.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialBatch</name>
+    <message>
+        <source>many trials</source>
+        <translation>viele Versuche</translation>
+    </message>
+    <message>
+        <source>another job is running</source>
+        <translation>ein anderer Vorgang läuft</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>warten, bis er fertig ist, oder ihn abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialChooser</name>
+    <message>
+        <source>&amp;Previous trial</source>
+        <translation>Vor&amp;heriger Versuch</translation>
+    </message>
+    <message>
+        <source>&amp;Next trial</source>
+        <translation>&amp;Nächster Versuch</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Versuch</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialDetail</name>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Sichten</translation>
+    </message>
+    <message>
+        <source>none: the track was imported</source>
+        <translation>keine: Die Spur wurde importiert</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>none: it was measured by another course than its task has now; measure it again</source>
+        <translation>keine: nach einem anderen Parcours ausgewertet, als seine Aufgabe jetzt hat; bitte neu auswerten</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>none yet: open it and choose Track</source>
+        <translation>noch keines: öffnen und Verfolgen wählen</translation>
+    </message>
+    <message>
+        <source>Open in Review</source>
+        <translation>In Durchsicht öffnen</translation>
+    </message>
+    <message>
+        <source>Facts of the trial</source>
+        <translation>Angaben zum Versuch</translation>
+    </message>
+    <message>
+        <source>Notes of the trial</source>
+        <translation>Notizen zum Versuch</translation>
+    </message>
+    <message>
+        <source>What was changed on the robot? What should be remembered?</source>
+        <translation>Was wurde am Roboter geändert? Was soll in Erinnerung bleiben?</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>&amp;Notizen</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>No trials yet</source>
+        <translation>Noch keine Versuche</translation>
+    </message>
+    <message>
+        <source>No trial selected</source>
+        <translation>Kein Versuch ausgewählt</translation>
+    </message>
+    <message>
+        <source>write notes of %1</source>
+        <translation>Notizen zu %1 schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialFilterBar</name>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Any class</source>
+        <translation>Jede Klasse</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Any team</source>
+        <translation>Jedes Team</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>Jede Aufgabe</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Any robot</source>
+        <translation>Jeder Roboter</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Any date</source>
+        <translation>Jedes Datum</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Heute</translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation>Letzte 7 Tage</translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation>Letzte 30 Tage</translation>
+    </message>
+    <message>
+        <source>Last 12 months</source>
+        <translation>Letzte 12 Monate</translation>
+    </message>
+    <message>
+        <source>Between…</source>
+        <translation>Zwischen…</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archiv</translation>
+    </message>
+    <message>
+        <source>Bin</source>
+        <translation>Papierkorb</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Starred</source>
+        <translation>Mit Stern</translation>
+    </message>
+    <message>
+        <source>Only starred trials</source>
+        <translation>Nur Versuche mit Stern</translation>
+    </message>
+    <message>
+        <source>Show starred trials only</source>
+        <translation>Nur Versuche mit Stern zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialModel</name>
+    <message>
+        <source>not tracked</source>
+        <translation>nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>measure again</source>
+        <translation>neu auswerten</translation>
+    </message>
+    <message>
+        <source>starred</source>
+        <translation>mit Stern</translation>
+    </message>
+    <message>
+        <source>not starred</source>
+        <translation>ohne Stern</translation>
+    </message>
+    <message>
+        <source>Tags, separated by commas: double-click or F2 changes them</source>
+        <translation>Schlagwörter, durch Kommas getrennt: Doppelklick oder F2 ändert sie</translation>
+    </message>
+    <message>
+        <source>Star (Ctrl+D)</source>
+        <translation>Stern (Strg+D)</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Stern</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>Höchstgeschw.</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Schlagwörter</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TroubleBar</name>
+    <message>
+        <source>What is the matter</source>
+        <translation>Was los ist</translation>
+    </message>
+    <message>
+        <source>Put it right</source>
+        <translation>Beheben</translation>
+    </message>
+</context>
+<context>
+    <name>odo::UndoActions</name>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>Rückgängig gemacht: %1.</translation>
+    </message>
+    <message>
+        <source>Made again: %1.</source>
+        <translation>Wiederholt: %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>rückgängig machen</translation>
+    </message>
+    <message>
+        <source>a job is running on the project</source>
+        <translation>ein Vorgang läuft am Projekt</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>warten, bis er fertig ist, oder ihn abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::VideoDialog</name>
+    <message>
+        <source>As it was driven</source>
+        <translation>Wie gefahren</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/2</source>
+        <translation>Zeitlupe, 1/2</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/4</source>
+        <translation>Zeitlupe, 1/4</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/10</source>
+        <translation>Zeitlupe, 1/10</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>One video with the pictures of all cameras, the map and the speed, to be shown or sent: whoever gets it needs no Odograph.</source>
+        <translation>Ein Video mit den Bildern aller Kameras, der Karte und der Geschwindigkeit, zum Zeigen oder Verschicken: Wer es bekommt, braucht kein Odograph.</translation>
+    </message>
+    <message>
+        <source>&amp;Speed</source>
+        <translation>&amp;Tempo</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Design</translation>
+    </message>
+    <message>
+        <source>Choose a place…</source>
+        <translation>Ort wählen…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ViewActions</name>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Anordnung &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>Colours of the &amp;desktop</source>
+        <translation>&amp;Farben des Systems</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>Da&amp;rk</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ViewSteps</name>
+    <message>
+        <source>From the motion or a flash</source>
+        <translation>Aus der Bewegung oder einem Blitz</translation>
+    </message>
+    <message>
+        <source>Begun together</source>
+        <translation>Gleichzeitig begonnen</translation>
+    </message>
+    <message>
+        <source>By hand: begun later by</source>
+        <translation>Von Hand: später begonnen um</translation>
+    </message>
+    <message>
+        <source>How view %1 gets in step with the first</source>
+        <translation>Wie Sicht %1 synchron zur ersten wird</translation>
+    </message>
+    <message>
+        <source>A flash: switch the room lights on and off once while all cameras record</source>
+        <translation>Ein Blitz: Schalten Sie das Raumlicht einmal an und aus, während alle Kameras aufnehmen</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>How much later view %1 began</source>
+        <translation>Wie viel später Sicht %1 begann</translation>
+    </message>
+    <message>
+        <source>Below zero: it began earlier than the first view</source>
+        <translation>Unter null: Sie begann früher als die erste Sicht</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Sicht %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WelcomePage</name>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+    <message>
+        <source>Measures how a mobile robot moved, from the videos of ordinary cameras.</source>
+        <translation>Misst anhand der Videos gewöhnlicher Kameras, wie sich ein mobiler Roboter bewegt hat.</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Letzte Projekte</translation>
+    </message>
+    <message>
+        <source>not found any more</source>
+        <translation>nicht mehr gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Workspace</name>
+    <message>
+        <source>another job is running</source>
+        <translation>ein anderer Vorgang läuft</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>warten, bis er fertig ist, oder ihn abbrechen</translation>
+    </message>
+    <message>
+        <source>cannot open another project</source>
+        <translation>ein anderes Projekt lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
+        <translation>%1: %2. Hier lässt es sich nur ansehen; um es zu ändern, schließen Sie es dort und öffnen Sie es hier erneut.</translation>
+    </message>
+    <message>
+        <source>Completing a recording that was cut off</source>
+        <translation>Abgebrochene Aufnahme wird vervollständigt</translation>
+    </message>
+    <message>
+        <source>Making the hashes of new recordings</source>
+        <translation>Prüfsummen neuer Aufnahmen werden gebildet</translation>
+    </message>
+    <message>
+        <source>cannot make another project</source>
+        <translation>ein anderes Projekt lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>no project is open</source>
+        <translation>es ist kein Projekt geöffnet</translation>
+    </message>
+    <message>
+        <source>open or make a project first</source>
+        <translation>zuerst ein Projekt öffnen oder anlegen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ZoneTable</name>
+    <message>
+        <source>stay inside</source>
+        <translation>darin bleiben</translation>
+    </message>
+    <message>
+        <source>keep out</source>
+        <translation>meiden</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve zone</source>
+        <translation>Zone &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Zone</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Corners: x y; x y; … in mm</source>
+        <translation>Ecken: x y; x y; … in mm</translation>
+    </message>
+    <message>
+        <source>Zones of the floor</source>
+        <translation>Zonen des Bodens</translation>
+    </message>
+    <message>
+        <source>Add zone to sta&amp;y in</source>
+        <translation>Zone: &amp;darin bleiben</translation>
+    </message>
+    <message>
+        <source>Add zone to &amp;keep out of</source>
+        <translation>Zone: &amp;meiden</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s centre must stay in a zone, or keep out of it. Each is judged by itself; how often, how long and how far it was broken can be scored. Drag corners and edges on the map.</source>
+        <translation>Die Mitte des Roboters muss in einer Zone bleiben oder sie meiden. Jede wird für sich beurteilt; wie oft, wie lange und wie weit sie verletzt wurde, kann gewertet werden. Ziehen Sie Ecken und Ränder auf der Karte.</translation>
+    </message>
+    <message>
+        <source>Rule of the zone</source>
+        <translation>Regel der Zone</translation>
+    </message>
+    <message>
+        <source>Zone %1</source>
+        <translation>Zone %1</translation>
+    </message>
+</context>
+</TS>

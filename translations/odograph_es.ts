@@ -1,0 +1,8606 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es" sourcelanguage="en">
+<context>
+    <name>AccuracyLayer</name>
+    <message>
+        <source>expected ±, hatched: not seen</source>
+        <translation>± previsto; rayado: no se ve</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>AnalysisWords</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>begun %1 earlier</source>
+        <translation>iniciada %1 antes</translation>
+    </message>
+    <message>
+        <source>begun %1 later</source>
+        <translation>iniciada %1 después</translation>
+    </message>
+    <message>
+        <source>Kalman/RTS, noise from the data</source>
+        <translation>Kalman/RTS, ruido según los datos</translation>
+    </message>
+    <message>
+        <source>Savitzky–Golay, cubic, 11 points</source>
+        <translation>Savitzky–Golay, cúbico, 11 puntos</translation>
+    </message>
+    <message>
+        <source>differences as in Tracker</source>
+        <translation>diferencias como en Tracker</translation>
+    </message>
+    <message>
+        <source>none: raw differences</source>
+        <translation>ninguno: diferencias directas</translation>
+    </message>
+    <message>
+        <source>%1, as told by hand</source>
+        <translation>%1, según se indicó a mano</translation>
+    </message>
+    <message>
+        <source>in step to %1, found from the motion; %2</source>
+        <translation>sincronizada a %1 por el movimiento; %2</translation>
+    </message>
+    <message>
+        <source>in step to %1, found from a flash of light; %2</source>
+        <translation>sincronizada a %1 por un destello de luz; %2</translation>
+    </message>
+    <message>
+        <source>in step to %1, by the cameras&apos; time stamps; %2</source>
+        <translation>sincronizada a %1 por las marcas de tiempo de las cámaras; %2</translation>
+    </message>
+    <message>
+        <source>taken as begun together</source>
+        <translation>se supone iniciada a la vez</translation>
+    </message>
+    <message>
+        <source>, its clock %1 ppm fast</source>
+        <translation>, su reloj adelanta %1 ppm</translation>
+    </message>
+    <message>
+        <source>, its clock %1 ppm slow</source>
+        <translation>, su reloj atrasa %1 ppm</translation>
+    </message>
+</context>
+<context>
+    <name>AnnotatedPicture</name>
+    <message>
+        <source>slow motion %1×</source>
+        <translation>cámara lenta %1×</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>Esta cámara no estaba grabando en este momento</translation>
+    </message>
+    <message>
+        <source>This picture cannot be decoded</source>
+        <translation>Esta imagen no se puede decodificar</translation>
+    </message>
+</context>
+<context>
+    <name>ClassReport</name>
+    <message>
+        <source>Rank: one more than the number of teams that are better beyond doubt (medians apart by more than 1.96 σ); teams of one rank cannot be told apart.</source>
+        <translation>Puesto: uno más que el número de equipos mejores sin lugar a dudas (medianas separadas más de 1.96 σ); los equipos de un mismo puesto no se pueden distinguir.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) left out: measured by another course; measure them again.</source>
+        <translation>
+            <numerusform>%n ensayo omitido: se midió con otro circuito; vuelva a medirlo.</numerusform>
+            <numerusform>%n ensayos omitidos: se midieron con otro circuito; vuelva a medirlos.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Page %1 of %2 · Odograph %3</source>
+        <translation>Página %1 de %2 · Odograph %3</translation>
+    </message>
+    <message>
+        <source>Odograph %1</source>
+        <translation>Odograph %1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>Tarea: %1</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>según %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>Teams</source>
+        <translation>Equipos</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Ensayos</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>de %1</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Mejor</translation>
+    </message>
+    <message>
+        <source>Median of all runs</source>
+        <translation>Mediana de todos los recorridos</translation>
+    </message>
+    <message>
+        <source>Middle half of the runs</source>
+        <translation>Mitad central de los recorridos</translation>
+    </message>
+    <message>
+        <source>The teams</source>
+        <translation>Los equipos</translation>
+    </message>
+    <message>
+        <source>each run is a dot; the line is the median of the team</source>
+        <translation>cada recorrido es un punto; la línea es la mediana del equipo</translation>
+    </message>
+    <message>
+        <source>#</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>Through the term</source>
+        <translation>Durante el periodo</translation>
+    </message>
+    <message>
+        <source>Its trials</source>
+        <translation>Sus ensayos</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Ensayo</translation>
+    </message>
+    <message>
+        <source>Class: %1</source>
+        <translation>Clase: %1</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Puesto</translation>
+    </message>
+    <message numerus="yes">
+        <source>of %n team(s)</source>
+        <translation>
+            <numerusform>de %n equipo</numerusform>
+            <numerusform>de %n equipos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>class median %1</source>
+        <translation>mediana de la clase: %1</translation>
+    </message>
+    <message>
+        <source>Spread of one run</source>
+        <translation>Dispersión de un recorrido</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonExplanation</name>
+    <message>
+        <source>There is no difference.</source>
+        <translation>No hay diferencia.</translation>
+    </message>
+    <message>
+        <source>Both are exact, so that any difference is one.</source>
+        <translation>Ambos son exactos, de modo que cualquier diferencia es real.</translation>
+    </message>
+    <message>
+        <source>It is %1 σ, more than 1.96: were there no difference, chance would give as much in less than 5 of 100 cases.</source>
+        <translation>Es de %1 σ, más de 1.96: si no hubiera diferencia, el azar daría una así en menos de 5 de cada 100 casos.</translation>
+    </message>
+    <message>
+        <source>It is %1 σ, not more than 1.96: within the error, so that no difference can be claimed.</source>
+        <translation>Es de %1 σ, no más de 1.96: queda dentro del error, así que no se puede afirmar ninguna diferencia.</translation>
+    </message>
+    <message>
+        <source>along the task&apos;s reference path</source>
+        <translation>a lo largo de la trayectoria de referencia de la tarea</translation>
+    </message>
+    <message>
+        <source>along the way of %1</source>
+        <translation>a lo largo del camino de %1</translation>
+    </message>
+    <message>
+        <source>time 0: each passes the start gate</source>
+        <translation>tiempo 0: cada uno pasa la puerta de salida</translation>
+    </message>
+    <message>
+        <source>time 0: each begins to move</source>
+        <translation>tiempo 0: cada uno empieza a moverse</translation>
+    </message>
+    <message>
+        <source>time 0: each first comes to the same place of the way</source>
+        <translation>tiempo 0: cada uno llega por primera vez al mismo lugar del camino</translation>
+    </message>
+    <message>
+        <source>time 0: told by hand, to a frame</source>
+        <translation>tiempo 0: indicado a mano, con precisión de un fotograma</translation>
+    </message>
+    <message>
+        <source>both by the same registrations and for the same solid: what the calibration adds is common, and only its difference counts</source>
+        <translation>ambos con los mismos registros y para el mismo sólido: lo que añade la calibración es común y solo cuenta su diferencia</translation>
+    </message>
+    <message>
+        <source>not by the same registrations, or not for the same solid: what the calibration adds counts for both in full</source>
+        <translation>no con los mismos registros o no para el mismo sólido: lo que añade la calibración cuenta por completo para ambos</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>%1: %2 less %3</source>
+        <translation>%1: %2 menos %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>only one of the two has it</source>
+        <translation>solo uno de los dos lo tiene</translation>
+    </message>
+    <message>
+        <source>the figure of %1 less that of %2</source>
+        <translation>el indicador de %1 menos el de %2</translation>
+    </message>
+    <message>
+        <source>Each: %1</source>
+        <translation>Cada uno: %1</translation>
+    </message>
+    <message>
+        <source>√(σ₁² + σ₂²), both as independent; where the runs share their calibration, its error of scale leaves only its part of the difference</source>
+        <translation>√(σ₁² + σ₂²), ambos como independientes; si los recorridos comparten la calibración, el error de escala de esta aporta solo su parte de la diferencia</translation>
+    </message>
+    <message>
+        <source>not seen at an end</source>
+        <translation>no visto en un extremo</translation>
+    </message>
+    <message>
+        <source>Sector %1 to %2: %3 less %4</source>
+        <translation>Sector de %1 a %2: %3 menos %4</translation>
+    </message>
+    <message>
+        <source>begin</source>
+        <translation>inicio</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>fin</translation>
+    </message>
+    <message>
+        <source>The time from the first arrival at the one gate to the first arrival at the next, of each run, by its place along the common path; waiting counts.</source>
+        <translation>El tiempo desde la primera llegada a una puerta hasta la primera llegada a la siguiente, en cada recorrido, según su lugar en la trayectoria común; las esperas cuentan.</translation>
+    </message>
+    <message>
+        <source>of each arrival: σ of the place along the path over the speed; displacements at two gates count as independent</source>
+        <translation>de cada llegada: σ de la posición a lo largo de la trayectoria dividida por la velocidad; los desplazamientos en dos puertas cuentan como independientes</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 of the way</source>
+        <translation>de %1 a %2 del camino</translation>
+    </message>
+    <message>
+        <source>Δt of %1 against %2 at %3</source>
+        <translation>Δt de %1 frente a %2 en %3</translation>
+    </message>
+    <message>
+        <source>The time of the first arrival at this place of the common path, each from its own time 0: that of %1 less that of %2. Above 0 it is later.</source>
+        <translation>El tiempo de la primera llegada a este lugar de la trayectoria común, cada uno desde su propio tiempo 0: el de %1 menos el de %2. Por encima de 0 llega más tarde.</translation>
+    </message>
+    <message>
+        <source>of both arrivals: σ of the place along the path over the speed, and of both times 0</source>
+        <translation>de ambas llegadas: σ de la posición a lo largo de la trayectoria dividida por la velocidad, y de ambos tiempos 0</translation>
+    </message>
+    <message>
+        <source>Speed of %1 at %2</source>
+        <translation>Velocidad de %1 en %2</translation>
+    </message>
+    <message>
+        <source>|v| of the smoothed curve where the run first comes to this place of the common path, between frames interpolated</source>
+        <translation>|v| de la curva suavizada donde el recorrido llega por primera vez a este lugar de la trayectoria común, interpolada entre fotogramas</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <translation>σ del vector velocidad suavizado allí, con el error de escala de la calibración</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonReport</name>
+    <message>
+        <source>± one σ; grey, ≈: within the error</source>
+        <translation>± una σ; gris, ≈: dentro del error</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>izquierdo</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecho</translation>
+    </message>
+    <message>
+        <source>right − left</source>
+        <translation>derecho − izquierdo</translation>
+    </message>
+    <message>
+        <source>along the task’s path</source>
+        <translation>a lo largo de la trayectoria de la tarea</translation>
+    </message>
+    <message>
+        <source>along the way of the left run</source>
+        <translation>a lo largo del camino del recorrido izquierdo</translation>
+    </message>
+    <message>
+        <source>aligned by the start gate, %1</source>
+        <translation>alineados por la puerta de salida, %1</translation>
+    </message>
+    <message>
+        <source>aligned by the onset of motion, %1</source>
+        <translation>alineados por el inicio del movimiento, %1</translation>
+    </message>
+    <message>
+        <source>aligned by a place that both pass, %1</source>
+        <translation>alineados por un lugar por el que ambos pasan, %1</translation>
+    </message>
+    <message>
+        <source>aligned by hand, %1</source>
+        <translation>alineados a mano, %1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>Tarea: %1</translation>
+    </message>
+    <message>
+        <source>%1: analysed %2, Odograph %3</source>
+        <translation>%1: analizado %2, Odograph %3</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its error cancels as far as they do.</source>
+        <translation>Ambos recorridos comparten la calibración: su error se cancela en la medida en que la comparten.</translation>
+    </message>
+    <message>
+        <source>The runs do not share their calibration: the errors of both count.</source>
+        <translation>Los recorridos no comparten la calibración: cuentan los errores de ambas.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
+    </message>
+    <message>
+        <source>Speed along the way, %1</source>
+        <translation>Velocidad a lo largo del camino, %1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>con su banda de ±95 %</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>Diferencia de tiempo, s</translation>
+    </message>
+    <message>
+        <source>above 0: the right run is later; grey: within the error</source>
+        <translation>por encima de 0: el recorrido derecho llega más tarde; gris: dentro del error</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>Sectores, s</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Indicadores</translation>
+    </message>
+</context>
+<context>
+    <name>Explanation</name>
+    <message>
+        <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>
+        <translation>el de la curva suavizada allí, y el error de escala de la calibración</translation>
+    </message>
+    <message>
+        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
+        <translation>Del inicio del movimiento a la última parada. Moverse significa ir a más de 20 mm/s y de tres σ de la velocidad, durante al menos tres fotogramas; el instante entre dos fotogramas se interpola.</translation>
+    </message>
+    <message>
+        <source>of both moments: σ of the speed over its steepness there</source>
+        <translation>de ambos instantes: σ de la velocidad dividida por su pendiente allí</translation>
+    </message>
+    <message>
+        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged counts as straight.</source>
+        <translation>∫|v|dt mientras se mueve, por la regla del trapecio sobre la velocidad suavizada. Un hueco sin puentear cuenta como recta.</translation>
+    </message>
+    <message>
+        <source>of the ends&apos; positions, of errors across the path where it turns, and the calibration&apos;s error of scale</source>
+        <translation>de las posiciones de los extremos, de los errores transversales a la trayectoria donde esta gira, y el error de escala de la calibración</translation>
+    </message>
+    <message>
+        <source>path length / time</source>
+        <translation>distancia recorrida / tiempo</translation>
+    </message>
+    <message>
+        <source>of both, taken as independent</source>
+        <translation>de ambos, tomados como independientes</translation>
+    </message>
+    <message>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest, so that a badly known point does not win by its error.</source>
+        <translation>La velocidad |v| de la curva suavizada donde |v| − 2σ es máxima, para que un punto mal conocido no gane por su error.</translation>
+    </message>
+    <message>
+        <source>√(mean of |v|²) while it moves</source>
+        <translation>√(media de |v|²) mientras se mueve</translation>
+    </message>
+    <message>
+        <source>the bound for errors that all go together, and the calibration&apos;s error of scale</source>
+        <translation>la cota para errores totalmente correlacionados, y el error de escala de la calibración</translation>
+    </message>
+    <message>
+        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
+        <translation>La aceleración |a| de la curva suavizada donde |a| − 2σ es máxima.</translation>
+    </message>
+    <message>
+        <source>√(mean of |a|²) while it moves</source>
+        <translation>√(media de |a|²) mientras se mueve</translation>
+    </message>
+    <message>
+        <source>distance from the first to the last place of the motion / path length</source>
+        <translation>distancia de la primera a la última posición del movimiento / distancia recorrida</translation>
+    </message>
+    <message>
+        <source>of the ends&apos; positions</source>
+        <translation>de las posiciones de los extremos</translation>
+    </message>
+    <message>
+        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
+        <translation>El tiempo durante el cual se mueve: a más de 20 mm/s y de tres σ de la velocidad.</translation>
+    </message>
+    <message>
+        <source>of each start and stop: σ of the speed over its steepness</source>
+        <translation>de cada arranque y parada: σ de la velocidad dividida por su pendiente</translation>
+    </message>
+    <message>
+        <source>The pauses between the onset of motion and the last stop, counted.</source>
+        <translation>El número de pausas entre el inicio del movimiento y la última parada.</translation>
+    </message>
+    <message>
+        <source>time − time in motion</source>
+        <translation>tiempo − tiempo en movimiento</translation>
+    </message>
+    <message>
+        <source>of each start and stop</source>
+        <translation>de cada arranque y parada</translation>
+    </message>
+    <message>
+        <source>The speed that half of the time in motion stays below.</source>
+        <translation>La velocidad que no se supera durante la mitad del tiempo en movimiento.</translation>
+    </message>
+    <message>
+        <source>of the stretches within 1.5 σ of it, each by its mean</source>
+        <translation>de los tramos a menos de 1.5 σ de ella, cada uno por su media</translation>
+    </message>
+    <message>
+        <source>The speed that 95 % of the time in motion stays below.</source>
+        <translation>La velocidad que no se supera durante el 95 % del tiempo en movimiento.</translation>
+    </message>
+    <message>
+        <source>The acceleration that 95 % of the time in motion stays below.</source>
+        <translation>La aceleración que no se supera durante el 95 % del tiempo en movimiento.</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, either way, where it less 2σ is largest.</source>
+        <translation>(vx·ay − vy·ax)/|v|² de la curva suavizada, en uno u otro sentido, donde su valor menos 2σ es máximo.</translation>
+    </message>
+    <message>
+        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, primer orden</translation>
+    </message>
+    <message>
+        <source>The circle with the least squared distances from the places of the motion.</source>
+        <translation>La circunferencia con la menor suma de cuadrados de las distancias a las posiciones del movimiento.</translation>
+    </message>
+    <message>
+        <source>of the distances&apos; scatter, neighbours counted as fewer by 1 + 2Σρ, and the calibration&apos;s error of scale</source>
+        <translation>de la dispersión de las distancias, con el número efectivo de puntos reducido por 1 + 2Σρ, y el error de escala de la calibración</translation>
+    </message>
+    <message>
+        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
+        <translation>Del paso por la puerta de salida al paso por la meta, ambos interpolados entre fotogramas.</translation>
+    </message>
+    <message>
+        <source>of both passages: σ of the position across the gate over the speed</source>
+        <translation>de ambos pasos: σ de la posición perpendicular a la puerta dividida por la velocidad</translation>
+    </message>
+    <message>
+        <source>Complete laps or runs, counted by the passages of the gates.</source>
+        <translation>Vueltas o recorridos completos, contados por los pasos por las puertas.</translation>
+    </message>
+    <message>
+        <source>The shortest lap.</source>
+        <translation>La vuelta más rápida.</translation>
+    </message>
+    <message>
+        <source>of its two passages; the calibration&apos;s error of a gate passed twice cancels</source>
+        <translation>de sus dos pasos; el error de calibración de una puerta por la que se pasa dos veces se cancela</translation>
+    </message>
+    <message>
+        <source>The mean of the laps&apos; times.</source>
+        <translation>La media de los tiempos de las vueltas.</translation>
+    </message>
+    <message>
+        <source>of the first and the last passage, over the number of laps</source>
+        <translation>del primer y el último paso, dividido por el número de vueltas</translation>
+    </message>
+    <message>
+        <source>The mean distance from the reference path, over the way.</source>
+        <translation>La media, a lo largo del camino, de la distancia a la trayectoria de referencia.</translation>
+    </message>
+    <message>
+        <source>of the position across the path, and of its noise, which has no sign there</source>
+        <translation>de la posición transversal a la trayectoria, y de su ruido, que allí no tiene signo</translation>
+    </message>
+    <message>
+        <source>√(mean of the squared distance from the reference path), over the way</source>
+        <translation>√(media del cuadrado de la distancia a la trayectoria de referencia), a lo largo del camino</translation>
+    </message>
+    <message>
+        <source>of the position across the path</source>
+        <translation>de la posición transversal a la trayectoria</translation>
+    </message>
+    <message>
+        <source>The largest distance from the reference path.</source>
+        <translation>La mayor distancia a la trayectoria de referencia.</translation>
+    </message>
+    <message>
+        <source>of the position across the path, there</source>
+        <translation>de la posición transversal a la trayectoria, allí</translation>
+    </message>
+    <message>
+        <source>The mean of the distance from the reference path, to the left positive.</source>
+        <translation>La media de la distancia a la trayectoria de referencia, positiva hacia la izquierda.</translation>
+    </message>
+    <message>
+        <source>of the position across the path, mostly the calibration&apos;s</source>
+        <translation>de la posición transversal a la trayectoria, sobre todo la de la calibración</translation>
+    </message>
+    <message>
+        <source>The share of the reference path that was followed.</source>
+        <translation>La parte de la trayectoria de referencia que se siguió.</translation>
+    </message>
+    <message>
+        <source>How often the robot&apos;s centre left a zone to stay in, or came into one to keep out of. It counts where it is beyond the edge by more than three σ of the track&apos;s own noise.</source>
+        <translation>Cuántas veces el centro del robot salió de una zona de permanencia o entró en una zona prohibida. Cuenta cuando rebasa el borde en más de tres σ del ruido propio de la traza.</translation>
+    </message>
+    <message>
+        <source>The time in which the robot&apos;s centre was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <translation>El tiempo durante el cual el centro del robot rebasó el borde de una zona, interpolado entre fotogramas; en dos zonas a la vez cuenta doble.</translation>
+    </message>
+    <message>
+        <source>of each moment at an edge: σ of the position across it over the speed; and what the time differs by when the calibration puts the track nearer or further</source>
+        <translation>de cada instante en un borde: σ de la posición perpendicular a él dividida por la velocidad; y lo que cambia el tiempo cuando la calibración acerca o aleja la traza</translation>
+    </message>
+    <message>
+        <source>How far the robot&apos;s centre was beyond the edge of a zone at most.</source>
+        <translation>Cuánto rebasó como máximo el centro del robot el borde de una zona.</translation>
+    </message>
+    <message>
+        <source>of the position across the edge, there</source>
+        <translation>de la posición perpendicular al borde, allí</translation>
+    </message>
+    <message>
+        <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
+        <translation>suavizado con filtro de Kalman y suavizador RTS, ruido por máxima verosimilitud (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</translation>
+    </message>
+    <message>
+        <source>smoothed by a cubic through eleven points (Savitzky and Golay 1964)</source>
+        <translation>suavizado con una cúbica por once puntos (Savitzky y Golay 1964)</translation>
+    </message>
+    <message>
+        <source>differences as in Tracker, positions not smoothed</source>
+        <translation>diferencias como en Tracker, posiciones sin suavizar</translation>
+    </message>
+    <message>
+        <source>raw differences (Park 2018, eq. 6 to 8), nothing smoothed</source>
+        <translation>diferencias directas (Park 2018, ec. 6 a 8), nada suavizado</translation>
+    </message>
+    <message>
+        <source>robot %1 high (estimated)</source>
+        <translation>robot de %1 de alto (estimado)</translation>
+    </message>
+    <message>
+        <source>robot %1 high</source>
+        <translation>robot de %1 de alto</translation>
+    </message>
+    <message>
+        <source>analysis %1 by Odograph %2</source>
+        <translation>análisis %1 con Odograph %2</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <translation>σ del vector velocidad suavizado allí, con el error de escala de la calibración</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>|v| = √(vx² + vy²) of the smoothed curve at this frame</source>
+        <translation>|v| = √(vx² + vy²) de la curva suavizada en este fotograma</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Aceleración</translation>
+    </message>
+    <message>
+        <source>a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands</source>
+        <translation>a·v/|v| de la curva suavizada en este fotograma: a lo largo de la trayectoria, de modo que al frenar es negativa; |a| mientras está quieto</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed acceleration there, with the calibration&apos;s error of scale</source>
+        <translation>σ de la aceleración suavizada allí, con el error de escala de la calibración</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Rumbo</translation>
+    </message>
+    <message>
+        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn</source>
+        <translation>atan2(vy, vx) de la curva suavizada en este fotograma, en sentido antihorario desde X, sin saltos de una vuelta completa</translation>
+    </message>
+    <message>
+        <source>σ of the velocity across the motion over the speed</source>
+        <translation>σ del vector velocidad en dirección transversal al movimiento, dividida por la velocidad</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Velocidad de giro</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame</source>
+        <translation>(vx·ay − vy·ax)/|v|² de la curva suavizada en este fotograma</translation>
+    </message>
+    <message>
+        <source>Position X</source>
+        <translation>Posición X</translation>
+    </message>
+    <message>
+        <source>Position Y</source>
+        <translation>Posición Y</translation>
+    </message>
+    <message>
+        <source>the smoothed curve at this frame</source>
+        <translation>la curva suavizada en este fotograma</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed position, with the calibration&apos;s part</source>
+        <translation>σ de la posición suavizada, con la parte de la calibración</translation>
+    </message>
+    <message>
+        <source>at this frame no view found the robot: the curve goes across</source>
+        <translation>en este fotograma ninguna vista encontró el robot: la curva puentea el hueco</translation>
+    </message>
+    <message>
+        <source>measured there: %1, %2 ±%3</source>
+        <translation>medido allí: %1, %2 ±%3</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>por %1</translation>
+    </message>
+    <message>
+        <source>it is flagged and not used: the curve comes from its neighbours</source>
+        <translation>está señalada y no se usa: la curva sale de las muestras vecinas</translation>
+    </message>
+    <message>
+        <source>Jump: the place is beyond what the motion before and after allows for (χ² of two degrees of freedom, 99.9 %).</source>
+        <translation>Salto: la posición está fuera de lo que admite el movimiento anterior y posterior (χ² con dos grados de libertad, 99.9 %).</translation>
+    </message>
+    <message>
+        <source>Limit: to get there it had to be faster than the limit of the task or of the analysis.</source>
+        <translation>Límite: para llegar allí tuvo que ir más rápido que el límite de la tarea o del análisis.</translation>
+    </message>
+    <message>
+        <source>Limit: to get there it had to accelerate harder than the limit of the task or of the analysis.</source>
+        <translation>Límite: para llegar allí tuvo que acelerar más que el límite de la tarea o del análisis.</translation>
+    </message>
+    <message>
+        <source>Views disagree: their places differ by more than their errors and their usual disagreement explain (χ², 99.9 %).</source>
+        <translation>Las vistas discrepan: sus posiciones difieren más de lo que explican sus errores y su discrepancia habitual (χ², 99.9 %).</translation>
+    </message>
+    <message>
+        <source>Low score: the tracker was not sure of what it saw.</source>
+        <translation>Confianza baja: el rastreador no estaba seguro de lo que veía.</translation>
+    </message>
+    <message>
+        <source>Lost: no view found the robot.</source>
+        <translation>Perdido: ninguna vista encontró el robot.</translation>
+    </message>
+    <message>
+        <source>Repeated picture: the camera gave the same picture twice, so its time is not known.</source>
+        <translation>Imagen repetida: la cámara dio dos veces la misma imagen, así que no se conoce su tiempo.</translation>
+    </message>
+    <message>
+        <source>Bridged: the curve goes across without a measurement.</source>
+        <translation>Puenteado: la curva pasa sin medición.</translation>
+    </message>
+    <message>
+        <source>By hand: a person judged it, over the analysis.</source>
+        <translation>A mano: lo decidió una persona, por encima del análisis.</translation>
+    </message>
+    <message>
+        <source>How it is computed</source>
+        <translation>Cómo se calcula</translation>
+    </message>
+    <message>
+        <source>What ± contains (one standard deviation)</source>
+        <translation>Qué contiene ± (una desviación estándar)</translation>
+    </message>
+    <message>
+        <source>What went into it</source>
+        <translation>Con qué se calculó</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Fuente</translation>
+    </message>
+    <message>
+        <source>trial %1, robot %2</source>
+        <translation>ensayo %1, robot %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples used</source>
+        <translation>%1 de %2 muestras usadas</translation>
+    </message>
+    <message>
+        <source>views: %1</source>
+        <translation>vistas: %1</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3, %4 beyond the edge at most</source>
+        <translation>%1: de %2 a %3, rebasa el borde en %4 como máximo</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 a los %2</translation>
+    </message>
+    <message>
+        <source>Spike at %1</source>
+        <translation>Valor atípico a los %1</translation>
+    </message>
+    <message>
+        <source>The sample is kept, but not used for the curve.</source>
+        <translation>La muestra se conserva, pero no se usa para la curva.</translation>
+    </message>
+    <message>
+        <source>The sample is used for the curve nevertheless: what is wrong with it was left out, or a person restored it.</source>
+        <translation>La muestra se usa para la curva de todos modos: se descartó lo que tiene de erróneo o una persona la restauró.</translation>
+    </message>
+    <message>
+        <source>the views are %1 apart there</source>
+        <translation>las vistas distan %1 allí</translation>
+    </message>
+</context>
+<context>
+    <name>ExplanationDialog</name>
+    <message>
+        <source>How was this computed?</source>
+        <translation>¿Cómo se calculó esto?</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copiar</translation>
+    </message>
+</context>
+<context>
+    <name>FactExplanations</name>
+    <message>
+        <source>The offset at which the tracks of the robot on the floor, as the two views see it, coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in half frames and refined by Gauss–Newton. The clocks&apos; rate is taken where it is beyond three σ.</source>
+        <translation>El desfase con el que coinciden las trazas del robot en el suelo, tal como lo ven las dos vistas: mínimos cuadrados de r(t) = p₁(t) − p₂((t − desfase)(1 + deriva)), con un desplazamiento constante y una escala pequeña entre ellas, buscado en medios fotogramas y refinado por Gauss–Newton. La deriva de los relojes se toma en cuenta cuando supera tres σ.</translation>
+    </message>
+    <message>
+        <source>from the curvature of the sum of squares and the residual, which is taken as correlated over half a second</source>
+        <translation>de la curvatura de la suma de cuadrados y del residuo, que se toma como correlacionado durante medio segundo</translation>
+    </message>
+    <message>
+        <source>The offset at which the jumps of light that both views saw fall together, taken where no other offset comes within a factor of 150 of its likelihood: the pairs&apos; weighted mean.</source>
+        <translation>El desfase con el que coinciden los saltos de luz que ambas vistas vieron, aceptado si la verosimilitud de cualquier otro desfase es al menos 150 veces menor: la media ponderada de los pares.</translation>
+    </message>
+    <message>
+        <source>of the pairs, of their scatter, and a tenth of a frame interval for each view, for its shutter</source>
+        <translation>de los pares, de su dispersión, y una décima del intervalo entre fotogramas por cada vista, por su obturador</translation>
+    </message>
+    <message>
+        <source>Each camera&apos;s time stamps, related to this computer&apos;s clock by readings of the camera&apos;s while it recorded.</source>
+        <translation>Las marcas de tiempo de cada cámara, referidas al reloj de esta computadora mediante lecturas del de la cámara mientras grababa.</translation>
+    </message>
+    <message>
+        <source>of both relations of the clocks</source>
+        <translation>de ambas relaciones entre los relojes</translation>
+    </message>
+    <message>
+        <source>Times at the gates</source>
+        <translation>Tiempos en las puertas</translation>
+    </message>
+    <message>
+        <source>When the robot&apos;s centre crosses the gate&apos;s line between its ends, the way the gate is passed: between two frames the smoothed position is the cubic through both places and velocities. It has passed when it was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
+        <translation>Cuando el centro del robot cruza la línea de la puerta entre sus extremos, en el sentido en que se pasa la puerta: entre dos fotogramas, la posición suavizada es la cúbica que pasa por ambas posiciones con ambos vectores velocidad. Ha pasado si estuvo antes de la línea en tres σ del ruido propio de la traza y después la rebasa en otro tanto.</translation>
+    </message>
+    <message>
+        <source>σ of the position across the gate over the speed across it, with the calibration&apos;s part</source>
+        <translation>σ de la posición perpendicular a la puerta dividida por la velocidad perpendicular a ella, con la parte de la calibración</translation>
+    </message>
+    <message>
+        <source>From one passing of the start to the finish, or of the one gate to the next; of each split its first passing counts.</source>
+        <translation>De un paso por la salida a la meta o, con una sola puerta, de un paso al siguiente; de cada parcial cuenta el primer paso.</translation>
+    </message>
+    <message>
+        <source>of both passages; the calibration&apos;s error of a gate that is passed twice at one speed cancels</source>
+        <translation>de ambos pasos; se cancela el error de calibración de una puerta por la que se pasa dos veces a la misma velocidad</translation>
+    </message>
+    <message>
+        <source>to %1: %2</source>
+        <translation>hasta %1: %2</translation>
+    </message>
+    <message>
+        <source>View %1 in step with the first</source>
+        <translation>Vista %1 sincronizada con la primera</translation>
+    </message>
+    <message>
+        <source>video %1, %2 frames</source>
+        <translation>video %1, %2 fotogramas</translation>
+    </message>
+    <message>
+        <source>Height of robot %1</source>
+        <translation>Altura del robot %1</translation>
+    </message>
+    <message>
+        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes the outlines in all views are, by weighted least squares at some forty times of the run; where no such solid explains them, the height at which all views put the robot at the same place.</source>
+        <translation>El sólido (caja o cilindro sobre el suelo, o una placa en lo alto del robot) cuyas siluetas son los contornos en todas las vistas, por mínimos cuadrados ponderados en unos cuarenta instantes del recorrido; si ningún sólido así los explica, la altura a la que todas las vistas sitúan el robot en el mismo lugar.</translation>
+    </message>
+</context>
+<context>
+    <name>FirstLesson</name>
+    <message>
+        <source>Play a run</source>
+        <translation>Reproducir un recorrido</translation>
+    </message>
+    <message>
+        <source>Two cameras watched a robot drive. Press Space: both videos, the map and the curves play in step. Space again stops.</source>
+        <translation>Dos cámaras observaron cómo se movía un robot. Pulse Espacio: ambos videos, el mapa y las curvas se reproducen sincronizados. Espacio otra vez los detiene.</translation>
+    </message>
+    <message>
+        <source>Read a figure</source>
+        <translation>Leer un indicador</translation>
+    </message>
+    <message>
+        <source>Click into the speed curve. The bubble tells the speed at that moment and its ±: how far off it may be. The band around the curve is where the truth lies in 95 of 100 cases.</source>
+        <translation>Haga clic en la curva de velocidad. La burbuja indica la velocidad en ese instante y su ±: cuánto puede desviarse. La banda que rodea la curva contiene el valor verdadero en 95 de cada 100 casos.</translation>
+    </message>
+    <message>
+        <source>Look at what was flagged</source>
+        <translation>Mirar lo señalado</translation>
+    </message>
+    <message>
+        <source>Go through the trials with Ctrl+Page Up and Ctrl+Page Down to one whose list of spikes, at the right, is not empty. A spike is a moment at which what was measured cannot be true; the list says why.</source>
+        <translation>Recorra los ensayos con Ctrl+Re Pág y Ctrl+Av Pág hasta uno cuya lista de valores atípicos, a la derecha, no esté vacía. Un valor atípico es un instante en el que lo medido no puede ser cierto; la lista dice por qué.</translation>
+    </message>
+    <message>
+        <source>Overrule it</source>
+        <translation>Decidir otra cosa</translation>
+    </message>
+    <message>
+        <source>Click a spike in the list and look at the videos: was the robot really there? Press U to use the sample all the same. Nothing that was measured is ever lost.</source>
+        <translation>Haga clic en un valor atípico de la lista y mire los videos: ¿estaba el robot realmente allí? Pulse U para usar la muestra de todos modos. Nada de lo medido se pierde nunca.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Deshacerlo</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z. Whatever you change is saved at once, and can be taken back.</source>
+        <translation>Pulse Ctrl+Z. Todo cambio se guarda al momento y se puede deshacer.</translation>
+    </message>
+    <message>
+        <source>Compare two runs</source>
+        <translation>Comparar dos recorridos</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+4. Choose two runs above the pictures: where was one faster, and is that more than the error? What is grey is not.</source>
+        <translation>Pulse Ctrl+4. Elija dos recorridos encima de las imágenes: ¿dónde fue más rápido uno, y es eso más que el error? Lo que está en gris no lo es.</translation>
+    </message>
+    <message>
+        <source>Find it again</source>
+        <translation>Volver a encontrarlo</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+5. History holds the whole year: type a team&apos;s name to search, open a run with Enter, and see under Teams who made progress.</source>
+        <translation>Pulse Ctrl+5. Historial guarda todo el año: escriba el nombre de un equipo para buscar, abra un recorrido con Intro y vea en Equipos quién ha progresado.</translation>
+    </message>
+    <message>
+        <source>That was it</source>
+        <translation>Eso es todo</translation>
+    </message>
+    <message>
+        <source>With your own robots: make a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or bring in videos (Ctrl+I). F1 explains each page.</source>
+        <translation>Con sus propios robots: cree un proyecto (Ctrl+N), prepare el suelo en Banco (Ctrl+1) y después grabe (Ctrl+2) o importe videos (Ctrl+I). F1 explica cada página.</translation>
+    </message>
+</context>
+<context>
+    <name>HealthWatch</name>
+    <message>
+        <source>The project can only be read</source>
+        <translation>El proyecto es de solo lectura</translation>
+    </message>
+    <message>
+        <source>Opening the cameras…</source>
+        <translation>Abriendo las cámaras…</translation>
+    </message>
+    <message>
+        <source>No camera runs</source>
+        <translation>No hay cámaras en marcha</translation>
+    </message>
+    <message>
+        <source>No camera sends pictures</source>
+        <translation>Ninguna cámara envía imágenes</translation>
+    </message>
+    <message>
+        <source>This project can only be read: nothing can be recorded into it.</source>
+        <translation>Este proyecto es de solo lectura: no se puede grabar en él.</translation>
+    </message>
+    <message>
+        <source>Register &amp;it in Testbed</source>
+        <translation>&amp;Registrarla en Banco</translation>
+    </message>
+</context>
+<context>
+    <name>HelpDialogs</name>
+    <message>
+        <source>Keys</source>
+        <translation>Atajos</translation>
+    </message>
+    <message>
+        <source>List of keys</source>
+        <translation>Lista de atajos</translation>
+    </message>
+    <message>
+        <source>About Odograph</source>
+        <translation>Acerca de Odograph</translation>
+    </message>
+    <message>
+        <source>Odograph %1</source>
+        <translation>Odograph %1</translation>
+    </message>
+    <message>
+        <source>Measures how a mobile robot moved, from the videos of ordinary cameras.
+
+Free software under the GNU General Public License, version 3 or later, without any warranty.
+
+The method follows S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018.</source>
+        <translation>Mide cómo se movió un robot móvil a partir de los videos de cámaras corrientes.
+
+Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior, sin garantía alguna.
+
+El método sigue a S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018.</translation>
+    </message>
+</context>
+<context>
+    <name>MapPainting</name>
+    <message>
+        <source>grid %1 %2</source>
+        <translation>cuadrícula %1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>Modes</name>
+    <message>
+        <source>Testbed</source>
+        <translation>Banco</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Grabar</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Revisar</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historial</translation>
+    </message>
+</context>
+<context>
+    <name>OwnChanges</name>
+    <message>
+        <source>nothing was changed here</source>
+        <translation>aquí no se cambió nada</translation>
+    </message>
+    <message>
+        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <translation>los cambios anteriores se deshacen en el menú Editar de la ventana</translation>
+    </message>
+    <message>
+        <source>Done: %1. Ctrl+Z takes it back.</source>
+        <translation>Hecho: %1. Ctrl+Z lo revierte.</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>deshacer</translation>
+    </message>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>Deshecho: %1.</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>rehacer</translation>
+    </message>
+    <message>
+        <source>Made again: %1.</source>
+        <translation>Rehecho: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>PageMenus</name>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>T&amp;rial</source>
+        <translation>En&amp;sayo</translation>
+    </message>
+    <message>
+        <source>&amp;Spikes</source>
+        <translation>Atí&amp;picos</translation>
+    </message>
+    <message>
+        <source>&amp;History</source>
+        <translation>H&amp;istorial</translation>
+    </message>
+    <message>
+        <source>Re&amp;cord</source>
+        <translation>&amp;Grabar</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>Reprodu&amp;cir</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Herramientas</translation>
+    </message>
+</context>
+<context>
+    <name>RangeFacts</name>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>de %1 a %2</translation>
+    </message>
+    <message>
+        <source>What the calibration adds to an angle is not known and not in it.</source>
+        <translation>Lo que la calibración añade a un ángulo se desconoce y no está incluido.</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s error of place is in it.</source>
+        <translation>El error de posición de la calibración está incluido.</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s error of scale is in it.</source>
+        <translation>El error de escala de la calibración está incluido.</translation>
+    </message>
+    <message>
+        <source>Neighbours of a smoothed curve share their error, so it is averaged out by time and not by frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
+        <translation>Los puntos vecinos de una curva suavizada comparten su error, así que este se promedia con el tiempo y no con los fotogramas: con un espectro r/(1 + (ω/ω₀)⁶) para la posición, ω₀ = √2 σv/σx.</translation>
+    </message>
+    <message>
+        <source>Of the smoothed curve, each value for half the time to both neighbours: its mean, the median (half of the time stays below it), the least and the most beyond doubt (by the value plus or minus 2σ), and the spread √(mean of the squared distance from the mean).</source>
+        <translation>De la curva suavizada, cada valor con el peso de la mitad del tiempo hasta ambos vecinos: su media, la mediana (la mitad del tiempo queda por debajo), el mínimo y el máximo fuera de duda (por el valor más o menos 2σ) y la dispersión √(media del cuadrado de la distancia a la media).</translation>
+    </message>
+    <message>
+        <source>no value here</source>
+        <translation>aquí no hay valor</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 a los %2</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>media</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>mediana</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>mínimo</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>máximo</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>dispersión</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n punto</numerusform>
+            <numerusform>%n puntos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not its shape: χ² is %1 times what the errors explain</source>
+        <translation>no es su forma: χ² es %1 veces lo que explican los errores</translation>
+    </message>
+    <message>
+        <source>fits; the stated errors are too large: χ² is %1 of what they let expect</source>
+        <translation>encaja; los errores indicados son demasiado grandes: χ² es %1 de lo que hacen esperar</translation>
+    </message>
+    <message>
+        <source>fits: χ² is %1 of what the errors let expect</source>
+        <translation>encaja: χ² es %1 de lo que los errores hacen esperar</translation>
+    </message>
+    <message>
+        <source>Fit of %1</source>
+        <translation>Ajuste de %1</translation>
+    </message>
+    <message>
+        <source>The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, over what the errors let expect of it: the number of points less what the coefficients take up.</source>
+        <translation>El polinomio en t − t₀ con el menor Σ(residuo/σ)² sobre %1, t₀ = %2. χ² es esa suma dividida por lo que los errores hacen esperar de ella: el número de puntos menos lo que absorben los coeficientes.</translation>
+    </message>
+    <message>
+        <source>the measured places that are used</source>
+        <translation>las posiciones medidas que se usan</translation>
+    </message>
+    <message>
+        <source>the smoothed curve</source>
+        <translation>la curva suavizada</translation>
+    </message>
+    <message>
+        <source>The larger of two: that of the measurements, widened by 1 + 2Σρ of the residuals where they hang together (here ×%1), and that of the smoothed curve, which knows what of their errors lasts.</source>
+        <translation>El mayor de dos: el de las mediciones, ampliado por 1 + 2Σρ de los residuos donde están correlacionados (aquí ×%1), y el de la curva suavizada, que sabe qué parte de sus errores perdura.</translation>
+    </message>
+    <message>
+        <source>That the shape is the true one is taken for granted; χ² far above 1 says that it is not. Below 1 it comes of a smoother that allows for more motion than there is.</source>
+        <translation>Se da por supuesto que la forma es la verdadera; un χ² muy por encima de 1 indica que no lo es. Por debajo de 1 se debe a un suavizador que admite más movimiento del que hay.</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 puntos</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>%1 to %2: %3</source>
+        <translation>de %1 a %2: %3</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Distancia recorrida</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>a los %1</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>pendiente</translation>
+    </message>
+    <message>
+        <source>slope there</source>
+        <translation>pendiente allí</translation>
+    </message>
+    <message>
+        <source>times t²</source>
+        <translation>coeficiente de t²</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>residuo</translation>
+    </message>
+    <message>
+        <source>%1 (RMS)</source>
+        <translation>%1 (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>RecordHealth</name>
+    <message>
+        <source>trouble</source>
+        <translation>fallo</translation>
+    </message>
+    <message>
+        <source>slow</source>
+        <translation>lenta</translation>
+    </message>
+    <message>
+        <source>losses</source>
+        <translation>pérdidas</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bien</translation>
+    </message>
+    <message>
+        <source>, %1 ms</source>
+        <translation>, %1 ms</translation>
+    </message>
+    <message>
+        <source>; not registered</source>
+        <translation>; sin registrar</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>no se ve</translation>
+    </message>
+    <message>
+        <source>unseen</source>
+        <translation>no visto</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, %3</source>
+        <translation>x %1, y %2, %3</translation>
+    </message>
+    <message>
+        <source>; one camera sees it</source>
+        <translation>; lo ve una cámara</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>visto</translation>
+    </message>
+    <message>
+        <source>fair</source>
+        <translation>regular</translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation>desfasadas</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Sincronía</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>En vivo</translation>
+    </message>
+    <message>
+        <source>%1 MB written</source>
+        <translation>%1 MB escritos</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>Disco</translation>
+    </message>
+    <message>
+        <source>Camera %1 is not registered to the floor: it is recorded, but cannot tell where a robot is.</source>
+        <translation>La cámara %1 no está registrada respecto al suelo: se graba, pero no puede indicar dónde está un robot.</translation>
+    </message>
+    <message>
+        <source>Camera %1 was registered for pictures of %2×%3, which it does not send now: it is recorded, but cannot tell where a robot is.</source>
+        <translation>La cámara %1 se registró para imágenes de %2×%3, que ahora no envía: se graba, pero no puede indicar dónde está un robot.</translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation>Grabación: %1</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>Cámara %1: %2</translation>
+    </message>
+    <message>
+        <source>The disk is hardly fast enough: record to a faster one, or with fewer cameras.</source>
+        <translation>El disco es apenas lo bastante rápido: grabe en uno más rápido o con menos cámaras.</translation>
+    </message>
+    <message>
+        <source>The disk is nearly full: %1</source>
+        <translation>El disco está casi lleno: %1</translation>
+    </message>
+    <message>
+        <source>The cameras are not in step: set both to the same rate.</source>
+        <translation>Las cámaras no están sincronizadas: ponga ambas a la misma frecuencia.</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>y %n más</numerusform>
+            <numerusform>y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>ReportChart</name>
+    <message>
+        <source>Speed, %1</source>
+        <translation>Velocidad, %1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>Aceleración a lo largo de la trayectoria, %1</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>suavizada, con su banda de ±95 %; puntos: lo medido</translation>
+    </message>
+    <message>
+        <source>No curve: the robot was not seen</source>
+        <translation>Sin curva: no se vio el robot</translation>
+    </message>
+</context>
+<context>
+    <name>ReportMethod</name>
+    <message>
+        <source>%1: %2 frames at %3/s</source>
+        <translation>%1: %2 fotogramas a %3/s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n missing</source>
+        <translation>
+            <numerusform>falta %n</numerusform>
+            <numerusform>faltan %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>lens calibrated to %1 px</source>
+        <translation>lente calibrada a %1 px</translation>
+    </message>
+    <message>
+        <source>registered to the floor to %1 px, %2</source>
+        <translation>registrada respecto al suelo a %1 px, %2</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>sin registrar</translation>
+    </message>
+    <message>
+        <source>%1 samples: %2 measured, %3 used, %4 flagged, %5 bridged; the views disagree by %6 on average</source>
+        <translation>%1 muestras: %2 medidas, %3 usadas, %4 señaladas, %5 puenteadas; las vistas discrepan %6 en promedio</translation>
+    </message>
+    <message>
+        <source>t, s</source>
+        <translation>t, s</translation>
+    </message>
+    <message>
+        <source>x, %1</source>
+        <translation>x, %1</translation>
+    </message>
+    <message>
+        <source>y, %1</source>
+        <translation>y, %1</translation>
+    </message>
+    <message>
+        <source>speed, %1</source>
+        <translation>velocidad, %1</translation>
+    </message>
+    <message>
+        <source>± (σ)</source>
+        <translation>± (σ)</translation>
+    </message>
+    <message>
+        <source>acceleration, %1</source>
+        <translation>aceleración, %1</translation>
+    </message>
+    <message>
+        <source>flags</source>
+        <translation>señales</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Lo que se midió</translation>
+    </message>
+    <message>
+        <source>every sample, smoothed</source>
+        <translation>todas las muestras, suavizadas</translation>
+    </message>
+    <message>
+        <source>one sample of %1, smoothed; all of them are in the exported file</source>
+        <translation>una de cada %1 muestras, suavizadas; todas están en el archivo exportado</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>smoother: %1</source>
+        <translation>suavizador: %1</translation>
+    </message>
+    <message>
+        <source>analysed %1, Odograph %2</source>
+        <translation>analizado %1, Odograph %2</translation>
+    </message>
+    <message>
+        <source>%1: method</source>
+        <translation>%1: método</translation>
+    </message>
+    <message>
+        <source>How the figures were computed</source>
+        <translation>Cómo se calcularon los indicadores</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>±: %1.</source>
+        <translation>±: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ReportStills</name>
+    <message>
+        <source>no picture: the video is missing</source>
+        <translation>sin imagen: falta el video</translation>
+    </message>
+</context>
+<context>
+    <name>RobotColours</name>
+    <message>
+        <source>blue</source>
+        <translation>azul</translation>
+    </message>
+    <message>
+        <source>vermilion</source>
+        <translation>bermellón</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>verde</translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation>púrpura</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>naranja</translation>
+    </message>
+    <message>
+        <source>sky blue</source>
+        <translation>celeste</translation>
+    </message>
+    <message>
+        <source>by itself</source>
+        <translation>automático</translation>
+    </message>
+</context>
+<context>
+    <name>RunEvents</name>
+    <message>
+        <source>First seen, moving already</source>
+        <translation>Visto por primera vez, ya en movimiento</translation>
+    </message>
+    <message>
+        <source>Starts to move</source>
+        <translation>Empieza a moverse</translation>
+    </message>
+    <message>
+        <source>Last seen, still moving</source>
+        <translation>Visto por última vez, aún en movimiento</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Se detiene</translation>
+    </message>
+    <message>
+        <source>Top speed, %1</source>
+        <translation>Velocidad máxima, %1</translation>
+    </message>
+    <message>
+        <source>Passes %1</source>
+        <translation>Pasa %1</translation>
+    </message>
+    <message>
+        <source>Spike: %1</source>
+        <translation>Valor atípico: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>(%n samples)</source>
+        <translation>
+            <numerusform>(%n muestra)</numerusform>
+            <numerusform>(%n muestras)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SceneDisagreement</name>
+    <message>
+        <source>Only one view at a time: nothing to compare</source>
+        <translation>Solo una vista a la vez: nada que comparar</translation>
+    </message>
+    <message>
+        <source>RMS %1, median %2</source>
+        <translation>RMS %1, mediana %2</translation>
+    </message>
+    <message>
+        <source>expected by the errors: %1</source>
+        <translation>esperado por los errores: %1</translation>
+    </message>
+    <message>
+        <source>%1 – more than they explain</source>
+        <translation>%1 – más de lo que explican</translation>
+    </message>
+    <message>
+        <source>Disagreement of the views</source>
+        <translation>Discrepancia entre vistas</translation>
+    </message>
+    <message>
+        <source>Each view alone puts the robot at a place on the floor. Shown is how far these places are apart in each frame in which two views or more saw it (of more than two, the largest distance); RMS is √(mean of the squares). Samples that are not used are left out.
+Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the views&apos; step σs.
+Much more than expected means that something is not as it was told: the views are not in step (then it grows with the speed), a camera has moved or is badly registered (then it depends on the place), or the robot&apos;s height is wrong (then it points to and from the cameras).</source>
+        <translation>Cada vista por sí sola sitúa el robot en un lugar del suelo. Se muestra cuánto distan estos lugares en cada fotograma en que lo vieron dos o más vistas (con más de dos, la mayor distancia); RMS es √(media de los cuadrados). Se omiten las muestras que no se usan.
+Lo esperado es √(tr A + tr B + (v·σs)²) a partir de las covarianzas A y B de dos vistas (píxeles y calibración), la velocidad v y la sincronía σs de las vistas.
+Mucho más de lo esperado significa que algo no es como se indicó: las vistas no están sincronizadas (entonces crece con la velocidad), una cámara se ha movido o está mal registrada (entonces depende del lugar), o la altura del robot es errónea (entonces apunta hacia las cámaras o en sentido contrario).</translation>
+    </message>
+    <message>
+        <source>%1 frames seen by two views or more; largest %2; views in step to %3 ms</source>
+        <translation>%1 fotogramas vistos por dos o más vistas; la mayor, %2; vistas sincronizadas a %3 ms</translation>
+    </message>
+</context>
+<context>
+    <name>ScoreText</name>
+    <message>
+        <source>%1: not measured, no points (%2)</source>
+        <translation>%1: sin medir, sin puntos (%2)</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 points (%4)</source>
+        <translation>%1 %2: %3 puntos (%4)</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 of %4 points (%5)</source>
+        <translation>%1 %2: %3 de %4 puntos (%5)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>de %1</translation>
+    </message>
+    <message>
+        <source>the sum of the points of each line; a line gives points × (figure − none at) / (all at − none at), from 0 to all</source>
+        <translation>la suma de los puntos de todas las líneas; una línea da puntos × (indicador − ninguno con) / (todos con − ninguno con), de 0 a todos</translation>
+    </message>
+    <message>
+        <source>of each line half of what its points differ by when its figure is one σ more or less; root of the sum of the squares</source>
+        <translation>de cada línea, la mitad de lo que difieren sus puntos si su indicador es una σ mayor o menor; raíz de la suma de los cuadrados</translation>
+    </message>
+    <message>
+        <source>%1 points off at %2 or less, none off at %3 or more</source>
+        <translation>se restan %1 puntos con %2 o menos, ninguno con %3 o más</translation>
+    </message>
+    <message>
+        <source>%1 points off at %2 or more, none off at %3 or less</source>
+        <translation>se restan %1 puntos con %2 o más, ninguno con %3 o menos</translation>
+    </message>
+    <message>
+        <source>%1 points at %2 or less, none at %3 or more</source>
+        <translation>%1 puntos con %2 o menos, ninguno con %3 o más</translation>
+    </message>
+    <message>
+        <source>%1 points at %2 or more, none at %3 or less</source>
+        <translation>%1 puntos con %2 o más, ninguno con %3 o menos</translation>
+    </message>
+</context>
+<context>
+    <name>SnappedMarker</name>
+    <message>
+        <source>tag</source>
+        <translation>AprilTag</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>anillo</translation>
+    </message>
+    <message>
+        <source>dot</source>
+        <translation>punto</translation>
+    </message>
+    <message>
+        <source>tape crossing</source>
+        <translation>cruce de cintas</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>esquina</translation>
+    </message>
+    <message>
+        <source>crossing fields</source>
+        <translation>cruce de casillas</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>a mano</translation>
+    </message>
+</context>
+<context>
+    <name>TargetPainter</name>
+    <message>
+        <source>100 mm</source>
+        <translation>100 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Checkerboard, %1 × %2 inner corners, squares of %3</source>
+        <translation>Tablero de ajedrez, %1 × %2 esquinas interiores, casillas de %3</translation>
+    </message>
+    <message>
+        <source>ChArUco board, %1 × %2 inner corners, squares of %3</source>
+        <translation>Tablero ChArUco, %1 × %2 esquinas interiores, casillas de %3</translation>
+    </message>
+    <message>
+        <source>Floor marker %1 (tag 36h11 number %2), %3</source>
+        <translation>Marcador de suelo %1 (AprilTag 36h11 número %2), %3</translation>
+    </message>
+    <message>
+        <source>Floor marker %1 (ring), %2</source>
+        <translation>Marcador de suelo %1 (anillo), %2</translation>
+    </message>
+    <message>
+        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and tell Odograph what you measured.</source>
+        <translation>Imprima al 100 % (tamaño real). Péguelo plano sobre algo rígido, mida una casilla e indique a Odograph lo que midió.</translation>
+    </message>
+    <message>
+        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s place is its middle, where the four lines at the edges point.</source>
+        <translation>Imprima al 100 % (tamaño real). Póngalo plano; el lugar del marcador es su centro, adonde apuntan las cuatro líneas de los bordes.</translation>
+    </message>
+</context>
+<context>
+    <name>TestbedState</name>
+    <message>
+        <source>standard</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>rational</source>
+        <translation>racional</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>ojo de pez</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Lente</translation>
+    </message>
+    <message>
+        <source>%1, f = %2 px</source>
+        <translation>%1, f = %2 px</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origen</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>Error del tablero</translation>
+    </message>
+    <message>
+        <source>%1 px in %2 pictures</source>
+        <translation>%1 px en %2 imágenes</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>Error de validación</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>On the floor</source>
+        <translation>En el suelo</translation>
+    </message>
+    <message>
+        <source>registered %1</source>
+        <translation>registrada el %1</translation>
+    </message>
+    <message>
+        <source>Last check</source>
+        <translation>Última comprobación</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m, %3 m high</source>
+        <translation>x %1 m, y %2 m, %3 m de altura</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marcadores</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>Atención</translation>
+    </message>
+    <message>
+        <source>not calibrated: taken as free of distortion</source>
+        <translation>sin calibrar: se supone sin distorsión</translation>
+    </message>
+    <message>
+        <source>not registered: positions cannot be measured yet</source>
+        <translation>sin registrar: aún no se pueden medir posiciones</translation>
+    </message>
+</context>
+<context>
+    <name>TrailPainting</name>
+    <message>
+        <source>0 to %1 %2</source>
+        <translation>0 a %1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>TrendPainting</name>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+</context>
+<context>
+    <name>TrialCurves</name>
+    <message>
+        <source>No curve yet: track the trial</source>
+        <translation>Aún sin curva: rastree el ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>TrialExport</name>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>CSV para programas (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>CSV para hojas de cálculo, 1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>CSV para hojas de cálculo, 1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Tracker text (*.txt)</source>
+        <translation>Texto de Tracker (*.txt)</translation>
+    </message>
+    <message>
+        <source>TUM trajectory (*.tum)</source>
+        <translation>Trayectoria TUM (*.tum)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Robot:</source>
+        <translation>Robot:</translation>
+    </message>
+    <message>
+        <source>export of %1</source>
+        <translation>exportación de %1</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>aún no se ha rastreado</translation>
+    </message>
+    <message>
+        <source>track it first</source>
+        <translation>rastréelo primero</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>Exportar %1</translation>
+    </message>
+    <message>
+        <source>%1 was exported to %2.</source>
+        <translation>%1 se exportó a %2.</translation>
+    </message>
+</context>
+<context>
+    <name>TrialFacts</name>
+    <message>
+        <source>%1, %2 high (estimated)</source>
+        <translation>%1, %2 de alto (estimado)</translation>
+    </message>
+    <message>
+        <source>%1, %2 high</source>
+        <translation>%1, %2 de alto</translation>
+    </message>
+    <message>
+        <source>%1: %2×%3, %4 frames</source>
+        <translation>%1: %2×%3, %4 fotogramas</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>video missing</source>
+        <translation>falta el video</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>sin registrar</translation>
+    </message>
+    <message>
+        <source>In step</source>
+        <translation>Sincronía</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>sin sincronizar</translation>
+    </message>
+    <message>
+        <source>SHA-256 %1…</source>
+        <translation>SHA-256 %1…</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 a los %2</translation>
+    </message>
+    <message>
+        <source>Gates</source>
+        <translation>Puertas</translation>
+    </message>
+    <message>
+        <source>to %1 %2</source>
+        <translation>hasta %1 %2</translation>
+    </message>
+    <message>
+        <source>Lap %1</source>
+        <translation>Vuelta %1</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Recorrido %1</translation>
+    </message>
+    <message>
+        <source>off by %1 on average</source>
+        <translation>desvío de %1 en promedio</translation>
+    </message>
+    <message>
+        <source>%1 (RMS)</source>
+        <translation>%1 (RMS)</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>%1 como máximo</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 a la izquierda</translation>
+    </message>
+    <message>
+        <source>%1 of it completed</source>
+        <translation>%1 de la trayectoria completado</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>respetadas</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>measured by another course</source>
+        <translation>medido con otro circuito</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Puntuación</translation>
+    </message>
+    <message>
+        <source>none until it is measured again: the task has another course now</source>
+        <translation>ninguna hasta que se vuelva a medir: la tarea tiene ahora otro circuito</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Testbed</source>
+        <translation>Banco de pruebas</translation>
+    </message>
+    <message>
+        <source>markers “%1”</source>
+        <translation>marcadores “%1”</translation>
+    </message>
+    <message>
+        <source>Imported</source>
+        <translation>Importado</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trayectoria</translation>
+    </message>
+    <message>
+        <source>Distance from the path</source>
+        <translation>Distancia a la trayectoria</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>Zonas</translation>
+    </message>
+    <message>
+        <source>Smoother</source>
+        <translation>Suavizador</translation>
+    </message>
+    <message>
+        <source>Analysed</source>
+        <translation>Analizado</translation>
+    </message>
+    <message>
+        <source>%1, Odograph %2</source>
+        <translation>%1, Odograph %2</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+</context>
+<context>
+    <name>TrialReport</name>
+    <message>
+        <source>class median %1</source>
+        <translation>mediana de la clase: %1</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Puntuación</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>El recorrido visto desde arriba</translation>
+    </message>
+    <message>
+        <source>coloured by speed</source>
+        <translation>coloreado según la velocidad</translation>
+    </message>
+    <message>
+        <source>The cameras’ views</source>
+        <translation>Las vistas de las cámaras</translation>
+    </message>
+    <message>
+        <source>at %1, the top speed</source>
+        <translation>a los %1, la velocidad máxima</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>a los %1</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Qué ocurrió</translation>
+    </message>
+    <message>
+        <source>It did not move</source>
+        <translation>No se movió</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>Parciales</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Recorrido %1</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>hasta %1</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Indicadores</translation>
+    </message>
+    <message>
+        <source>± one σ</source>
+        <translation>± una σ</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observaciones</translation>
+    </message>
+    <message>
+        <source>This trial has not been tracked yet: there are no figures.</source>
+        <translation>Este ensayo aún no se ha rastreado: no hay indicadores.</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+</context>
+<context>
+    <name>WindowTitle</name>
+    <message>
+        <source>Team %1</source>
+        <translation>Equipo %1</translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>odo::AccuracyDialog</name>
+    <message>
+        <source>may hang &amp;over the floor</source>
+        <translation>puede &amp;colgar sobre el suelo</translation>
+    </message>
+    <message>
+        <source>&amp;Plan a camera</source>
+        <translation>&amp;Planificar cámara</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>&amp;Best place</source>
+        <translation>&amp;Mejor lugar</translation>
+    </message>
+    <message>
+        <source>Expected accuracy</source>
+        <translation>Exactitud prevista</translation>
+    </message>
+    <message>
+        <source>Expected accuracy in words</source>
+        <translation>Exactitud prevista en palabras</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Qué está mal</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Cameras that count</source>
+        <translation>Cámaras que cuentan</translation>
+    </message>
+    <message>
+        <source>All ticked cameras together</source>
+        <translation>Todas las cámaras marcadas juntas</translation>
+    </message>
+    <message>
+        <source>The chosen camera alone</source>
+        <translation>Solo la cámara elegida</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>M&amp;ostrar</translation>
+    </message>
+    <message>
+        <source>Height of the robo&amp;t</source>
+        <translation>Altura del &amp;robot</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Cámaras</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>As under a ceiling; a tripod would stand in the robots&apos; way</source>
+        <translation>Como bajo un techo; un trípode estorbaría a los robots</translation>
+    </message>
+    <message>
+        <source>Puts the camera where, with the others that are ticked, the worst place of the floor is known best</source>
+        <translation>Pone la cámara donde, con las demás marcadas, mejor se conoce el peor lugar del suelo</translation>
+    </message>
+    <message>
+        <source>Room beyond the &amp;markers</source>
+        <translation>Margen &amp;fuera de los marcadores</translation>
+    </message>
+    <message>
+        <source>Planned camera</source>
+        <translation>Cámara planificada</translation>
+    </message>
+    <message>
+        <source>%1, registered %2</source>
+        <translation>%1, registrada: %2</translation>
+    </message>
+    <message>
+        <source>Planned %1</source>
+        <translation>Planificada %1</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3.</source>
+        <translation>%1: %2; %3.</translation>
+    </message>
+    <message>
+        <source>Looking for the best place…</source>
+        <translation>Buscando el mejor lugar…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Badge</name>
+    <message>
+        <source>not registered</source>
+        <translation>sin registrar</translation>
+    </message>
+    <message>
+        <source>moved %1</source>
+        <translation>movida %1</translation>
+    </message>
+    <message>
+        <source>marker moved %1</source>
+        <translation>marcador movido %1</translation>
+    </message>
+    <message>
+        <source>markers not found</source>
+        <translation>marcadores no encontrados</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoardCanvas</name>
+    <message>
+        <source>Picture of the board</source>
+        <translation>Imagen del tablero</translation>
+    </message>
+    <message>
+        <source>residuals, longest %1 px</source>
+        <translation>residuos, el mayor de %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoardSearchWorker</name>
+    <message>
+        <source>picture %1</source>
+        <translation>imagen %1</translation>
+    </message>
+    <message>
+        <source>in none of its pictures is a board that is still, sharp and new</source>
+        <translation>en ninguna de sus imágenes hay un tablero quieto, nítido y nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoxCanvas</name>
+    <message>
+        <source>Picture; arrow keys move the box round the robot, with Shift they change its size</source>
+        <translation>Imagen; las flechas mueven el recuadro del robot, con Mayús cambian su tamaño</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraChoiceDialog</name>
+    <message>
+        <source>Cameras to record with</source>
+        <translation>Cámaras para grabar</translation>
+    </message>
+    <message>
+        <source>Device that is camera %1</source>
+        <translation>Dispositivo de la cámara %1</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>Ajustes…</translation>
+    </message>
+    <message>
+        <source>Settings of camera %1</source>
+        <translation>Ajustes de la cámara %1</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>&amp;Buscar otra vez</translation>
+    </message>
+    <message>
+        <source>Use these</source>
+        <translation>Usar estas</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>no se usa</translation>
+    </message>
+    <message>
+        <source>in use by another program</source>
+        <translation>en uso por otro programa</translation>
+    </message>
+    <message>
+        <source>%1 (not connected)</source>
+        <translation>%1 (no conectada)</translation>
+    </message>
+    <message>
+        <source>Looking for cameras…</source>
+        <translation>Buscando cámaras…</translation>
+    </message>
+    <message>
+        <source>Choose at least one camera. With two, the place of a robot is known better, and while one cannot see it.</source>
+        <translation>Elija al menos una cámara. Con dos se conoce mejor la posición de un robot, y también mientras una no lo ve.</translation>
+    </message>
+    <message>
+        <source>One device cannot be two cameras.</source>
+        <translation>Un dispositivo no puede ser dos cámaras.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraListModel</name>
+    <message>
+        <source>not calibrated</source>
+        <translation>sin calibrar</translation>
+    </message>
+    <message>
+        <source>calibrated, ±%1 px</source>
+        <translation>calibrada, ±%1 px</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>sin registrar</translation>
+    </message>
+    <message>
+        <source>registered, %1</source>
+        <translation>registrada, %1</translation>
+    </message>
+    <message>
+        <source>Calibrate the lens, then register the camera to the floor.</source>
+        <translation>Calibre la lente y después registre la cámara respecto al suelo.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Lente</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Suelo</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraView</name>
+    <message>
+        <source>in step to %1 ms</source>
+        <translation>sincronizada a %1 ms</translation>
+    </message>
+    <message>
+        <source>offset by hand</source>
+        <translation>desfase a mano</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>sin sincronizar</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Picture of the camera</source>
+        <translation>Imagen de la cámara</translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <translation>Imagen de %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraWishesDialog</name>
+    <message>
+        <source>as the camera has it</source>
+        <translation>como lo tenga la cámara</translation>
+    </message>
+    <message>
+        <source>frames/s</source>
+        <translation>fotogramas/s</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Ask for each picture, so that all such cameras take theirs together</source>
+        <translation>Pedir cada imagen, para que todas estas cámaras capturen a la vez</translation>
+    </message>
+    <message>
+        <source>Settings of %1</source>
+        <translation>Ajustes de %1</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frecuencia</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Exposición</translation>
+    </message>
+    <message>
+        <source>Software trigger</source>
+        <translation>Disparo por software</translation>
+    </message>
+    <message>
+        <source>&amp;Picture</source>
+        <translation>&amp;Imagen</translation>
+    </message>
+    <message>
+        <source>&amp;Rate</source>
+        <translation>&amp;Frecuencia</translation>
+    </message>
+    <message>
+        <source>&amp;Exposure</source>
+        <translation>&amp;Exposición</translation>
+    </message>
+    <message>
+        <source>&amp;Trigger</source>
+        <translation>&amp;Disparo</translation>
+    </message>
+    <message>
+        <source>What the camera cannot do is said when it is opened.</source>
+        <translation>Lo que la cámara no pueda hacer se indica al abrirla.</translation>
+    </message>
+    <message>
+        <source>Use these</source>
+        <translation>Usar estos</translation>
+    </message>
+    <message>
+        <source>the best for tracking</source>
+        <translation>lo mejor para rastrear</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChangeModel</name>
+    <message>
+        <source>made</source>
+        <translation>hecho</translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation>deshecho</translation>
+    </message>
+    <message>
+        <source>made again</source>
+        <translation>rehecho</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Cuándo</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Cómo</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChangesDialog</name>
+    <message>
+        <source>Changes of the project</source>
+        <translation>Cambios del proyecto</translation>
+    </message>
+    <message>
+        <source>Nothing has been changed yet.</source>
+        <translation>Aún no se ha cambiado nada.</translation>
+    </message>
+    <message>
+        <source>What was changed, in this window and by the command line, the newest first. Recordings, imports and tracking are told too; they cannot be undone.</source>
+        <translation>Lo que se cambió, en esta ventana y por la línea de comandos, lo más reciente primero. También constan grabaciones, importaciones y rastreos; no se pueden deshacer.</translation>
+    </message>
+    <message>
+        <source>Search the changes…</source>
+        <translation>Buscar en los cambios…</translation>
+    </message>
+    <message>
+        <source>Search the changes</source>
+        <translation>Buscar en los cambios</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Cambios</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChartPicture</name>
+    <message>
+        <source>&amp;Copy as a picture</source>
+        <translation>&amp;Copiar como imagen</translation>
+    </message>
+    <message>
+        <source>&amp;Save as a picture…</source>
+        <translation>&amp;Guardar como imagen…</translation>
+    </message>
+    <message>
+        <source>SVG pictures (*.svg)</source>
+        <translation>Imágenes SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>Imágenes PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Save as a picture</source>
+        <translation>Guardar como imagen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChartSpan</name>
+    <message>
+        <source>Charts: show &amp;less</source>
+        <translation>Gráficas: mostrar &amp;menos</translation>
+    </message>
+    <message>
+        <source>Charts: show &amp;more</source>
+        <translation>Gráficas: mostrar má&amp;s</translation>
+    </message>
+    <message>
+        <source>Charts: show &amp;all</source>
+        <translation>Gráficas: mostrar &amp;todo</translation>
+    </message>
+    <message>
+        <source>Charts against the &amp;distance</source>
+        <translation>Gráficas según la &amp;distancia</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CheckTools</name>
+    <message>
+        <source>&amp;Check the cameras…</source>
+        <translation>&amp;Comprobar las cámaras…</translation>
+    </message>
+    <message>
+        <source>Moved?</source>
+        <translation>¿Movida?</translation>
+    </message>
+    <message>
+        <source>Look whether each camera still stands where it was registered, before the robots run</source>
+        <translation>Mirar si cada cámara sigue donde se registró, antes de los recorridos</translation>
+    </message>
+    <message>
+        <source>Check a known &amp;length…</source>
+        <translation>Comprobar una &amp;longitud…</translation>
+    </message>
+    <message>
+        <source>Length…</source>
+        <translation>Longitud…</translation>
+    </message>
+    <message>
+        <source>Measure something of known length in a camera&apos;s picture, and see whether the camera is as good as it promises</source>
+        <translation>Medir algo de longitud conocida en la imagen de una cámara y ver si la cámara es tan buena como promete</translation>
+    </message>
+    <message>
+        <source>&amp;Expected accuracy…</source>
+        <translation>&amp;Exactitud prevista…</translation>
+    </message>
+    <message>
+        <source>Accuracy…</source>
+        <translation>Exactitud…</translation>
+    </message>
+    <message>
+        <source>See how well each place of the floor will be known, also with cameras that are only planned</source>
+        <translation>Ver con qué exactitud se conocerá cada lugar del suelo, también con cámaras solo planificadas</translation>
+    </message>
+    <message>
+        <source>&amp;Older calibrations…</source>
+        <translation>Calibraciones &amp;anteriores…</translation>
+    </message>
+    <message>
+        <source>Revisions…</source>
+        <translation>Revisiones…</translation>
+    </message>
+    <message>
+        <source>See every calibration and registration of a camera, put an older one in force, measure trials again</source>
+        <translation>Ver todas las calibraciones y registros de una cámara, volver a usar uno anterior, volver a medir ensayos</translation>
+    </message>
+    <message>
+        <source>The cameras are checked: see their badges.</source>
+        <translation>Cámaras comprobadas: vea sus distintivos.</translation>
+    </message>
+    <message>
+        <source>Calibrations and trials are as they were chosen.</source>
+        <translation>Las calibraciones y los ensayos quedan como se eligió.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ClassActions</name>
+    <message>
+        <source>&amp;Tasks…</source>
+        <translation>Tarea&amp;s…</translation>
+    </message>
+    <message>
+        <source>C&amp;lasses and teams…</source>
+        <translation>Clases &amp;y equipos…</translation>
+    </message>
+    <message>
+        <source>R&amp;obots…</source>
+        <translation>Ro&amp;bots…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ClassesDialog</name>
+    <message>
+        <source>&amp;New class…</source>
+        <translation>&amp;Nueva clase…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Renombrar…</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>&amp;Archivar</translation>
+    </message>
+    <message>
+        <source>Dele&amp;te</source>
+        <translation>E&amp;liminar</translation>
+    </message>
+    <message>
+        <source>New t&amp;eam…</source>
+        <translation>Nuevo &amp;equipo…</translation>
+    </message>
+    <message>
+        <source>&amp;Move to</source>
+        <translation>&amp;Mover a</translation>
+    </message>
+    <message>
+        <source>Members and r&amp;obots…</source>
+        <translation>Miembros y r&amp;obots…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>El&amp;iminar</translation>
+    </message>
+    <message>
+        <source>&amp;Import roster…</source>
+        <translation>Im&amp;portar lista…</translation>
+    </message>
+    <message>
+        <source>Classes and teams</source>
+        <translation>Clases y equipos</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Lo que se hizo</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Clases</translation>
+    </message>
+    <message>
+        <source>An archived class is out of the way: History, Record and the standings show its teams and trials only where it is chosen there by name</source>
+        <translation>Una clase archivada no estorba: Historial, Grabar y la clasificación muestran sus equipos y ensayos solo si allí se elige por su nombre</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Pseudonym</source>
+        <translation>Seudónimo</translation>
+    </message>
+    <message>
+        <source>Members</source>
+        <translation>Miembros</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Robots</translation>
+    </message>
+    <message>
+        <source>Teams of the class</source>
+        <translation>Equipos de la clase</translation>
+    </message>
+    <message>
+        <source>Double-click or F2 changes a name or a pseudonym</source>
+        <translation>Doble clic o F2 cambia un nombre o un seudónimo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (archived, %n team(s))</source>
+        <translation>
+            <numerusform>%1 (archivada, %n equipo)</numerusform>
+            <numerusform>%1 (archivada, %n equipos)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%n team(s))</source>
+        <translation>
+            <numerusform>%1 (%n equipo)</numerusform>
+            <numerusform>%1 (%n equipos)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Teams without a class</source>
+        <translation>Equipos sin clase</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>Des&amp;archivar</translation>
+    </message>
+    <message>
+        <source>No class</source>
+        <translation>Sin clase</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nombre:</translation>
+    </message>
+    <message>
+        <source>New class</source>
+        <translation>Nueva clase</translation>
+    </message>
+    <message>
+        <source>add class %1</source>
+        <translation>añadir la clase %1</translation>
+    </message>
+    <message>
+        <source>Rename class</source>
+        <translation>Renombrar clase</translation>
+    </message>
+    <message>
+        <source>rename class %1 to %2</source>
+        <translation>renombrar la clase %1 como %2</translation>
+    </message>
+    <message>
+        <source>take class %1 out of the archive</source>
+        <translation>desarchivar la clase %1</translation>
+    </message>
+    <message>
+        <source>archive class %1</source>
+        <translation>archivar la clase %1</translation>
+    </message>
+    <message>
+        <source>delete class %1</source>
+        <translation>eliminar la clase %1</translation>
+    </message>
+    <message>
+        <source>New team</source>
+        <translation>Nuevo equipo</translation>
+    </message>
+    <message>
+        <source>add team %1</source>
+        <translation>añadir el equipo %1</translation>
+    </message>
+    <message>
+        <source>take team %1 out of its class</source>
+        <translation>sacar el equipo %1 de su clase</translation>
+    </message>
+    <message>
+        <source>move team %1 to class %2</source>
+        <translation>mover el equipo %1 a la clase %2</translation>
+    </message>
+    <message>
+        <source>delete team %1</source>
+        <translation>eliminar el equipo %1</translation>
+    </message>
+    <message>
+        <source>change members and robots of team %1</source>
+        <translation>cambiar los miembros y robots del equipo %1</translation>
+    </message>
+    <message>
+        <source>rename team %1 to %2</source>
+        <translation>renombrar el equipo %1 como %2</translation>
+    </message>
+    <message>
+        <source>change the pseudonym of team %1</source>
+        <translation>cambiar el seudónimo del equipo %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CompareColumn</name>
+    <message>
+        <source>Time difference</source>
+        <translation>Diferencia de tiempo</translation>
+    </message>
+    <message>
+        <source>Sectors</source>
+        <translation>Sectores</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Indicadores</translation>
+    </message>
+    <message>
+        <source>Run that is shown against the first</source>
+        <translation>Recorrido que se muestra frente al primero</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Recorridos</translation>
+    </message>
+    <message>
+        <source>Times from gate to gate</source>
+        <translation>Tiempos de puerta a puerta</translation>
+    </message>
+    <message>
+        <source>Figures of both runs</source>
+        <translation>Indicadores de ambos recorridos</translation>
+    </message>
+    <message>
+        <source>s · drag the gates on the map</source>
+        <translation>s · arrastre las puertas en el mapa</translation>
+    </message>
+    <message>
+        <source>grey: within the error</source>
+        <translation>gris: dentro del error</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>de %1</translation>
+    </message>
+    <message>
+        <source>Later at the end</source>
+        <translation>Más tarde al final</translation>
+    </message>
+    <message>
+        <source>Earlier at the end</source>
+        <translation>Antes al final</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Al final</translation>
+    </message>
+    <message>
+        <source>Later here</source>
+        <translation>Más tarde aquí</translation>
+    </message>
+    <message>
+        <source>Earlier here</source>
+        <translation>Antes aquí</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Aquí</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CompareDesk</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>Mapa en planta</translation>
+    </message>
+    <message>
+        <source>Map of the floor with the ways of the runs and the gates of the sectors</source>
+        <translation>Mapa del suelo con los caminos de los recorridos y las puertas de los sectores</translation>
+    </message>
+    <message>
+        <source>Drag a gate along the way; with the keys: Up and Down choose one, Left and Right move it</source>
+        <translation>Arrastre una puerta a lo largo del camino; con el teclado: Arriba y Abajo eligen una, Izquierda y Derecha la mueven</translation>
+    </message>
+    <message>
+        <source>both runs</source>
+        <translation>ambos recorridos</translation>
+    </message>
+    <message>
+        <source>Camera of the first run</source>
+        <translation>Cámara del primer recorrido</translation>
+    </message>
+    <message>
+        <source>Camera of the second run</source>
+        <translation>Cámara del segundo recorrido</translation>
+    </message>
+    <message>
+        <source>dashed: the task&apos;s path</source>
+        <translation>discontinua: la trayectoria de la tarea</translation>
+    </message>
+    <message>
+        <source>along the first run&apos;s way</source>
+        <translation>a lo largo del camino del primer recorrido</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Primero</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Segundo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ComparePage</name>
+    <message>
+        <source>These runs cannot be compared</source>
+        <translation>Estos recorridos no se pueden comparar</translation>
+    </message>
+    <message>
+        <source>%1. What helps: %2.</source>
+        <translation>%1. Qué hacer: %2.</translation>
+    </message>
+    <message>
+        <source>Two runs are needed</source>
+        <translation>Hacen falta dos recorridos</translation>
+    </message>
+    <message>
+        <source>Comparing shows where one run is faster than another, and whether that is more than the error. Choose two trials that have been tracked, or bring in another one.</source>
+        <translation>La comparación muestra dónde un recorrido es más rápido que otro y si eso es más que el error. Elija dos ensayos ya rastreados o importe otro.</translation>
+    </message>
+    <message>
+        <source>Import trial from videos…</source>
+        <translation>Importar ensayo de videos…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CoveragePanel</name>
+    <message>
+        <source>Across</source>
+        <translation>Horizontal</translation>
+    </message>
+    <message>
+        <source>Up and down</source>
+        <translation>Vertical</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>Cercanía</translation>
+    </message>
+    <message>
+        <source>Tilted</source>
+        <translation>Inclinación</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Cobertura</translation>
+    </message>
+    <message>
+        <source>%1 pictures: enough. More do no harm.</source>
+        <translation>%1 imágenes: suficientes. Más no estorban.</translation>
+    </message>
+    <message>
+        <source>1 picture; ten or more are wanted.</source>
+        <translation>1 imagen; hacen falta diez o más.</translation>
+    </message>
+    <message>
+        <source>%1 pictures; ten or more are wanted.</source>
+        <translation>%1 imágenes; hacen falta diez o más.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CrashNotice</name>
+    <message>
+        <source>Odograph ended unexpectedly</source>
+        <translation>Odograph terminó de forma inesperada</translation>
+    </message>
+    <message>
+        <source>The last time, Odograph ended by a fault of its own. What was saved is safe. A recording that was cut off is kept up to its last second as soon as its project is opened again.</source>
+        <translation>La última vez, Odograph terminó por un fallo propio. Lo guardado está a salvo. Una grabación interrumpida se conserva hasta su último segundo en cuanto se vuelve a abrir su proyecto.</translation>
+    </message>
+    <message>
+        <source>The last time, Odograph ended by a fault of its own. What was saved is safe.</source>
+        <translation>La última vez, Odograph terminó por un fallo propio. Lo guardado está a salvo.</translation>
+    </message>
+    <message>
+        <source>Project:</source>
+        <translation>Proyecto:</translation>
+    </message>
+    <message>
+        <source>Report:</source>
+        <translation>Informe:</translation>
+    </message>
+    <message>
+        <source>&amp;Open the project</source>
+        <translation>&amp;Abrir el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DifferenceModel</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>begin</source>
+        <translation>inicio</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>fin</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>Only one of the two has it</source>
+        <translation>Solo uno de los dos lo tiene</translation>
+    </message>
+    <message>
+        <source>%1: beyond the error (95 %)</source>
+        <translation>%1: mayor que el error (95 %)</translation>
+    </message>
+    <message>
+        <source>%1: within the error (95 %), no difference can be claimed</source>
+        <translation>%1: dentro del error (95 %), no se puede afirmar ninguna diferencia</translation>
+    </message>
+    <message>
+        <source>beyond the error</source>
+        <translation>mayor que el error</translation>
+    </message>
+    <message>
+        <source>within the error</source>
+        <translation>dentro del error</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Diferencia</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DistanceChart</name>
+    <message>
+        <source>Speed along the way</source>
+        <translation>Velocidad a lo largo del camino</translation>
+    </message>
+    <message>
+        <source>Time difference along the way</source>
+        <translation>Diferencia de tiempo a lo largo del camino</translation>
+    </message>
+    <message>
+        <source>%1 · smoothed ±95 %</source>
+        <translation>%1 · suavizada ±95 %</translation>
+    </message>
+    <message>
+        <source>s · above 0: %2 is later than %1 · ±95 % · grey: within the error</source>
+        <translation>s · por encima de 0: %2 llega más tarde que %1 · ±95 % · gris: dentro del error</translation>
+    </message>
+    <message>
+        <source>s · above 0: later than %1 · ±95 % · grey: within the error</source>
+        <translation>s · por encima de 0: más tarde que %1 · ±95 % · gris: dentro del error</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DockGrip</name>
+    <message>
+        <source>Drag to move, double click to float</source>
+        <translation>Arrastrar para mover; doble clic para desacoplar</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DoctorDialog</name>
+    <message>
+        <source>good</source>
+        <translation>bien</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>dudoso</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>mal</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>se desconoce</translation>
+    </message>
+    <message>
+        <source>Set-up doctor</source>
+        <translation>Diagnóstico del montaje</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Lo que se encontró</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>&amp;Revisar otra vez</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Revisando…</translation>
+    </message>
+    <message>
+        <source>. What to do: %1.</source>
+        <translation>. Qué hacer: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that would disturb a recording.</source>
+        <translation>No se encontró nada que perturbe una grabación.</translation>
+    </message>
+    <message>
+        <source>There is one thing to look at.</source>
+        <translation>Hay un punto que revisar.</translation>
+    </message>
+    <message>
+        <source>There are %1 things to look at, the worst first.</source>
+        <translation>Hay %1 puntos que revisar, el peor primero.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FigureGrid</name>
+    <message>
+        <source>Figures</source>
+        <translation>Indicadores</translation>
+    </message>
+    <message>
+        <source>No result yet: track the trial</source>
+        <translation>Aún sin resultado: rastree el ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FigureText</name>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Distancia recorrida</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>Velocidad máxima</translation>
+    </message>
+    <message>
+        <source>Mean speed</source>
+        <translation>Velocidad media</translation>
+    </message>
+    <message>
+        <source>Speed (RMS)</source>
+        <translation>Velocidad (RMS)</translation>
+    </message>
+    <message>
+        <source>Top acceleration</source>
+        <translation>Aceleración máxima</translation>
+    </message>
+    <message>
+        <source>Acceleration (RMS)</source>
+        <translation>Aceleración (RMS)</translation>
+    </message>
+    <message>
+        <source>Straightness</source>
+        <translation>Rectitud</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Paradas</translation>
+    </message>
+    <message>
+        <source>Fastest turn</source>
+        <translation>Giro más rápido</translation>
+    </message>
+    <message>
+        <source>Start to finish</source>
+        <translation>De salida a meta</translation>
+    </message>
+    <message>
+        <source>Laps</source>
+        <translation>Vueltas</translation>
+    </message>
+    <message>
+        <source>Best lap</source>
+        <translation>Mejor vuelta</translation>
+    </message>
+    <message>
+        <source>Mean lap</source>
+        <translation>Vuelta media</translation>
+    </message>
+    <message>
+        <source>Off the path (mean)</source>
+        <translation>Desvío medio</translation>
+    </message>
+    <message>
+        <source>Off the path (RMS)</source>
+        <translation>Desvío RMS</translation>
+    </message>
+    <message>
+        <source>Off the path (most)</source>
+        <translation>Desvío máximo</translation>
+    </message>
+    <message>
+        <source>Left of the path</source>
+        <translation>Desvío a la izquierda</translation>
+    </message>
+    <message>
+        <source>Path completed</source>
+        <translation>Trayectoria completada</translation>
+    </message>
+    <message>
+        <source>Zones broken</source>
+        <translation>Zonas infringidas</translation>
+    </message>
+    <message>
+        <source>Time beyond zones</source>
+        <translation>Tiempo en infracción</translation>
+    </message>
+    <message>
+        <source>Beyond zones (most)</source>
+        <translation>Infracción máxima</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Desplazamiento</translation>
+    </message>
+    <message>
+        <source>Time in motion</source>
+        <translation>Tiempo en movimiento</translation>
+    </message>
+    <message>
+        <source>Views disagree by</source>
+        <translation>Discrepancia entre vistas</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Puntuación</translation>
+    </message>
+    <message>
+        <source>Spikes</source>
+        <translation>Valores atípicos</translation>
+    </message>
+    <message>
+        <source>Limits broken</source>
+        <translation>Límites superados</translation>
+    </message>
+    <message>
+        <source>Gates passed</source>
+        <translation>Puertas pasadas</translation>
+    </message>
+    <message>
+        <source>Robot&apos;s height</source>
+        <translation>Altura del robot</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FileActions</name>
+    <message>
+        <source>&amp;New project…</source>
+        <translation>&amp;Nuevo proyecto…</translation>
+    </message>
+    <message>
+        <source>&amp;Open project…</source>
+        <translation>&amp;Abrir proyecto…</translation>
+    </message>
+    <message>
+        <source>Open &amp;demo lesson…</source>
+        <translation>Abrir lección &amp;demo…</translation>
+    </message>
+    <message>
+        <source>Save a &amp;copy as…</source>
+        <translation>Guardar &amp;copia como…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Abrir &amp;reciente</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>&amp;Vaciar esta lista</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Nuevo proyecto</translation>
+    </message>
+    <message>
+        <source>Project.odo</source>
+        <translation>Proyecto.odo</translation>
+    </message>
+    <message>
+        <source>Odograph projects (*.odo)</source>
+        <translation>Proyectos de Odograph (*.odo)</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Abrir proyecto</translation>
+    </message>
+    <message>
+        <source>Odograph projects (*.odo);;All files (*)</source>
+        <translation>Proyectos de Odograph (*.odo);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Where shall the demo lesson be made?</source>
+        <translation>¿Dónde crear la lección demo?</translation>
+    </message>
+    <message>
+        <source>Odograph demo</source>
+        <translation>Demo de Odograph</translation>
+    </message>
+    <message>
+        <source>Making the demo lesson</source>
+        <translation>Creando la lección demo</translation>
+    </message>
+    <message>
+        <source>Copy of %1</source>
+        <translation>Copia de %1</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Guardar copia</translation>
+    </message>
+    <message>
+        <source>Saving a copy</source>
+        <translation>Guardando la copia</translation>
+    </message>
+    <message>
+        <source>A copy was saved as %1. Its videos stay where they are.</source>
+        <translation>Se guardó una copia como %1. Sus videos quedan donde están.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FilmStrip</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>Pictures that count</source>
+        <translation>Imágenes que cuentan</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorMap</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>Mapa en planta</translation>
+    </message>
+    <message>
+        <source>Map: &amp;views&apos; disagreement</source>
+        <translation>Mapa: discrepancia entre &amp;vistas</translation>
+    </message>
+    <message>
+        <source>Map of the floor with the robots&apos; trails</source>
+        <translation>Mapa del suelo con las estelas de los robots</translation>
+    </message>
+    <message>
+        <source>What colours the trails of the map</source>
+        <translation>Qué colorea las estelas del mapa</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Disagreement</source>
+        <translation>Discrepancia</translation>
+    </message>
+    <message>
+        <source>Disagreement of the views: %1</source>
+        <translation>Discrepancia entre vistas: %1</translation>
+    </message>
+    <message>
+        <source>coloured by</source>
+        <translation>color según</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorSketch</name>
+    <message>
+        <source>Sketch of the testbed from above</source>
+        <translation>Croquis del banco de pruebas visto desde arriba</translation>
+    </message>
+    <message>
+        <source>%1 markers, %2 cameras</source>
+        <translation>%1 marcadores, %2 cámaras</translation>
+    </message>
+    <message>
+        <source>%1, %2 m high</source>
+        <translation>%1, a %2 m de altura</translation>
+    </message>
+    <message>
+        <source>Markers and cameras are drawn here once there is a layout or a registered camera.</source>
+        <translation>Los marcadores y las cámaras se dibujan aquí en cuanto hay un plano o una cámara registrada.</translation>
+    </message>
+    <message>
+        <source>grid 0.5 m</source>
+        <translation>cuadrícula 0.5 m</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorSourcePage</name>
+    <message>
+        <source>Picture or video of the markers</source>
+        <translation>Imagen o video de los marcadores</translation>
+    </message>
+    <message>
+        <source>Markers whose places on the floor are known tell where the camera stands. Four are enough, a fifth checks them. Afterwards the camera must not be moved.</source>
+        <translation>Los marcadores cuyos lugares en el suelo se conocen indican dónde está la cámara. Bastan cuatro; un quinto los comprueba. Después no se debe mover la cámara.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>Cá&amp;mara</translation>
+    </message>
+    <message>
+        <source>Marker &amp;layout</source>
+        <translation>&amp;Plano de marcadores</translation>
+    </message>
+    <message>
+        <source>Where the markers are seen</source>
+        <translation>Dónde se ven los marcadores</translation>
+    </message>
+    <message>
+        <source>Its lens is measured.</source>
+        <translation>Su lente está medida.</translation>
+    </message>
+    <message>
+        <source>Its lens was not measured: it is taken as free of distortion, and its focal length is estimated from the markers where they tell it.</source>
+        <translation>Su lente no se midió: se supone sin distorsión y su distancia focal se estima con los marcadores cuando estos la determinan.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorWizard</name>
+    <message>
+        <source>Register camera to the floor</source>
+        <translation>Registrar cámara respecto al suelo</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>The camera and its markers</source>
+        <translation>La cámara y sus marcadores</translation>
+    </message>
+    <message>
+        <source>The markers in the picture</source>
+        <translation>Los marcadores en la imagen</translation>
+    </message>
+    <message>
+        <source>Looking for the markers…</source>
+        <translation>Buscando los marcadores…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::GateTable</name>
+    <message>
+        <source>start</source>
+        <translation>salida</translation>
+    </message>
+    <message>
+        <source>finish</source>
+        <translation>meta</translation>
+    </message>
+    <message>
+        <source>start and finish</source>
+        <translation>salida y meta</translation>
+    </message>
+    <message>
+        <source>split</source>
+        <translation>parcial</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>&amp;Other way</source>
+        <translation>O&amp;tro sentido</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Puerta</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Función</translation>
+    </message>
+    <message>
+        <source>x₁, mm</source>
+        <translation>x₁, mm</translation>
+    </message>
+    <message>
+        <source>y₁, mm</source>
+        <translation>y₁, mm</translation>
+    </message>
+    <message>
+        <source>x₂, mm</source>
+        <translation>x₂, mm</translation>
+    </message>
+    <message>
+        <source>y₂, mm</source>
+        <translation>y₂, mm</translation>
+    </message>
+    <message>
+        <source>Gates in the order in which they are passed</source>
+        <translation>Puertas en el orden en que se pasan</translation>
+    </message>
+    <message>
+        <source>&amp;Add gate</source>
+        <translation>Añadi&amp;r puerta</translation>
+    </message>
+    <message>
+        <source>The chosen gate is passed the other way</source>
+        <translation>La puerta elegida se pasa en el otro sentido</translation>
+    </message>
+    <message>
+        <source>Role of the gate</source>
+        <translation>Función de la puerta</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>Parcial %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::GeneralPage</name>
+    <message>
+        <source>Odograph shows it when it is started again.</source>
+        <translation>Odograph lo muestra cuando se inicia de nuevo.</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>&amp;Units of results</source>
+        <translation>&amp;Unidades de resultados</translation>
+    </message>
+    <message>
+        <source>Floors and targets are set up in millimetres, as they are printed. Exported files have the units that their format asks for.</source>
+        <translation>Los suelos y los patrones se definen en milímetros, tal como se imprimen. Los archivos exportados llevan las unidades que pide su formato.</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>T&amp;ema</translation>
+    </message>
+    <message>
+        <source>&amp;Colours of maps</source>
+        <translation>&amp;Colores de los mapas</translation>
+    </message>
+    <message>
+        <source>Both can be told apart by people who do not see red or green, and in a print without colours.</source>
+        <translation>Ambas escalas las distinguen las personas que no ven el rojo o el verde, y también valen en una impresión sin colores.</translation>
+    </message>
+    <message>
+        <source>Units of results</source>
+        <translation>Unidades de resultados</translation>
+    </message>
+    <message>
+        <source>Millimetres and metres: mm, m, m/s</source>
+        <translation>Milímetros y metros: mm, m, m/s</translation>
+    </message>
+    <message>
+        <source>Centimetres: cm, cm/s</source>
+        <translation>Centímetros: cm, cm/s</translation>
+    </message>
+    <message>
+        <source>Inches and feet: in, ft, ft/s</source>
+        <translation>Pulgadas y pies: in, ft, ft/s</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>As the computer has it</source>
+        <translation>Como el equipo</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>As the desktop has it</source>
+        <translation>Como el escritorio</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>Colours of maps</source>
+        <translation>Colores de los mapas</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HelpActions</name>
+    <message>
+        <source>&amp;Help on this page</source>
+        <translation>&amp;Ayuda de esta página</translation>
+    </message>
+    <message>
+        <source>&amp;First lesson</source>
+        <translation>&amp;Primera lección</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>A&amp;tajos</translation>
+    </message>
+    <message>
+        <source>&amp;About Odograph</source>
+        <translation>Acerca &amp;de Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HelpPanel</name>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Close the help (F1)</source>
+        <translation>Cerrar la ayuda (F1)</translation>
+    </message>
+    <message>
+        <source>Close the help</source>
+        <translation>Cerrar la ayuda</translation>
+    </message>
+    <message>
+        <source>Help on this page</source>
+        <translation>Ayuda de esta página</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HistoryActions</name>
+    <message>
+        <source>Import &amp;roster…</source>
+        <translation>Importar lis&amp;ta…</translation>
+    </message>
+    <message>
+        <source>&amp;Changes of the project…</source>
+        <translation>&amp;Cambios del proyecto…</translation>
+    </message>
+    <message>
+        <source>Import a roster: a table with the columns class and team, perhaps pseudonym</source>
+        <translation>Importar una lista de clase: una tabla con las columnas class y team, y opcionalmente pseudonym</translation>
+    </message>
+    <message>
+        <source>CSV tables (*.csv)</source>
+        <translation>Tablas CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>The roster is imported. Teams that are new: %1, changed: %2, as before: %3.</source>
+        <translation>Lista de clase importada. Equipos nuevos: %1, cambiados: %2, como antes: %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Export %n trial(s): choose a folder</source>
+        <translation>
+            <numerusform>Exportar %n ensayo: elija una carpeta</numerusform>
+            <numerusform>Exportar %n ensayos: elija una carpeta</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exported trials: %1 of %2.</source>
+        <translation>Ensayos exportados: %1 de %2.</translation>
+    </message>
+    <message>
+        <source>Exporting %1 (%2 of %3)</source>
+        <translation>Exportando %1 (%2 de %3)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Videos of %n trial(s)</source>
+        <translation>
+            <numerusform>Videos de %n ensayo</numerusform>
+            <numerusform>Videos de %n ensayos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Videos made: %1 of %2.</source>
+        <translation>Videos creados: %1 de %2.</translation>
+    </message>
+    <message>
+        <source>Making the video of %1 (%2 of %3)</source>
+        <translation>Creando el video de %1 (%2 de %3)</translation>
+    </message>
+    <message>
+        <source>Trials measured again: %1 of %2.</source>
+        <translation>Ensayos vueltos a medir: %1 de %2.</translation>
+    </message>
+    <message>
+        <source>Measuring %1 again (%2 of %3)</source>
+        <translation>Volviendo a medir %1 (%2 de %3)</translation>
+    </message>
+    <message>
+        <source>Emptying the bin</source>
+        <translation>Vaciando la papelera</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) removed for good.</source>
+        <translation>
+            <numerusform>%n ensayo eliminado definitivamente.</numerusform>
+            <numerusform>%n ensayos eliminados definitivamente.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n trial(s) removed for good; the rest is still there.</source>
+        <translation>
+            <numerusform>%1 de %n ensayo eliminado definitivamente; el resto sigue ahí.</numerusform>
+            <numerusform>%1 de %n ensayos eliminados definitivamente; el resto sigue ahí.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 could not be deleted; delete it by hand.</source>
+        <translation>No se pudo eliminar %1; elimínelo a mano.</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>y %1 más</translation>
+    </message>
+    <message>
+        <source>mend what stands there, and choose these trials again</source>
+        <translation>corrija lo que se indica allí y vuelva a elegir estos ensayos</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HistoryPage</name>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Comparar</translation>
+    </message>
+    <message>
+        <source>Teams by &amp;pseudonym</source>
+        <translation>Equipos por se&amp;udónimo</translation>
+    </message>
+    <message>
+        <source>Tria&amp;ls</source>
+        <translation>Ensay&amp;os</translation>
+    </message>
+    <message>
+        <source>Tea&amp;ms</source>
+        <translation>E&amp;quipos</translation>
+    </message>
+    <message>
+        <source>Trials or teams</source>
+        <translation>Ensayos o equipos</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Ensayos</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>Volver a &amp;medir</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportar…</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Informe…</translation>
+    </message>
+    <message>
+        <source>Export &amp;videos…</source>
+        <translation>Exportar &amp;videos…</translation>
+    </message>
+    <message>
+        <source>Search trials, teams, tasks, tags, notes…</source>
+        <translation>Buscar ensayos, equipos, tareas, etiquetas, notas…</translation>
+    </message>
+    <message>
+        <source>Search the trials</source>
+        <translation>Buscar en los ensayos</translation>
+    </message>
+    <message>
+        <source>Searc&amp;h</source>
+        <translation>&amp;Buscar</translation>
+    </message>
+    <message>
+        <source>%1 (archived)</source>
+        <translation>%1 (archivada)</translation>
+    </message>
+    <message>
+        <source>Compare the selected trials</source>
+        <translation>Comparar los ensayos seleccionados</translation>
+    </message>
+    <message>
+        <source>Select two trials or more (Ctrl or Shift and a click)</source>
+        <translation>Seleccione dos ensayos o más (Ctrl o Mayús y clic)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n ensayo</numerusform>
+            <numerusform>%n ensayos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n trial(s)</source>
+        <translation>
+            <numerusform>%1 de %n ensayo</numerusform>
+            <numerusform>%1 de %n ensayos</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportTracksDialog</name>
+    <message>
+        <source>Add &amp;robot</source>
+        <translation>Añadir &amp;robot</translation>
+    </message>
+    <message>
+        <source>Import finished tracks</source>
+        <translation>Importar trazas terminadas</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Positions that another program has measured, or Odograph has exported: TUM, CSV or Tracker&apos;s text. They are measured as a run without video.</source>
+        <translation>Posiciones que midió otro programa o exportó Odograph: TUM, CSV o texto de Tracker. Se miden como un recorrido sin video.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nombre</translation>
+    </message>
+    <message>
+        <source>&amp;Team</source>
+        <translation>&amp;Equipo</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>&amp;Tarea</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Trazas</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Robot of track %1</source>
+        <translation>Robot de la traza %1</translation>
+    </message>
+    <message>
+        <source>A name that is new makes a new robot</source>
+        <translation>Un nombre nuevo crea un robot nuevo</translation>
+    </message>
+    <message>
+        <source>File of track %1</source>
+        <translation>Archivo de la traza %1</translation>
+    </message>
+    <message>
+        <source>Tracks (*.csv *.txt *.tum *.tsv);;All files (*)</source>
+        <translation>Trazas (*.csv *.txt *.tum *.tsv);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportTrialDialog</name>
+    <message>
+        <source>Robots in the trial</source>
+        <translation>Robots del ensayo</translation>
+    </message>
+    <message>
+        <source>Add &amp;view</source>
+        <translation>Añadir &amp;vista</translation>
+    </message>
+    <message>
+        <source>Camera&apos;s real &amp;rate</source>
+        <translation>&amp;Frecuencia real</translation>
+    </message>
+    <message>
+        <source>Import trial from videos</source>
+        <translation>Importar ensayo de videos</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nombre</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>&amp;Equipo</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>&amp;Tarea</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>R&amp;obots</translation>
+    </message>
+    <message>
+        <source>Videos</source>
+        <translation>Videos</translation>
+    </message>
+    <message>
+        <source>In &amp;step</source>
+        <translation>&amp;Sincronía</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Video file</source>
+        <translation>Archivo de video</translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> fotogramas/s</translation>
+    </message>
+    <message>
+        <source>Camera&apos;s real rate</source>
+        <translation>Frecuencia real</translation>
+    </message>
+    <message>
+        <source>For slow motion: the file plays slower than the camera took it</source>
+        <translation>Para cámara lenta: el archivo se reproduce más despacio de lo que la cámara grabó</translation>
+    </message>
+    <message>
+        <source>Camera of view %1</source>
+        <translation>Cámara de la vista %1</translation>
+    </message>
+    <message>
+        <source>Video of view %1</source>
+        <translation>Video de la vista %1</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;All files (*)</source>
+        <translation>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Registration of the camera of view %1</source>
+        <translation>Registro de la cámara de la vista %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::JobIndicator</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Cancel the running job</source>
+        <translation>Cancelar el trabajo en curso</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Deteniendo…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::JointDialog</name>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Known to, before</source>
+        <translation>Error antes</translation>
+    </message>
+    <message>
+        <source>Known to, together</source>
+        <translation>Error conjunto</translation>
+    </message>
+    <message>
+        <source>Moves by</source>
+        <translation>Se mueve</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Cámaras</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marcador</translation>
+    </message>
+    <message>
+        <source>Off by, mm</source>
+        <translation>Desvío, mm</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marcadores</translation>
+    </message>
+    <message>
+        <source>Register all cameras together</source>
+        <translation>Registrar todas las cámaras juntas</translation>
+    </message>
+    <message>
+        <source>The cameras of layout %1 are fitted again at once, by the markers they were registered with: where they see the same markers, they agree better afterwards, and a marker that was measured wrongly is found.</source>
+        <translation>Las cámaras del plano %1 se vuelven a ajustar a la vez, con los marcadores con los que se registraron: donde ven los mismos marcadores concuerdan mejor después, y se descubre un marcador mal medido.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Error of the tape measure</source>
+        <translation>Error de la cinta métrica</translation>
+    </message>
+    <message>
+        <source>The markers&apos; places were &amp;measured to</source>
+        <translation>Los marcadores se &amp;midieron con error de</translation>
+    </message>
+    <message>
+        <source>Fitting the cameras together…</source>
+        <translation>Ajustando las cámaras juntas…</translation>
+    </message>
+    <message>
+        <source>What is known together reckons with the markers&apos; places being measured to %1 mm, which a camera that is registered by itself takes as exact. Nothing is changed before you save; trials keep the registration they were analysed with.</source>
+        <translation>El error conjunto cuenta con que los lugares de los marcadores se midieron con un error de %1 mm, mientras que una cámara registrada por sí sola los toma por exactos. Nada cambia antes de guardar; los ensayos conservan el registro con el que se analizaron.</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>measure it again</source>
+        <translation>vuelva a medirlo</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>encaja</translation>
+    </message>
+</context>
+<context>
+    <name>odo::KeysPage</name>
+    <message>
+        <source>&amp;Use this key</source>
+        <translation>&amp;Usar este atajo</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>&amp;Sin atajo</translation>
+    </message>
+    <message>
+        <source>&amp;All as usual</source>
+        <translation>Restablecer t&amp;odo</translation>
+    </message>
+    <message>
+        <source>Search for a command or a key</source>
+        <translation>Buscar un comando o un atajo</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>Comandos y sus atajos</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Comando</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Atajo</translation>
+    </message>
+    <message>
+        <source>New key of the chosen command</source>
+        <translation>Nuevo atajo del comando elegido</translation>
+    </message>
+    <message>
+        <source>Choose a command to give it another key.</source>
+        <translation>Elija un comando para darle otro atajo.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of “%2”, which would have none.</source>
+        <translation>%1 es el atajo de “%2”, que se quedaría sin ninguno.</translation>
+    </message>
+    <message>
+        <source>Press the new key in the field.</source>
+        <translation>Pulse el nuevo atajo en el campo.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LayoutDialog</name>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>Tablas (*.csv *.txt);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Marker layout</source>
+        <translation>Plano de marcadores</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Suelo</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Qué está mal</translation>
+    </message>
+    <message>
+        <source>Where the markers lie on the floor, measured with a tape: millimetres from the origin. X goes to the right, Y away from you, seen from above.</source>
+        <translation>Dónde están los marcadores en el suelo, medidos con cinta métrica: milímetros desde el origen. X va hacia la derecha e Y se aleja de usted, visto desde arriba.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nombre</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Rótulo</translation>
+    </message>
+    <message>
+        <source>x, mm</source>
+        <translation>x, mm</translation>
+    </message>
+    <message>
+        <source>y, mm</source>
+        <translation>y, mm</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marcadores</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Añadir</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>&amp;Ejes</translation>
+    </message>
+    <message>
+        <source>&amp;CSV</source>
+        <translation>&amp;CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Origin at the chosen marker</source>
+        <translation>&amp;Origen en el marcador elegido</translation>
+    </message>
+    <message>
+        <source>&amp;Quarter turn</source>
+        <translation>&amp;Cuarto de vuelta</translation>
+    </message>
+    <message>
+        <source>&amp;Half turn</source>
+        <translation>&amp;Media vuelta</translation>
+    </message>
+    <message>
+        <source>They were &amp;centimetres</source>
+        <translation>Eran cen&amp;tímetros</translation>
+    </message>
+    <message>
+        <source>They were &amp;metres</source>
+        <translation>Eran m&amp;etros</translation>
+    </message>
+    <message>
+        <source>They were &amp;inches</source>
+        <translation>Eran &amp;pulgadas</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importar…</translation>
+    </message>
+    <message>
+        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <translation>Lugares de los marcadores (label,x_mm,y_mm)</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportar…</translation>
+    </message>
+    <message>
+        <source>Places of the markers</source>
+        <translation>Lugares de los marcadores</translation>
+    </message>
+    <message>
+        <source>The layout has no name.</source>
+        <translation>El plano no tiene nombre.</translation>
+    </message>
+    <message>
+        <source>There is a layout of that name: cameras may stand on it, so it is not overwritten. Give another name.</source>
+        <translation>Ya hay un plano con ese nombre: puede haber cámaras que se basen en él, así que no se sobrescribe. Indique otro nombre.</translation>
+    </message>
+    <message>
+        <source>A marker has no label.</source>
+        <translation>Hay un marcador sin rótulo.</translation>
+    </message>
+    <message>
+        <source>Two markers are called %1.</source>
+        <translation>Dos marcadores se llaman %1.</translation>
+    </message>
+    <message>
+        <source>The place of %1 is not a number.</source>
+        <translation>El lugar de %1 no es un número.</translation>
+    </message>
+    <message>
+        <source>Four markers are needed, there are %1.</source>
+        <translation>Hacen falta cuatro marcadores; hay %1.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 lie at one place.</source>
+        <translation>%1 y %2 están en el mismo lugar.</translation>
+    </message>
+    <message>
+        <source>The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.</source>
+        <translation>Los marcadores están casi en línea recta: así no indican dónde está la cámara. Desplace uno hacia un lado.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LayoutDrawing</name>
+    <message>
+        <source>Markers from above</source>
+        <translation>Marcadores desde arriba</translation>
+    </message>
+    <message>
+        <source>grid 0.5 m</source>
+        <translation>cuadrícula 0.5 m</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LengthPage</name>
+    <message>
+        <source>Take what lies &amp;near a click</source>
+        <translation>Tomar lo que está &amp;cerca del clic</translation>
+    </message>
+    <message>
+        <source>Picture with both ends; arrow keys move the chosen one, Space snaps it</source>
+        <translation>Imagen con ambos extremos; las flechas mueven el elegido, Espacio lo ajusta</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>Measured length</source>
+        <translation>Longitud medida</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>se desconoce</translation>
+    </message>
+    <message>
+        <source>True length</source>
+        <translation>Longitud real</translation>
+    </message>
+    <message>
+        <source>Unit of the true length</source>
+        <translation>Unidad de la longitud real</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>lies on the floor</source>
+        <translation>está en el suelo</translation>
+    </message>
+    <message>
+        <source>&amp;True length</source>
+        <translation>Longitud &amp;real</translation>
+    </message>
+    <message>
+        <source>H&amp;eight</source>
+        <translation>Al&amp;tura</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Extremo</translation>
+    </message>
+    <message>
+        <source>Seen as</source>
+        <translation>Visto como</translation>
+    </message>
+    <message>
+        <source>On the floor, mm</source>
+        <translation>En el suelo, mm</translation>
+    </message>
+    <message>
+        <source>Ends of the length</source>
+        <translation>Extremos de la longitud</translation>
+    </message>
+    <message>
+        <source>Both ends</source>
+        <translation>Ambos extremos</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Qué es</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Medido</translation>
+    </message>
+    <message>
+        <source>Lay something of known length anywhere on the floor, a metre stick or two markers of known distance, and click both its ends. By keys: the arrows move an end (Ctrl: fast, Shift: a pixel), Space snaps it.</source>
+        <translation>Ponga algo de longitud conocida en cualquier lugar del suelo, una regla de un metro o dos marcadores a distancia conocida, y haga clic en ambos extremos. Con el teclado: las flechas mueven un extremo (Ctrl: rápido, Mayús: un píxel), Espacio lo ajusta.</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 mm</source>
+        <translation>%1 ± %2 mm</translation>
+    </message>
+    <message>
+        <source>inside the expected error</source>
+        <translation>dentro del error previsto</translation>
+    </message>
+    <message>
+        <source>outside the expected error</source>
+        <translation>fuera del error previsto</translation>
+    </message>
+    <message>
+        <source> Give its true length to see whether that is right.</source>
+        <translation> Indique su longitud real para ver si es correcto.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>beyond the horizon</source>
+        <translation>más allá del horizonte</translation>
+    </message>
+    <message>
+        <source>not put yet</source>
+        <translation>aún sin colocar</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LengthWizard</name>
+    <message>
+        <source>Check a known length</source>
+        <translation>Comprobar una longitud conocida</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Listo</translation>
+    </message>
+    <message>
+        <source>Picture or video of the length</source>
+        <translation>Imagen o video de la longitud</translation>
+    </message>
+    <message>
+        <source>The camera and its picture</source>
+        <translation>La cámara y su imagen</translation>
+    </message>
+    <message>
+        <source>Both ends of the length</source>
+        <translation>Ambos extremos de la longitud</translation>
+    </message>
+    <message>
+        <source>Lay something of known length on the floor, away from the markers, and see whether the camera measures it as well as it promises. Nothing is changed by it.</source>
+        <translation>Ponga en el suelo algo de longitud conocida, lejos de los marcadores, y vea si la cámara lo mide tan bien como promete. Esto no cambia nada.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>Cá&amp;mara</translation>
+    </message>
+    <message>
+        <source>Where the length is seen</source>
+        <translation>Dónde se ve la longitud</translation>
+    </message>
+    <message>
+        <source>Getting the picture…</source>
+        <translation>Obteniendo la imagen…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensPicturesPage</name>
+    <message>
+        <source>Move it to the left of the picture</source>
+        <translation>Muévalo hacia la izquierda de la imagen</translation>
+    </message>
+    <message>
+        <source>Move it to the right of the picture</source>
+        <translation>Muévalo hacia la derecha de la imagen</translation>
+    </message>
+    <message>
+        <source>Move it up</source>
+        <translation>Muévalo hacia arriba</translation>
+    </message>
+    <message>
+        <source>Move it down</source>
+        <translation>Muévalo hacia abajo</translation>
+    </message>
+    <message>
+        <source>Closer to the camera</source>
+        <translation>Más cerca de la cámara</translation>
+    </message>
+    <message>
+        <source>Farther from the camera</source>
+        <translation>Más lejos de la cámara</translation>
+    </message>
+    <message>
+        <source>Tilt it: the left side away from the camera</source>
+        <translation>Inclínelo: el lado izquierdo alejándose de la cámara</translation>
+    </message>
+    <message>
+        <source>Tilt it: the right side away from the camera</source>
+        <translation>Inclínelo: el lado derecho alejándose de la cámara</translation>
+    </message>
+    <message>
+        <source>Tilt it: the upper side away from the camera</source>
+        <translation>Inclínelo: el lado superior alejándose de la cámara</translation>
+    </message>
+    <message>
+        <source>Tilt it: the lower side away from the camera</source>
+        <translation>Inclínelo: el lado inferior alejándose de la cámara</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>Manténgalo quieto</translation>
+    </message>
+    <message>
+        <source>&amp;Take a picture now</source>
+        <translation>&amp;Tomar imagen ahora</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Qué hacer</translation>
+    </message>
+    <message>
+        <source>No picture from the camera</source>
+        <translation>Sin imagen de la cámara</translation>
+    </message>
+    <message>
+        <source>Pictures that do not count</source>
+        <translation>Imágenes que no cuentan</translation>
+    </message>
+    <message>
+        <source>What the pictures cover</source>
+        <translation>Lo que cubren las imágenes</translation>
+    </message>
+    <message>
+        <source>Not counted</source>
+        <translation>No cuentan</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera…</source>
+        <translation>Esperando a la cámara…</translation>
+    </message>
+    <message>
+        <source>Looking for the board…</source>
+        <translation>Buscando el tablero…</translation>
+    </message>
+    <message>
+        <source>Hold the board before the camera</source>
+        <translation>Sostenga el tablero ante la cámara</translation>
+    </message>
+    <message>
+        <source>Looking for the board</source>
+        <translation>Buscando el tablero</translation>
+    </message>
+    <message>
+        <source>A picture is taken by itself whenever the board is still, sharp and in a new place.</source>
+        <translation>Se toma una imagen automáticamente cada vez que el tablero está quieto, nítido y en un lugar nuevo.</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>Tomada</translation>
+    </message>
+    <message>
+        <source>Now the dashed outline shows where the board would help most.</source>
+        <translation>Ahora el contorno discontinuo muestra dónde sería más útil el tablero.</translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <translation>faltan %1</translation>
+    </message>
+    <message>
+        <source>No picture counts</source>
+        <translation>Ninguna imagen cuenta</translation>
+    </message>
+    <message>
+        <source>The reasons stand at the right. Add others by dropping them here.</source>
+        <translation>Los motivos están a la derecha. Añada otras soltándolas aquí.</translation>
+    </message>
+    <message>
+        <source>Looked at all</source>
+        <translation>Todas revisadas</translation>
+    </message>
+    <message>
+        <source>They are enough.</source>
+        <translation>Son suficientes.</translation>
+    </message>
+    <message>
+        <source>More pictures can be dropped here; the bars show what is missing.</source>
+        <translation>Se pueden soltar más imágenes aquí; las barras muestran lo que falta.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensResultPage</name>
+    <message>
+        <source>ordinary</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>wide (rational)</source>
+        <translation>gran angular (racional)</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>ojo de pez</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 px</source>
+        <translation>%1 ± %2 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Calculando</translation>
+    </message>
+    <message>
+        <source>Lens model chosen by itself</source>
+        <translation>Modelo de lente elegido automáticamente</translation>
+    </message>
+    <message>
+        <source>Ordinary lens</source>
+        <translation>Lente normal</translation>
+    </message>
+    <message>
+        <source>Wide lens (rational model)</source>
+        <translation>Gran angular (modelo racional)</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>Ojo de pez</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>Modelo de lente</translation>
+    </message>
+    <message>
+        <source>Choose a bar to see its picture.</source>
+        <translation>Elija una barra para ver su imagen.</translation>
+    </message>
+    <message>
+        <source>Stands here once the lens is known.</source>
+        <translation>Aparece aquí cuando se conoce la lente.</translation>
+    </message>
+    <message>
+        <source>Picture and &amp;residuals</source>
+        <translation>Imagen y &amp;residuos</translation>
+    </message>
+    <message>
+        <source>&amp;Straightened</source>
+        <translation>Sin &amp;distorsión</translation>
+    </message>
+    <message>
+        <source>Error by picture</source>
+        <translation>Error por imagen</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Lente</translation>
+    </message>
+    <message>
+        <source>What is known of the lens</source>
+        <translation>Lo que se sabe de la lente</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>Calculando…</translation>
+    </message>
+    <message>
+        <source>straight edges must be straight</source>
+        <translation>los bordes rectos deben verse rectos</translation>
+    </message>
+    <message>
+        <source>Storing the lens and its pictures…</source>
+        <translation>Guardando la lente y sus imágenes…</translation>
+    </message>
+    <message>
+        <source>The lens was not stored. %1</source>
+        <translation>La lente no se guardó. %1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>Error del tablero</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>Error de validación</translation>
+    </message>
+    <message>
+        <source>needs six pictures</source>
+        <translation>requiere seis imágenes</translation>
+    </message>
+    <message>
+        <source>Corners left out</source>
+        <translation>Esquinas omitidas</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>Distancia focal</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Centro x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Centro y</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensSourcePage</name>
+    <message>
+        <source>Be&amp;fore the camera: hold the board, pictures are taken by themselves</source>
+        <translation>An&amp;te la cámara: sostenga el tablero y las imágenes se toman automáticamente</translation>
+    </message>
+    <message>
+        <source>From &amp;pictures or a video that you have taken</source>
+        <translation>De &amp;imágenes o un video ya tomados</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Prin&amp;t a board…</source>
+        <translation>Im&amp;primir tablero…</translation>
+    </message>
+    <message>
+        <source>A flat board of squares, seen from many sides, tells how the lens draws. Checkerboard or ChArUco, of any size: which it is, is found out. Measure one square on the paper; it decides every later length. The lens must not be refocused or zoomed afterwards.</source>
+        <translation>Un tablero plano de casillas, visto desde muchos lados, revela cómo proyecta la lente. De ajedrez o ChArUco, de cualquier tamaño: se reconoce automáticamente. Mida una casilla en el papel; de ella dependen todas las longitudes posteriores. Después no se debe cambiar el enfoque ni el zoom de la lente.</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>Cá&amp;mara</translation>
+    </message>
+    <message>
+        <source>Side of a &amp;square, measured</source>
+        <translation>Lado de una &amp;casilla, medido</translation>
+    </message>
+    <message>
+        <source>Where the pictures of the board come from</source>
+        <translation>De dónde vienen las imágenes del tablero</translation>
+    </message>
+    <message>
+        <source>Pictures and videos of the board</source>
+        <translation>Imágenes y videos del tablero</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>Aña&amp;dir…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Files can also be dropped here.</source>
+        <translation>También se pueden soltar archivos aquí.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensWizard</name>
+    <message>
+        <source>Calibrate camera</source>
+        <translation>Calibrar cámara</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>The camera and the board</source>
+        <translation>La cámara y el tablero</translation>
+    </message>
+    <message>
+        <source>Pictures of the board</source>
+        <translation>Imágenes del tablero</translation>
+    </message>
+    <message>
+        <source>The lens</source>
+        <translation>La lente</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LessonBar</name>
+    <message>
+        <source>Ne&amp;xt</source>
+        <translation>Siguie&amp;nte</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the lesson</source>
+        <translation>&amp;Dejar la lección</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lección</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>paso %1 de %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>hecho</translation>
+    </message>
+    <message>
+        <source>&amp;Finish</source>
+        <translation>&amp;Terminar</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>Siguie&amp;nte</translation>
+    </message>
+    <message>
+        <source>&amp;Skip</source>
+        <translation>&amp;Omitir</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveBoard</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>Mapa en planta</translation>
+    </message>
+    <message>
+        <source>How cameras, map and disk do</source>
+        <translation>Estado de las cámaras, el mapa y el disco</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
+    </message>
+    <message>
+        <source>Live picture of %1</source>
+        <translation>Imagen en vivo de %1</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>sin registrar</translation>
+    </message>
+    <message>
+        <source>Opening the camera…</source>
+        <translation>Abriendo la cámara…</translation>
+    </message>
+    <message>
+        <source>live, sent to %1</source>
+        <translation>en vivo, enviado a %1</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>en vivo</translation>
+    </message>
+    <message>
+        <source>Waiting for the first picture…</source>
+        <translation>Esperando la primera imagen…</translation>
+    </message>
+    <message>
+        <source>No picture now</source>
+        <translation>Ahora sin imagen</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 fotogramas/s</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveCameraBox</name>
+    <message>
+        <source>Camera that is connected</source>
+        <translation>Cámara conectada</translation>
+    </message>
+    <message>
+        <source>%1, %2×%3</source>
+        <translation>%1, %2×%3</translation>
+    </message>
+    <message>
+        <source>Looking for cameras…</source>
+        <translation>Buscando cámaras…</translation>
+    </message>
+    <message>
+        <source>No camera is connected</source>
+        <translation>No hay cámaras conectadas</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveMap</name>
+    <message>
+        <source>Map of the floor with the robots as they drive</source>
+        <translation>Mapa del suelo con los robots en movimiento</translation>
+    </message>
+    <message>
+        <source>No camera is registered to the floor, so that no place on it can be told</source>
+        <translation>Ninguna cámara está registrada respecto al suelo, así que no se puede indicar ningún lugar en él</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MainWindow</name>
+    <message>
+        <source>no project is open</source>
+        <translation>no hay ningún proyecto abierto</translation>
+    </message>
+    <message>
+        <source>open the project that it belongs to</source>
+        <translation>abra el proyecto al que pertenece</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
+    </message>
+    <message>
+        <source>Pr&amp;eferences…</source>
+        <translation>&amp;Preferencias…</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>The pages follow when the project is opened again, for a recording goes on.</source>
+        <translation>Las páginas se actualizan al volver a abrir el proyecto, pues hay una grabación en curso.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MapArea</name>
+    <message>
+        <source>0 to %1 apart</source>
+        <translation>separación de 0 a %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkActions</name>
+    <message>
+        <source>&amp;Star</source>
+        <translation>D&amp;estacar</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>&amp;Archivar</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>E&amp;liminar</translation>
+    </message>
+    <message>
+        <source>&amp;Empty the bin…</source>
+        <translation>Vaciar &amp;papelera…</translation>
+    </message>
+    <message>
+        <source>star %1</source>
+        <translation>destacar %1</translation>
+    </message>
+    <message>
+        <source>take the star off %1</source>
+        <translation>quitar la estrella a %1</translation>
+    </message>
+    <message>
+        <source>star %1 trials</source>
+        <translation>destacar %1 ensayos</translation>
+    </message>
+    <message>
+        <source>take the star off %1 trials</source>
+        <translation>quitar la estrella a %1 ensayos</translation>
+    </message>
+    <message>
+        <source>archive %1</source>
+        <translation>archivar %1</translation>
+    </message>
+    <message>
+        <source>take %1 out of the archive</source>
+        <translation>desarchivar %1</translation>
+    </message>
+    <message>
+        <source>archive %1 trials</source>
+        <translation>archivar %1 ensayos</translation>
+    </message>
+    <message>
+        <source>take %1 trials out of the archive</source>
+        <translation>desarchivar %1 ensayos</translation>
+    </message>
+    <message>
+        <source>delete %1</source>
+        <translation>eliminar %1</translation>
+    </message>
+    <message>
+        <source>take %1 out of the bin</source>
+        <translation>sacar %1 de la papelera</translation>
+    </message>
+    <message>
+        <source>delete %1 trials</source>
+        <translation>eliminar %1 ensayos</translation>
+    </message>
+    <message>
+        <source>take %1 trials out of the bin</source>
+        <translation>sacar %1 ensayos de la papelera</translation>
+    </message>
+    <message>
+        <source>Take the &amp;star off</source>
+        <translation>Quitar &amp;estrella</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>Des&amp;archivar</translation>
+    </message>
+    <message>
+        <source>&amp;Put back</source>
+        <translation>Recupera&amp;r</translation>
+    </message>
+    <message>
+        <source>Takes the selected trials out of the bin (Del)</source>
+        <translation>Saca de la papelera los ensayos seleccionados (Supr)</translation>
+    </message>
+    <message>
+        <source>Puts the selected trials into the bin (Del); they can be put back</source>
+        <translation>Lleva a la papelera los ensayos seleccionados (Supr); se pueden recuperar</translation>
+    </message>
+    <message>
+        <source>change the tags of %1</source>
+        <translation>cambiar las etiquetas de %1</translation>
+    </message>
+    <message>
+        <source>Empty the bin</source>
+        <translation>Vaciar la papelera</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n trial(s) for good?</source>
+        <translation>
+            <numerusform>¿Eliminar definitivamente %n ensayo?</numerusform>
+            <numerusform>¿Eliminar definitivamente %n ensayos?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Their videos (%1), measurements and results are removed from the disk. This cannot be undone.</source>
+        <translation>Sus videos (%1), mediciones y resultados se borran del disco. No se puede deshacer.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove for good</source>
+        <translation>&amp;Eliminar definitivamente</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkerCanvas</name>
+    <message>
+        <source>Picture with the markers; arrow keys move the chosen one</source>
+        <translation>Imagen con los marcadores; las flechas mueven el elegido</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkerPage</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marcador</translation>
+    </message>
+    <message>
+        <source>Place, mm</source>
+        <translation>Lugar, mm</translation>
+    </message>
+    <message>
+        <source>Seen as</source>
+        <translation>Visto como</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marcadores</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>encontrado</translation>
+    </message>
+    <message>
+        <source>Choose a marker in the table and click where it is; what lies near the click is taken to the tenth of a pixel.</source>
+        <translation>Elija un marcador en la tabla y haga clic donde esté; lo que haya cerca del clic se localiza hasta la décima de píxel.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>no se ve</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MessageBar</name>
+    <message>
+        <source>Close the message</source>
+        <translation>Cerrar el mensaje</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>Cancelado. No se cambió nada.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MetricModel</name>
+    <message>
+        <source>Figure</source>
+        <translation>Indicador</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ModeBar</name>
+    <message>
+        <source>Modes</source>
+        <translation>Modos</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MovedDialog</name>
+    <message>
+        <source>moved %1</source>
+        <translation>movida %1</translation>
+    </message>
+    <message>
+        <source>marker moved %1</source>
+        <translation>marcador movido %1</translation>
+    </message>
+    <message>
+        <source>has not moved</source>
+        <translation>no se ha movido</translation>
+    </message>
+    <message>
+        <source>&amp;Check</source>
+        <translation>&amp;Comprobar</translation>
+    </message>
+    <message>
+        <source>&amp;Register again…</source>
+        <translation>&amp;Registrar de nuevo…</translation>
+    </message>
+    <message>
+        <source>Check the cameras</source>
+        <translation>Comprobar las cámaras</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>New picture</source>
+        <translation>Imagen nueva</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Registered cameras</source>
+        <translation>Cámaras registradas</translation>
+    </message>
+    <message>
+        <source>A camera that was pushed measures wrongly and nothing shows it. Before the robots run, each camera&apos;s markers are looked for again in a new picture.</source>
+        <translation>Una cámara que recibió un empujón mide mal y nada lo delata. Antes de los recorridos se vuelven a buscar los marcadores de cada cámara en una imagen nueva.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Lo que se encontró</translation>
+    </message>
+    <message>
+        <source>New picture of camera %1</source>
+        <translation>Imagen nueva de la cámara %1</translation>
+    </message>
+    <message>
+        <source>Its newest recording</source>
+        <translation>Su última grabación</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Sin comprobar</translation>
+    </message>
+    <message>
+        <source>A picture or video…</source>
+        <translation>Una imagen o un video…</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>looking…</source>
+        <translation>buscando…</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>sin respuesta</translation>
+    </message>
+    <message>
+        <source>Two markers at least must be seen. Nothing is moved or changed by the check.</source>
+        <translation>Deben verse al menos dos marcadores. La comprobación no mueve ni cambia nada.</translation>
+    </message>
+    <message>
+        <source>&amp;Register %1 again…</source>
+        <translation>&amp;Registrar %1 de nuevo…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::NetworkPage</name>
+    <message>
+        <source>&amp;Send live positions on the network</source>
+        <translation>&amp;Enviar posiciones en vivo por la red</translation>
+    </message>
+    <message>
+        <source>%1: this machine only</source>
+        <translation>%1: solo esta máquina</translation>
+    </message>
+    <message>
+        <source>%1: not there now</source>
+        <translation>%1: ahora no está</translation>
+    </message>
+    <message>
+        <source>The places of the robots that Record follows, as packets of SSL-Vision, for controllers and programs of your own. No name of a team or a robot is in them.</source>
+        <translation>Las posiciones de los robots que sigue Grabar, como paquetes de SSL-Vision, para controladores y programas propios. No contienen nombres de equipos ni de robots.</translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation>&amp;Dirección</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>&amp;Puerto</translation>
+    </message>
+    <message>
+        <source>&amp;Interface</source>
+        <translation>Inter&amp;faz</translation>
+    </message>
+    <message>
+        <source>Nothing is sent.</source>
+        <translation>No se envía nada.</translation>
+    </message>
+    <message>
+        <source>This is no IPv4 address; write it like 224.5.23.2.</source>
+        <translation>No es una dirección IPv4; escríbala como 224.5.23.2.</translation>
+    </message>
+    <message>
+        <source>They go to the one machine that has this address.</source>
+        <translation>Van a la única máquina que tiene esta dirección.</translation>
+    </message>
+    <message>
+        <source>They do not leave this machine.</source>
+        <translation>No salen de esta máquina.</translation>
+    </message>
+    <message>
+        <source>Whoever is on that network can read where the robots are.</source>
+        <translation>Cualquiera que esté en esa red puede leer dónde están los robots.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PathField</name>
+    <message>
+        <source>Browse…</source>
+        <translation>Examinar…</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>Examinar: %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PickColourDialog</name>
+    <message>
+        <source>Robot&apos;s colour from a picture</source>
+        <translation>Color del robot desde una imagen</translation>
+    </message>
+    <message>
+        <source>Another &amp;video…</source>
+        <translation>Otro &amp;video…</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>&amp;Grabación</translation>
+    </message>
+    <message>
+        <source>&amp;Frame</source>
+        <translation>&amp;Fotograma</translation>
+    </message>
+    <message>
+        <source>Choose a video in which the robot is seen.</source>
+        <translation>Elija un video en el que se vea el robot.</translation>
+    </message>
+    <message>
+        <source>Take this colour</source>
+        <translation>Tomar este color</translation>
+    </message>
+    <message>
+        <source>Video in which the robot is seen</source>
+        <translation>Video en el que se ve el robot</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mov *.mkv *.avi *.m4v);;All files (*)</source>
+        <translation>Videos (*.mp4 *.mov *.mkv *.avi *.m4v);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s colour here: %1. It fills %2 % of the box.</source>
+        <translation>El color del robot aquí: %1. Llena el %2 % del recuadro.</translation>
+    </message>
+    <message>
+        <source>Draw a box closely round the robot with the mouse; or with the arrow keys, which move the box, and with Shift make it larger or smaller.</source>
+        <translation>Dibuje con el ratón un recuadro ceñido al robot; o con las flechas, que mueven el recuadro y, con Mayús, lo agrandan o reducen.</translation>
+    </message>
+    <message>
+        <source>%1, camera %2</source>
+        <translation>%1, cámara %2</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureArea</name>
+    <message>
+        <source>No view</source>
+        <translation>Sin vista</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>Esta cámara no estaba grabando en este momento</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureBars</name>
+    <message>
+        <source>Error of each picture, with a threshold</source>
+        <translation>Error de cada imagen, con un umbral</translation>
+    </message>
+    <message>
+        <source>%1: %2 px</source>
+        <translation>%1: %2 px</translation>
+    </message>
+    <message>
+        <source>pictures; above %1 px they do not count</source>
+        <translation>imágenes; por encima de %1 px no cuentan</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureChoice</name>
+    <message>
+        <source>In the camera&apos;s &amp;newest recording</source>
+        <translation>En la última g&amp;rabación de la cámara</translation>
+    </message>
+    <message>
+        <source>In what a &amp;connected camera sees now</source>
+        <translation>En lo que ve ahora una cámara &amp;conectada</translation>
+    </message>
+    <message>
+        <source>In a &amp;picture or video</source>
+        <translation>En una &amp;imagen o un video</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PlannedCameraForm</name>
+    <message>
+        <source>Stands at x</source>
+        <translation>Situada en x</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Stands at y</source>
+        <translation>Situada en y</translation>
+    </message>
+    <message>
+        <source>Height of the camera</source>
+        <translation>Altura de la cámara</translation>
+    </message>
+    <message>
+        <source>Looks at x</source>
+        <translation>Mira a x</translation>
+    </message>
+    <message>
+        <source>Looks at y</source>
+        <translation>Mira a y</translation>
+    </message>
+    <message>
+        <source>Direction in which it looks</source>
+        <translation>Dirección en la que mira</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Campo visual</translation>
+    </message>
+    <message>
+        <source>0° is along X, 90° along Y; turning it turns the point that it looks at about the camera</source>
+        <translation>0° es a lo largo de X, 90° a lo largo de Y; al girarla, el punto al que mira gira alrededor de la cámara</translation>
+    </message>
+    <message>
+        <source>Across the picture&apos;s width: a webcam has some 60° to 80°, a phone 65°</source>
+        <translation>A lo ancho de la imagen: una webcam tiene unos 60° a 80°, un teléfono 65°</translation>
+    </message>
+    <message>
+        <source>Size of its pictures</source>
+        <translation>Tamaño de sus imágenes</translation>
+    </message>
+    <message>
+        <source>&amp;Stands at x, y</source>
+        <translation>&amp;Situada en x, y</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Altura</translation>
+    </message>
+    <message>
+        <source>&amp;Looks at x, y</source>
+        <translation>M&amp;ira a x, y</translation>
+    </message>
+    <message>
+        <source>D&amp;irection</source>
+        <translation>&amp;Dirección</translation>
+    </message>
+    <message>
+        <source>&amp;Field of view</source>
+        <translation>Campo &amp;visual</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Preferencias</translation>
+    </message>
+    <message>
+        <source>Kinds of preferences</source>
+        <translation>Tipos de preferencias</translation>
+    </message>
+    <message>
+        <source>&amp;General</source>
+        <translation>&amp;General</translation>
+    </message>
+    <message>
+        <source>&amp;Reports</source>
+        <translation>&amp;Informes</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>A&amp;tajos</translation>
+    </message>
+    <message>
+        <source>&amp;Network</source>
+        <translation>&amp;Red</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ProfileChart</name>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Aceleración</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Rumbo</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Velocidad de giro</translation>
+    </message>
+    <message>
+        <source>Position X</source>
+        <translation>Posición X</translation>
+    </message>
+    <message>
+        <source>Position Y</source>
+        <translation>Posición Y</translation>
+    </message>
+    <message>
+        <source>Quantity that the chart shows</source>
+        <translation>Magnitud que muestra la gráfica</translation>
+    </message>
+    <message>
+        <source>smoothed ±95 %</source>
+        <translation>suavizada ±95 %</translation>
+    </message>
+    <message>
+        <source>measured points</source>
+        <translation>puntos medidos</translation>
+    </message>
+    <message>
+        <source>1 spike</source>
+        <translation>1 valor atípico</translation>
+    </message>
+    <message>
+        <source>%1 spikes</source>
+        <translation>%1 valores atípicos</translation>
+    </message>
+    <message>
+        <source>along the path</source>
+        <translation>a lo largo de la trayectoria</translation>
+    </message>
+    <message>
+        <source>of the motion, anticlockwise from X</source>
+        <translation>del movimiento, antihorario desde X</translation>
+    </message>
+    <message>
+        <source>anticlockwise positive</source>
+        <translation>antihorario positivo</translation>
+    </message>
+    <message>
+        <source>Chart: %1 against time</source>
+        <translation>Gráfica: %1 según el tiempo</translation>
+    </message>
+    <message>
+        <source>Chart: %1 against the distance</source>
+        <translation>Gráfica: %1 según la distancia</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RangeCard</name>
+    <message>
+        <source>Range</source>
+        <translation>Intervalo</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>A&amp;juste</translation>
+    </message>
+    <message>
+        <source>Figures of the range</source>
+        <translation>Indicadores del intervalo</translation>
+    </message>
+    <message>
+        <source>Robot whose range is shown</source>
+        <translation>Robot cuyo intervalo se muestra</translation>
+    </message>
+    <message>
+        <source>What is fitted to the curve</source>
+        <translation>Lo que se ajusta a la curva</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>constante</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>recta</translation>
+    </message>
+    <message>
+        <source>parabola</source>
+        <translation>parábola</translation>
+    </message>
+    <message>
+        <source>Quantity that is fitted</source>
+        <translation>Magnitud que se ajusta</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RecordPage</name>
+    <message>
+        <source>No camera is connected</source>
+        <translation>No hay cámaras conectadas</translation>
+    </message>
+    <message>
+        <source>Connect a camera, or two, and look again. One that is connected and not found is a case for the set-up doctor.</source>
+        <translation>Conecte una cámara, o dos, y busque otra vez. Una cámara conectada que no aparece es un caso para el diagnóstico.</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Buscar otra vez</translation>
+    </message>
+    <message>
+        <source>Set-up doctor…</source>
+        <translation>Diagnóstico…</translation>
+    </message>
+    <message>
+        <source>Choose &amp;cameras…</source>
+        <translation>Elegir &amp;cámaras…</translation>
+    </message>
+    <message>
+        <source>Cameras…</source>
+        <translation>Cámaras…</translation>
+    </message>
+    <message>
+        <source>Choose which connected device is which camera of the project</source>
+        <translation>Elegir qué dispositivo conectado es cada cámara del proyecto</translation>
+    </message>
+    <message>
+        <source>Set-up &amp;doctor…</source>
+        <translation>&amp;Diagnóstico…</translation>
+    </message>
+    <message>
+        <source>Doctor…</source>
+        <translation>Diagnóstico…</translation>
+    </message>
+    <message>
+        <source>Look for what makes cameras lose pictures, or measure wrongly, with advice</source>
+        <translation>Buscar qué hace que las cámaras pierdan imágenes o midan mal, con consejos</translation>
+    </message>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 está medido.</translation>
+    </message>
+    <message>
+        <source>It is recorded, but could not be measured: %1</source>
+        <translation>Está grabado, pero no se pudo medir: %1</translation>
+    </message>
+    <message>
+        <source>%1 is recorded.</source>
+        <translation>%1 está grabado.</translation>
+    </message>
+    <message>
+        <source>It could not be recorded: %1</source>
+        <translation>No se pudo grabar: %1</translation>
+    </message>
+    <message>
+        <source>Give the trial a name</source>
+        <translation>Dé un nombre al ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RegistrationVerdict</name>
+    <message>
+        <source>Where the camera stands</source>
+        <translation>Dónde está la cámara</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>It stands at x %1 m, y %2 m, %3 m above the floor.</source>
+        <translation>Está en x %1 m, y %2 m, a %3 m sobre el suelo.</translation>
+    </message>
+    <message>
+        <source>The registration was not stored. %1</source>
+        <translation>El registro no se guardó. %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportActions</name>
+    <message>
+        <source>The trial %1</source>
+        <translation>El ensayo %1</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Informe…</translation>
+    </message>
+    <message>
+        <source>The comparison of %1 and %2</source>
+        <translation>La comparación de %1 y %2</translation>
+    </message>
+    <message>
+        <source>A class</source>
+        <translation>Una clase</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s), a page each</source>
+        <translation>
+            <numerusform>%n ensayo, una página cada uno</numerusform>
+            <numerusform>%n ensayos, una página cada uno</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Ensayos</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>informe</translation>
+    </message>
+    <message>
+        <source>there is no trial yet</source>
+        <translation>aún no hay ningún ensayo</translation>
+    </message>
+    <message>
+        <source>import or record one first</source>
+        <translation>importe o grabe uno primero</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Guardar el informe</translation>
+    </message>
+    <message>
+        <source>PDF files (*.pdf)</source>
+        <translation>Archivos PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>El informe está en %1.</translation>
+    </message>
+    <message>
+        <source>The report is with the printer %1.</source>
+        <translation>El informe está en la impresora %1.</translation>
+    </message>
+    <message>
+        <source>Making the report</source>
+        <translation>Creando el informe</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportDialog</name>
+    <message>
+        <source>A page for each &amp;team</source>
+        <translation>Una página por &amp;equipo</translation>
+    </message>
+    <message>
+        <source>A second page with the &amp;method</source>
+        <translation>Segunda página con el &amp;método</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>&amp;Guardar como PDF…</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Imprimir…</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>&amp;Clase</translation>
+    </message>
+    <message>
+        <source>&amp;Task</source>
+        <translation>&amp;Tarea</translation>
+    </message>
+    <message>
+        <source>The usual one</source>
+        <translation>La habitual</translation>
+    </message>
+    <message>
+        <source>&amp;Figure</source>
+        <translation>I&amp;ndicador</translation>
+    </message>
+    <message>
+        <source>What tells most</source>
+        <translation>El más revelador</translation>
+    </message>
+    <message>
+        <source>Report &amp;of</source>
+        <translation>Informe &amp;de</translation>
+    </message>
+    <message>
+        <source>P&amp;aper</source>
+        <translation>&amp;Papel</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Carta</translation>
+    </message>
+    <message>
+        <source>School, &amp;logo and wording…</source>
+        <translation>Escuela, &amp;logotipo y textos…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>There is nothing to print yet.</source>
+        <translation>Aún no hay nada que imprimir.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation>
+            <numerusform>%n página</numerusform>
+            <numerusform>%n páginas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The first %n page(s); the file has all of them.</source>
+        <translation>
+            <numerusform>La primera página; el archivo las tiene todas.</numerusform>
+            <numerusform>Las primeras %n páginas; el archivo las tiene todas.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportPreview</name>
+    <message>
+        <source>Preview of the pages</source>
+        <translation>Vista previa de las páginas</translation>
+    </message>
+    <message>
+        <source>The pages are being painted…</source>
+        <translation>Dibujando las páginas…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation>
+            <numerusform>%n página</numerusform>
+            <numerusform>%n páginas</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportsPage</name>
+    <message>
+        <source>&amp;School</source>
+        <translation>E&amp;scuela</translation>
+    </message>
+    <message>
+        <source>stands at the head of each page</source>
+        <translation>aparece en la cabecera de cada página</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logotipo</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
+        <translation>Imágenes (*.png *.jpg *.jpeg *.svg)</translation>
+    </message>
+    <message>
+        <source>&amp;Logo</source>
+        <translation>&amp;Logotipo</translation>
+    </message>
+    <message>
+        <source>How the logo looks</source>
+        <translation>Cómo se ve el logotipo</translation>
+    </message>
+    <message>
+        <source>&amp;At the foot</source>
+        <translation>Al &amp;pie</translation>
+    </message>
+    <message>
+        <source>for example: who answers questions</source>
+        <translation>por ejemplo: quién responde preguntas</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReprocessDialog</name>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>Volver a &amp;medir</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Conservar</translation>
+    </message>
+    <message>
+        <source>Measure trials again</source>
+        <translation>Volver a medir ensayos</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Indicador</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Después</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambio</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>Lo que cambia</translation>
+    </message>
+    <message>
+        <source>What changes, in words</source>
+        <translation>Lo que cambia, en palabras</translation>
+    </message>
+    <message>
+        <source>What was seen in the videos stays as it is; where it lies on the floor is computed with the registrations in force now. Look at what changes, then keep it or not: the older analysis stays in the project too.</source>
+        <translation>Lo que se vio en los videos queda como está; su lugar en el suelo se calcula con los registros vigentes ahora. Vea lo que cambia y después consérvelo o no: el análisis anterior también queda en el proyecto.</translation>
+    </message>
+    <message>
+        <source>&amp;Trial</source>
+        <translation>&amp;Ensayo</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>%1 (measured with an older registration)</source>
+        <translation>%1 (medido con un registro anterior)</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Midiendo…</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Kept: the new analysis of %1 is the current one.</source>
+        <translation>Conservado: el nuevo análisis de %1 es el actual.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultPanel</name>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Robot whose result is shown</source>
+        <translation>Robot cuyo resultado se muestra</translation>
+    </message>
+    <message>
+        <source>robot “%1”</source>
+        <translation>robot “%1”</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReviewColumn</name>
+    <message>
+        <source>Trial</source>
+        <translation>Ensayo</translation>
+    </message>
+    <message>
+        <source>Facts of the trial</source>
+        <translation>Datos del ensayo</translation>
+    </message>
+    <message>
+        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and works out where it was and how fast.</source>
+        <translation>Este ensayo aún no se ha rastreado. El rastreo sigue al robot a través de los videos y calcula dónde estuvo y a qué velocidad.</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>Rastrear…</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReviewPage</name>
+    <message>
+        <source>No trials yet</source>
+        <translation>Aún no hay ensayos</translation>
+    </message>
+    <message>
+        <source>A trial is one run of a robot. Bring in the videos that your cameras took of it, and it will be shown here.</source>
+        <translation>Un ensayo es un recorrido de un robot. Importe los videos que sus cámaras tomaron de él y se mostrará aquí.</translation>
+    </message>
+    <message>
+        <source>Import trial from videos…</source>
+        <translation>Importar ensayo de videos…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RevisionPicture</name>
+    <message>
+        <source>Picture that it was made from</source>
+        <translation>Imagen a partir de la cual se hizo</translation>
+    </message>
+    <message>
+        <source>Reading the picture…</source>
+        <translation>Leyendo la imagen…</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read.</source>
+        <translation>La imagen no se puede leer.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RevisionsDialog</name>
+    <message>
+        <source>&amp;Use this one</source>
+        <translation>&amp;Usar esta</translation>
+    </message>
+    <message>
+        <source>&amp;Register with this lens</source>
+        <translation>&amp;Registrar con esta lente</translation>
+    </message>
+    <message>
+        <source>&amp;Measure trials again…</source>
+        <translation>&amp;Volver a medir ensayos…</translation>
+    </message>
+    <message>
+        <source>Calibrations and registrations</source>
+        <translation>Calibraciones y registros</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Hecho</translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Origen</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Ensayos</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>Vigente</translation>
+    </message>
+    <message>
+        <source>Revisions</source>
+        <translation>Revisiones</translation>
+    </message>
+    <message>
+        <source>Puts the chosen revision in force for what is measured from now on; trials keep theirs</source>
+        <translation>Pone en vigor la revisión elegida para lo que se mida desde ahora; los ensayos conservan la suya</translation>
+    </message>
+    <message>
+        <source>Computes the registration in force anew from the same markers, with the lens in force</source>
+        <translation>Calcula de nuevo el registro vigente con los mismos marcadores y la lente vigente</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>Cá&amp;mara</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>The camera is neither calibrated nor registered yet.</source>
+        <translation>La cámara aún no está calibrada ni registrada.</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Calibration %1</source>
+        <translation>Calibración %1</translation>
+    </message>
+    <message>
+        <source>Registration %1</source>
+        <translation>Registro %1</translation>
+    </message>
+    <message>
+        <source>in force</source>
+        <translation>vigente</translation>
+    </message>
+    <message>
+        <source>No trial was measured with it.</source>
+        <translation>Ningún ensayo se midió con ella.</translation>
+    </message>
+    <message>
+        <source>Trials measured with it: %1.</source>
+        <translation>Ensayos medidos con ella: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is in force. The registrations keep the lens that they were made with: register the camera with this one.</source>
+        <translation>Vigente ahora: %1. Los registros conservan la lente con la que se hicieron: registre la cámara con esta.</translation>
+    </message>
+    <message>
+        <source>%1 is in force. Trials keep theirs until they are measured again.</source>
+        <translation>Vigente ahora: %1. Los ensayos conservan la suya hasta que se vuelvan a medir.</translation>
+    </message>
+    <message>
+        <source>Registration %1 is in force: the same markers, with this lens. %2</source>
+        <translation>El registro %1 está vigente: los mismos marcadores, con esta lente. %2</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RobotDialog</name>
+    <message>
+        <source>Add robot</source>
+        <translation>Añadir robot</translation>
+    </message>
+    <message>
+        <source>Found from the views</source>
+        <translation>Hallada con las vistas</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Medida</translation>
+    </message>
+    <message>
+        <source>Changes while it runs (ramp)</source>
+        <translation>Cambia durante el recorrido (rampa)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Height of the robot&apos;s top</source>
+        <translation>Altura de la cara superior del robot</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nombre</translation>
+    </message>
+    <message>
+        <source>From a &amp;picture…</source>
+        <translation>De una &amp;imagen…</translation>
+    </message>
+    <message>
+        <source>&amp;Colour of its top</source>
+        <translation>&amp;Color de la cara superior</translation>
+    </message>
+    <message>
+        <source>In charts and maps; it is tracked by the colour of its top</source>
+        <translation>En gráficas y mapas; se rastrea por el color de su cara superior</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn in</source>
+        <translation>&amp;Dibujado en</translation>
+    </message>
+    <message>
+        <source>&amp;Height of its top</source>
+        <translation>&amp;Altura superior</translation>
+    </message>
+    <message>
+        <source>Colour of the robot&apos;s top</source>
+        <translation>Color de la cara superior del robot</translation>
+    </message>
+    <message>
+        <source>Change robot</source>
+        <translation>Cambiar robot</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RobotsDialog</name>
+    <message>
+        <source>found from the views</source>
+        <translation>hallada con las vistas</translation>
+    </message>
+    <message>
+        <source>changes while it runs</source>
+        <translation>cambia durante el recorrido</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Añadir…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit…</source>
+        <translation>&amp;Editar…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>E&amp;liminar</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Robots</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Colour of its top</source>
+        <translation>Color superior</translation>
+    </message>
+    <message>
+        <source>Drawn in</source>
+        <translation>Dibujado en</translation>
+    </message>
+    <message>
+        <source>Height of its top</source>
+        <translation>Altura superior</translation>
+    </message>
+    <message>
+        <source>Length × width</source>
+        <translation>Largo × ancho</translation>
+    </message>
+    <message>
+        <source>Another colour or height counts from the next tracking on; what was measured before stays as it is.</source>
+        <translation>Otro color u otra altura cuentan desde el próximo rastreo; lo medido antes queda como está.</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Lo que se hizo</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>add robot %1</source>
+        <translation>añadir el robot %1</translation>
+    </message>
+    <message>
+        <source>change robot %1</source>
+        <translation>cambiar el robot %1</translation>
+    </message>
+    <message>
+        <source>delete robot %1</source>
+        <translation>eliminar el robot %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunCard</name>
+    <message>
+        <source>Up now</source>
+        <translation>En turno</translation>
+    </message>
+    <message>
+        <source>Robots that drive</source>
+        <translation>Robots en movimiento</translation>
+    </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>&amp;Clase</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>Equi&amp;po</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>&amp;Tarea</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>R&amp;obots</translation>
+    </message>
+    <message>
+        <source>Trial &amp;name</source>
+        <translation>&amp;Nombre del ensayo</translation>
+    </message>
+    <message>
+        <source>Be&amp;gins</source>
+        <translation>&amp;Inicio</translation>
+    </message>
+    <message>
+        <source>&amp;Laps</source>
+        <translation>V&amp;ueltas</translation>
+    </message>
+    <message>
+        <source>Laps until it ends</source>
+        <translation>Vueltas hasta que termina</translation>
+    </message>
+    <message>
+        <source>Team that is up</source>
+        <translation>Equipo en turno</translation>
+    </message>
+    <message>
+        <source>How the recording begins</source>
+        <translation>Cómo empieza la grabación</translation>
+    </message>
+    <message>
+        <source>no class</source>
+        <translation>sin clase</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>no team</source>
+        <translation>sin equipo</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>al momento</translation>
+    </message>
+    <message>
+        <source>after a countdown of %1 s</source>
+        <translation>tras una cuenta regresiva de %1 s</translation>
+    </message>
+    <message>
+        <source>when the robot passes the start</source>
+        <translation>cuando el robot pasa la salida</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunChooser</name>
+    <message>
+        <source>start gate</source>
+        <translation>puerta de salida</translation>
+    </message>
+    <message>
+        <source>onset of motion</source>
+        <translation>inicio del movimiento</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>distancia</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>a mano</translation>
+    </message>
+    <message>
+        <source>First run</source>
+        <translation>Primer recorrido</translation>
+    </message>
+    <message>
+        <source>Second run</source>
+        <translation>Segundo recorrido</translation>
+    </message>
+    <message>
+        <source>The moment that counts as the same</source>
+        <translation>El instante que cuenta como el mismo</translation>
+    </message>
+    <message>
+        <source>Swap the two runs</source>
+        <translation>Intercambiar los dos recorridos</translation>
+    </message>
+    <message>
+        <source>Further runs</source>
+        <translation>Más recorridos</translation>
+    </message>
+    <message>
+        <source>&amp;Shift</source>
+        <translation>&amp;Desfase</translation>
+    </message>
+    <message>
+        <source>Pla&amp;ce</source>
+        <translation>&amp;Lugar</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>How much later the second run&apos;s moment lies</source>
+        <translation>Cuánto más tarde está el instante del segundo recorrido</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>where all have begun</source>
+        <translation>donde todos han empezado</translation>
+    </message>
+    <message>
+        <source>How far along the way the runs are taken to be at the same time</source>
+        <translation>En qué punto del camino se considera que los recorridos están en el mismo instante</translation>
+    </message>
+    <message>
+        <source>F&amp;irst</source>
+        <translation>&amp;Primero</translation>
+    </message>
+    <message>
+        <source>Seco&amp;nd</source>
+        <translation>Se&amp;gundo</translation>
+    </message>
+    <message>
+        <source>&amp;Align by</source>
+        <translation>Al&amp;inear por</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automático: %1</translation>
+    </message>
+    <message>
+        <source>There are no further runs</source>
+        <translation>No hay más recorridos</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunResultCard</name>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>&amp;Open in Review</source>
+        <translation>A&amp;brir en Revisar</translation>
+    </message>
+    <message>
+        <source>The figures of a run stand here a moment after it has ended.</source>
+        <translation>Los indicadores de un recorrido aparecen aquí un momento después de que termina.</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Midiendo…</translation>
+    </message>
+    <message>
+        <source>Spikes flagged</source>
+        <translation>Atípicos señalados</translation>
+    </message>
+    <message>
+        <source>From live tracking. The final figures come from the recording, in a moment.</source>
+        <translation>Del rastreo en vivo. Los indicadores definitivos vienen de la grabación, en un momento.</translation>
+    </message>
+    <message>
+        <source>Final, from every picture of the recording.</source>
+        <translation>Definitivos, de todas las imágenes de la grabación.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ScoringTable</name>
+    <message>
+        <source>Remo&amp;ve line</source>
+        <translation>&amp;Quitar línea</translation>
+    </message>
+    <message>
+        <source>Each line gives all of its points where the figure is at the one bound or better, none at the other or worse, and evenly between them. Points below zero are a penalty.</source>
+        <translation>Cada línea da todos sus puntos si el indicador está en un límite o mejor, ninguno si está en el otro o peor, y en proporción entre ambos. Los puntos por debajo de cero son una penalización.</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Indicador</translation>
+    </message>
+    <message>
+        <source>All points at</source>
+        <translation>Todos con</translation>
+    </message>
+    <message>
+        <source>None at</source>
+        <translation>Ninguno con</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Lines of the scoring</source>
+        <translation>Líneas de la puntuación</translation>
+    </message>
+    <message>
+        <source>What the lines mean</source>
+        <translation>Qué significan las líneas</translation>
+    </message>
+    <message>
+        <source>&amp;Add line</source>
+        <translation>Añadi&amp;r línea</translation>
+    </message>
+    <message>
+        <source>Figure that counts</source>
+        <translation>Indicador que cuenta</translation>
+    </message>
+    <message>
+        <source>Without a line, runs of the task are not scored.</source>
+        <translation>Sin ninguna línea, los recorridos de la tarea no se puntúan.</translation>
+    </message>
+    <message>
+        <source>In all %1 points.</source>
+        <translation>En total, %1 puntos.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SeriesKey</name>
+    <message>
+        <source>Key to the lines</source>
+        <translation>Leyenda de las líneas</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SharedPointsPage</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>Picture of the camera to register; arrow keys move the chosen point</source>
+        <translation>Imagen de la cámara por registrar; las flechas mueven el punto elegido</translation>
+    </message>
+    <message>
+        <source>Picture of the registered camera; arrow keys move the chosen point</source>
+        <translation>Imagen de la cámara registrada; las flechas mueven el punto elegido</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>Seen in</source>
+        <translation>Visto en</translation>
+    </message>
+    <message>
+        <source>On the floor, mm</source>
+        <translation>En el suelo, mm</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>Points of the floor</source>
+        <translation>Puntos del suelo</translation>
+    </message>
+    <message>
+        <source>Camera %1, to be registered</source>
+        <translation>Cámara %1, por registrar</translation>
+    </message>
+    <message>
+        <source>Camera %1, registered</source>
+        <translation>Cámara %1, registrada</translation>
+    </message>
+    <message>
+        <source>P%1</source>
+        <comment>a point</comment>
+        <translation>P%1</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
+    <message>
+        <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
+        <translation>Haga clic en un punto del suelo en la imagen izquierda y después en el mismo en la derecha. Lo que haya cerca del clic se localiza hasta la décima de píxel; las flechas mueven el punto elegido, Espacio lo ajusta.</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>beyond the horizon</source>
+        <translation>más allá del horizonte</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>both pictures</source>
+        <translation>ambas imágenes</translation>
+    </message>
+    <message>
+        <source>left only</source>
+        <translation>solo izquierda</translation>
+    </message>
+    <message>
+        <source>right only</source>
+        <translation>solo derecha</translation>
+    </message>
+    <message>
+        <source>not put yet</source>
+        <translation>aún sin colocar</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeActions</name>
+    <message>
+        <source>&amp;Use sample</source>
+        <translation>&amp;Usar muestra</translation>
+    </message>
+    <message>
+        <source>What was measured at this moment is right and is to be used, whatever speaks against it</source>
+        <translation>Lo medido en este instante es correcto y debe usarse, aunque haya indicios en contra</translation>
+    </message>
+    <message>
+        <source>Mark as &amp;spike</source>
+        <translation>&amp;Marcar como atípico</translation>
+    </message>
+    <message>
+        <source>What was measured at this moment is wrong and is not to be used</source>
+        <translation>Lo medido en este instante es erróneo y no debe usarse</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automático</translation>
+    </message>
+    <message>
+        <source>Takes back what was said by hand at this moment</source>
+        <translation>Revierte lo que se indicó a mano en este instante</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeList</name>
+    <message>
+        <source>Spikes</source>
+        <translation>Valores atípicos</translation>
+    </message>
+    <message>
+        <source>Spikes with time and reason</source>
+        <translation>Valores atípicos con tiempo y motivo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeModel</name>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>%1 flagged</source>
+        <translation>%1 señalados</translation>
+    </message>
+    <message>
+        <source>%1 restored</source>
+        <translation>%1 restaurados</translation>
+    </message>
+    <message>
+        <source>used, by hand</source>
+        <translation>usada, a mano</translation>
+    </message>
+    <message>
+        <source>%1 (restored by hand)</source>
+        <translation>%1 (restaurado a mano)</translation>
+    </message>
+    <message>
+        <source>Restored by hand</source>
+        <translation>Restaurado a mano</translation>
+    </message>
+    <message>
+        <source>Flagged, not used for the curve</source>
+        <translation>Señalado, no se usa para la curva</translation>
+    </message>
+    <message>
+        <source>Flagged, still used for the curve</source>
+        <translation>Señalado, aún se usa para la curva</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Motivo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StandingsModel</name>
+    <message>
+        <source>choose a task</source>
+        <translation>elija una tarea</translation>
+    </message>
+    <message>
+        <source>three trials at different times tell</source>
+        <translation>se sabe con tres ensayos en momentos distintos</translation>
+    </message>
+    <message>
+        <source>within the spread (%1)</source>
+        <translation>dentro de la dispersión (%1)</translation>
+    </message>
+    <message>
+        <source>better: %1</source>
+        <translation>mejor: %1</translation>
+    </message>
+    <message>
+        <source>worse: %1</source>
+        <translation>peor: %1</translation>
+    </message>
+    <message>
+        <source>one trial</source>
+        <translation>un ensayo</translation>
+    </message>
+    <message>
+        <source>One more than the teams that are better beyond doubt: their medians differ by more than 1.96 σ. Runs of different tasks are not ranked</source>
+        <translation>Uno más que los equipos mejores sin lugar a dudas: sus medianas difieren más de 1.96 σ. Los recorridos de tareas distintas no se clasifican</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Puesto</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Ensayos</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Mejor</translation>
+    </message>
+    <message>
+        <source>± from the spread of all teams&apos; trials</source>
+        <translation>± según la dispersión de los ensayos de todos los equipos</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>Repeatability: standard deviation of one trial about the line of progress</source>
+        <translation>Repetibilidad: desviación estándar de un ensayo respecto a la recta de progreso</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Dispersión</translation>
+    </message>
+    <message>
+        <source>Change through the term by a straight line; beyond the spread by Student&apos;s test, 95 %</source>
+        <translation>Cambio a lo largo del periodo según una recta; más allá de la dispersión según la prueba t de Student, 95 %</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StartCard</name>
+    <message>
+        <source>Recording</source>
+        <translation>Grabación</translation>
+    </message>
+    <message>
+        <source>&amp;Record or stop</source>
+        <translation>&amp;Grabar o detener</translation>
+    </message>
+    <message>
+        <source>Time recorded</source>
+        <translation>Tiempo grabado</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Grabar</translation>
+    </message>
+    <message>
+        <source>Writing the last pictures…</source>
+        <translation>Escribiendo las últimas imágenes…</translation>
+    </message>
+    <message>
+        <source>F9 records, F9 stops</source>
+        <translation>F9 graba, F9 detiene</translation>
+    </message>
+    <message>
+        <source>F9 records, F9 stops; %1</source>
+        <translation>F9 graba, F9 detiene; %1</translation>
+    </message>
+    <message>
+        <source>Call off</source>
+        <translation>Anular</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>en %1</translation>
+    </message>
+    <message>
+        <source>Get ready</source>
+        <translation>Prepárese</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”; it is recorded from a second before</source>
+        <translation>Esperando al robot en “%1”; se graba desde un segundo antes</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StatusLine</name>
+    <message>
+        <source>No trial</source>
+        <translation>Sin ensayo</translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>Aún sin rastrear</translation>
+    </message>
+    <message>
+        <source>Analysis %1, Odograph %2</source>
+        <translation>Análisis %1, Odograph %2</translation>
+    </message>
+    <message>
+        <source>Units of lengths, speeds and times; to be chosen in the preferences</source>
+        <translation>Unidades de longitudes, velocidades y tiempos; se eligen en las preferencias</translation>
+    </message>
+    <message>
+        <source>No project is open</source>
+        <translation>No hay ningún proyecto abierto</translation>
+    </message>
+    <message>
+        <source>Read only: nothing can be changed</source>
+        <translation>Solo lectura: no se puede cambiar nada</translation>
+    </message>
+    <message>
+        <source>All changes saved</source>
+        <translation>Todos los cambios guardados</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StepDialog</name>
+    <message>
+        <source>&lt; &amp;Back</source>
+        <translation>&lt; &amp;Atrás</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>paso %1 de %2</translation>
+    </message>
+    <message>
+        <source>&amp;Next &gt;</source>
+        <translation>&amp;Siguiente &gt;</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TargetDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Inner corners along the board</source>
+        <translation>Esquinas interiores a lo largo del tablero</translation>
+    </message>
+    <message>
+        <source>Inner corners across the board</source>
+        <translation>Esquinas interiores a lo ancho del tablero</translation>
+    </message>
+    <message>
+        <source>Print targets</source>
+        <translation>Imprimir patrones</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>&amp;Guardar como PDF…</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Imprimir…</translation>
+    </message>
+    <message>
+        <source>Checkerboard</source>
+        <translation>Tablero de ajedrez</translation>
+    </message>
+    <message>
+        <source>ChArUco board</source>
+        <translation>Tablero ChArUco</translation>
+    </message>
+    <message>
+        <source>Floor markers: tags</source>
+        <translation>Marcadores de suelo: AprilTags</translation>
+    </message>
+    <message>
+        <source>Floor markers: rings</source>
+        <translation>Marcadores de suelo: anillos</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Carta</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>&amp;Target</source>
+        <translation>&amp;Patrón</translation>
+    </message>
+    <message>
+        <source>Pape&amp;r</source>
+        <translation>Pape&amp;l</translation>
+    </message>
+    <message>
+        <source>&amp;Inner corners</source>
+        <translation>Esqui&amp;nas interiores</translation>
+    </message>
+    <message>
+        <source>S&amp;quare</source>
+        <translation>&amp;Casilla</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Tamaño</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>&amp;Rótulos</translation>
+    </message>
+    <message>
+        <source>What is printed</source>
+        <translation>Lo que se imprime</translation>
+    </message>
+    <message>
+        <source>One sheet. Afterwards measure a square on the paper: printers often shrink by 2 to 4 %.</source>
+        <translation>Una hoja. Después mida una casilla en el papel: las impresoras suelen reducir de un 2 a un 4 %.</translation>
+    </message>
+    <message>
+        <source>One sheet for each marker. A tag&apos;s number is the place of its label in the layout.</source>
+        <translation>Una hoja por marcador. El número de un AprilTag es la posición de su rótulo en el plano.</translation>
+    </message>
+    <message>
+        <source>Save targets</source>
+        <translation>Guardar patrones</translation>
+    </message>
+    <message>
+        <source>targets.pdf</source>
+        <translation>patrones.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Guardado como %1.</translation>
+    </message>
+    <message>
+        <source>Sent to the printer.</source>
+        <translation>Enviado a la impresora.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TargetPreview</name>
+    <message>
+        <source>Preview of the sheets</source>
+        <translation>Vista previa de las hojas</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TaskCanvas</name>
+    <message>
+        <source>The task from above</source>
+        <translation>La tarea vista desde arriba</translation>
+    </message>
+    <message>
+        <source>Drag a gate or one of its ends, a zone&apos;s edge or corner. Keys: Page Up and Down choose a gate or a zone, arrows move it (Shift: 100 mm, Ctrl: 1 mm), &lt; and &gt; turn it, + and − change its width</source>
+        <translation>Arrastre una puerta o uno de sus extremos, el borde o la esquina de una zona. Teclas: Re Pág y Av Pág eligen una puerta o una zona, las flechas la mueven (Mayús: 100 mm, Ctrl: 1 mm), &lt; y &gt; la giran, + y − cambian su ancho</translation>
+    </message>
+    <message>
+        <source>Zone %1, %2: %3 mm</source>
+        <translation>Zona %1, %2: %3 mm</translation>
+    </message>
+    <message>
+        <source>No gate or zone is chosen</source>
+        <translation>No hay ninguna puerta ni zona elegida</translation>
+    </message>
+    <message>
+        <source>Gate %1 from %2, %3 to %4, %5</source>
+        <translation>Puerta %1 de %2, %3 a %4, %5</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TaskEditor</name>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>&amp;Course</source>
+        <translation>&amp;Circuito</translation>
+    </message>
+    <message>
+        <source>&amp;Zones</source>
+        <translation>&amp;Zonas</translation>
+    </message>
+    <message>
+        <source>Sco&amp;ring</source>
+        <translation>&amp;Puntuación</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Qué está mal</translation>
+    </message>
+    <message>
+        <source>Import &amp;file…</source>
+        <translation>Importar arc&amp;hivo…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Take gates, path, limits and zones from a task file (JSON)</source>
+        <translation>Tomar puertas, trayectoria, límites y zonas de un archivo de tarea (JSON)</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nombre</translation>
+    </message>
+    <message>
+        <source>Speed limi&amp;t</source>
+        <translation>Límite de &amp;velocidad</translation>
+    </message>
+    <message>
+        <source>Acceleration l&amp;imit</source>
+        <translation>Límite de ac&amp;eleración</translation>
+    </message>
+    <message>
+        <source>What no robot in the task can do: a measurement beyond it is a spike</source>
+        <translation>Lo que ningún robot puede hacer en la tarea: una medición que lo supere es un valor atípico</translation>
+    </message>
+    <message>
+        <source>Task file</source>
+        <translation>Archivo de tarea</translation>
+    </message>
+    <message>
+        <source>Tasks (*.json *.yaml *.yml);;All files (*)</source>
+        <translation>Tareas (*.json *.yaml *.yml);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>The task has no name.</source>
+        <translation>La tarea no tiene nombre.</translation>
+    </message>
+    <message>
+        <source>There is a task of that name. Give another name.</source>
+        <translation>Ya hay una tarea con ese nombre. Indique otro nombre.</translation>
+    </message>
+    <message>
+        <source>A gate has no name.</source>
+        <translation>Hay una puerta sin nombre.</translation>
+    </message>
+    <message>
+        <source>A zone has no name.</source>
+        <translation>Hay una zona sin nombre.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TasksDialog</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Nueva</translation>
+    </message>
+    <message>
+        <source>&amp;Edit…</source>
+        <translation>&amp;Editar…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy…</source>
+        <translation>&amp;Copiar…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Renombrar…</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>&amp;Archivar</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>E&amp;liminar</translation>
+    </message>
+    <message>
+        <source>&amp;Measure them again</source>
+        <translation>&amp;Volver a medirlos</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tareas</translation>
+    </message>
+    <message>
+        <source>What depends on the task</source>
+        <translation>Lo que depende de la tarea</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Lo que se hizo</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Plantilla</translation>
+    </message>
+    <message>
+        <source>Used by</source>
+        <translation>Usada por</translation>
+    </message>
+    <message>
+        <source>An archived task is not offered any more; its trials, results and scores stay as they are</source>
+        <translation>Una tarea archivada ya no se ofrece; sus ensayos, resultados y puntuaciones quedan como están</translation>
+    </message>
+    <message numerus="yes">
+        <source>Show %n archived task(s)</source>
+        <translation>
+            <numerusform>Mostrar %n tarea archivada</numerusform>
+            <numerusform>Mostrar %n tareas archivadas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n ensayo</numerusform>
+            <numerusform>%n ensayos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>earlier results</source>
+        <translation>resultados anteriores</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nada</translation>
+    </message>
+    <message>
+        <source>%1, archived</source>
+        <translation>%1, archivada</translation>
+    </message>
+    <message>
+        <source>No task yet. New makes one from a template: its gates, path and scoring say what is to be driven, and how well it was.</source>
+        <translation>Aún no hay tareas. Nueva crea una a partir de una plantilla: sus puertas, trayectoria y puntuación dicen qué hay que recorrer y lo bien que se hizo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The course as it was before it was changed: %n result(s) measured by it keep it.</source>
+        <translation>
+            <numerusform>El circuito tal como era antes de cambiarlo: lo conserva %n resultado medido con él.</numerusform>
+            <numerusform>El circuito tal como era antes de cambiarlo: lo conservan %n resultados medidos con él.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) have this task.</source>
+        <translation>
+            <numerusform>%n ensayo tiene esta tarea.</numerusform>
+            <numerusform>%n ensayos tienen esta tarea.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No trial has this task.</source>
+        <translation>Ningún ensayo tiene esta tarea.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</source>
+        <translation>
+            <numerusform>%n de ellos se midió con otro circuito: los tiempos en las puertas y las distancias a la trayectoria son de aquel, y no hay puntuación hasta que se vuelva a medir.</numerusform>
+            <numerusform>%n de ellos se midieron con otro circuito: los tiempos en las puertas y las distancias a la trayectoria son de aquel, y no hay puntuación hasta que se vuelvan a medir.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It is scored by %n figure(s).</source>
+        <translation>
+            <numerusform>Se puntúa con %n indicador.</numerusform>
+            <numerusform>Se puntúa con %n indicadores.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is not scored.</source>
+        <translation>No se puntúa.</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>Des&amp;archivar</translation>
+    </message>
+    <message>
+        <source>Trials have this task, or were measured by it: it stays, so that their figures say what they were measured by</source>
+        <translation>Hay ensayos con esta tarea o medidos con ella: se conserva, para que sus indicadores digan con qué se midieron</translation>
+    </message>
+    <message>
+        <source>Deletes the task (Del); Ctrl+Z takes it back</source>
+        <translation>Elimina la tarea (Supr); Ctrl+Z la recupera</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</source>
+        <translation>
+            <numerusform>%n resultado medido con este circuito sigue siendo válido: si el circuito se cambia, se conserva para él como versión anterior. Los ensayos pasan al nuevo; sus tiempos y puntuaciones llegan cuando se vuelven a medir.</numerusform>
+            <numerusform>%n resultados medidos con este circuito siguen siendo válidos: si el circuito se cambia, se conserva para ellos como versión anterior. Los ensayos pasan al nuevo; sus tiempos y puntuaciones llegan cuando se vuelven a medir.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>add task %1</source>
+        <translation>añadir la tarea %1</translation>
+    </message>
+    <message>
+        <source>change task %1</source>
+        <translation>cambiar la tarea %1</translation>
+    </message>
+    <message>
+        <source>Rename task</source>
+        <translation>Renombrar tarea</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nombre:</translation>
+    </message>
+    <message>
+        <source>rename task %1 to %2</source>
+        <translation>renombrar la tarea %1 como %2</translation>
+    </message>
+    <message>
+        <source>archive task %1</source>
+        <translation>archivar la tarea %1</translation>
+    </message>
+    <message>
+        <source>take task %1 out of the archive</source>
+        <translation>desarchivar la tarea %1</translation>
+    </message>
+    <message>
+        <source>delete task %1</source>
+        <translation>eliminar la tarea %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TeamDialog</name>
+    <message>
+        <source>Robots of the team</source>
+        <translation>Robots del equipo</translation>
+    </message>
+    <message>
+        <source>Team %1</source>
+        <translation>Equipo %1</translation>
+    </message>
+    <message>
+        <source>A name on each line</source>
+        <translation>Un nombre en cada línea</translation>
+    </message>
+    <message>
+        <source>Members of the team, one on each line</source>
+        <translation>Miembros del equipo, uno en cada línea</translation>
+    </message>
+    <message>
+        <source>Record and importing propose these robots for the team&apos;s runs</source>
+        <translation>Grabar y la importación proponen estos robots para los recorridos del equipo</translation>
+    </message>
+    <message>
+        <source>&amp;Members</source>
+        <translation>&amp;Miembros</translation>
+    </message>
+    <message>
+        <source>&amp;Robots</source>
+        <translation>&amp;Robots</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n member(s)</source>
+        <translation>
+            <numerusform>%n miembro</numerusform>
+            <numerusform>%n miembros</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::TeamsPanel</name>
+    <message>
+        <source>Teams</source>
+        <translation>Equipos</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>All classes</source>
+        <translation>Todas las clases</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>Cualquier tarea</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Indicador</translation>
+    </message>
+    <message>
+        <source>How the teams stand</source>
+        <translation>Clasificación de los equipos</translation>
+    </message>
+    <message>
+        <source>%1 (archived)</source>
+        <translation>%1 (archivada)</translation>
+    </message>
+    <message>
+        <source>No team has a figure here</source>
+        <translation>Ningún equipo tiene un indicador aquí</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n team(s)</source>
+        <translation>
+            <numerusform>%n equipo</numerusform>
+            <numerusform>%n equipos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>choose a task to rank them: runs of different tasks cannot be compared</source>
+        <translation>elija una tarea para clasificarlos: los recorridos de tareas distintas no se pueden comparar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) left out: measured by another course; measure them again</source>
+        <translation>
+            <numerusform>%n ensayo omitido: se midió con otro circuito; vuelva a medirlo</numerusform>
+            <numerusform>%n ensayos omitidos: se midieron con otro circuito; vuelva a medirlos</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::TemplateForm</name>
+    <message>
+        <source>Straight line</source>
+        <translation>Línea recta</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Círculo</translation>
+    </message>
+    <message>
+        <source>Figure eight</source>
+        <translation>Ocho</translation>
+    </message>
+    <message>
+        <source>Slalom</source>
+        <translation>Eslalon</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>Te&amp;mplate</source>
+        <translation>Plant&amp;illa</translation>
+    </message>
+    <message>
+        <source>Centre &amp;x</source>
+        <translation>Centro &amp;x</translation>
+    </message>
+    <message>
+        <source>Centre &amp;y</source>
+        <translation>Centro &amp;y</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Longitud</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Ancho</translation>
+    </message>
+    <message>
+        <source>The way it is driven: 0° along X, 90° along Y</source>
+        <translation>El sentido en que se recorre: 0° a lo largo de X, 90° a lo largo de Y</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>&amp;Dirección</translation>
+    </message>
+    <message>
+        <source>&amp;Poles</source>
+        <translation>P&amp;ostes</translation>
+    </message>
+    <message>
+        <source>&amp;Gates&apos; width</source>
+        <translation>Ancho de p&amp;uertas</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Diam&amp;eter</source>
+        <translation>Diá&amp;metro</translation>
+    </message>
+    <message>
+        <source>Start to finis&amp;h</source>
+        <translation>De &amp;salida a meta</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>A&amp;ltura</translation>
+    </message>
+    <message>
+        <source>S&amp;wing, side to side</source>
+        <translation>Vaivén l&amp;ateral</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TestbedPage</name>
+    <message>
+        <source>From above</source>
+        <translation>Desde arriba</translation>
+    </message>
+    <message>
+        <source>expected &amp;accuracy</source>
+        <translation>exac&amp;titud prevista</translation>
+    </message>
+    <message>
+        <source>No cameras yet</source>
+        <translation>Aún no hay cámaras</translation>
+    </message>
+    <message>
+        <source>A testbed is a floor with markers and the cameras that watch it. Begin with the lens of the first camera, or with the places of the markers.</source>
+        <translation>Un banco de pruebas es un suelo con marcadores y las cámaras que lo observan. Empiece por la lente de la primera cámara o por los lugares de los marcadores.</translation>
+    </message>
+    <message>
+        <source>Tas&amp;ks…</source>
+        <translation>Ta&amp;reas…</translation>
+    </message>
+    <message>
+        <source>What is driven on this floor: gates, paths, limits, scoring</source>
+        <translation>Lo que se recorre en este suelo: puertas, trayectorias, límites, puntuación</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Cámaras</translation>
+    </message>
+    <message>
+        <source>What is known of the camera</source>
+        <translation>Lo que se sabe de la cámara</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Marker layouts</source>
+        <translation>Planos de marcadores</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TestbedTools</name>
+    <message>
+        <source>&amp;Calibrate camera…</source>
+        <translation>Cal&amp;ibrar cámara…</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Calibrar…</translation>
+    </message>
+    <message>
+        <source>Measure a camera&apos;s lens from pictures of a board</source>
+        <translation>Medir la lente de una cámara con imágenes de un tablero</translation>
+    </message>
+    <message>
+        <source>&amp;Register camera…</source>
+        <translation>&amp;Registrar cámara…</translation>
+    </message>
+    <message>
+        <source>Register…</source>
+        <translation>Registrar…</translation>
+    </message>
+    <message>
+        <source>Find where a camera stands from the floor markers</source>
+        <translation>Hallar dónde está una cámara con los marcadores del suelo</translation>
+    </message>
+    <message>
+        <source>Register t&amp;hrough another camera…</source>
+        <translation>Registrar &amp;mediante otra cámara…</translation>
+    </message>
+    <message>
+        <source>Through another…</source>
+        <translation>Mediante otra…</translation>
+    </message>
+    <message>
+        <source>Find where a camera stands that sees no markers, from points of the floor that another camera sees as well</source>
+        <translation>Hallar dónde está una cámara que no ve marcadores, con puntos del suelo que también ve otra cámara</translation>
+    </message>
+    <message>
+        <source>Register all cameras to&amp;gether…</source>
+        <translation>Registrar todas las cámaras &amp;juntas…</translation>
+    </message>
+    <message>
+        <source>All together…</source>
+        <translation>Todas juntas…</translation>
+    </message>
+    <message>
+        <source>Fit the cameras of the chosen layout at once, so that they agree, and find markers that were measured wrongly</source>
+        <translation>Ajustar a la vez las cámaras del plano elegido, para que concuerden, y descubrir marcadores mal medidos</translation>
+    </message>
+    <message>
+        <source>Import &amp;intrinsics…</source>
+        <translation>Importar parámetros i&amp;ntrínsecos…</translation>
+    </message>
+    <message>
+        <source>Import lens…</source>
+        <translation>Importar lente…</translation>
+    </message>
+    <message>
+        <source>Take a camera&apos;s lens from a ROS or OpenCV YAML file</source>
+        <translation>Tomar la lente de una cámara de un archivo YAML de ROS u OpenCV</translation>
+    </message>
+    <message>
+        <source>New marker &amp;layout…</source>
+        <translation>Nuevo &amp;plano de marcadores…</translation>
+    </message>
+    <message>
+        <source>New layout…</source>
+        <translation>Nuevo plano…</translation>
+    </message>
+    <message>
+        <source>Say where the markers lie, from the start or from the layout that is chosen</source>
+        <translation>Indicar dónde están los marcadores, desde cero o a partir del plano elegido</translation>
+    </message>
+    <message>
+        <source>Import &amp;marker layout…</source>
+        <translation>Importar plan&amp;o de marcadores…</translation>
+    </message>
+    <message>
+        <source>Import layout…</source>
+        <translation>Importar plano…</translation>
+    </message>
+    <message>
+        <source>Take the places of the markers from a table</source>
+        <translation>Tomar los lugares de los marcadores de una tabla</translation>
+    </message>
+    <message>
+        <source>Print &amp;targets…</source>
+        <translation>Imprimir pa&amp;trones…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimir…</translation>
+    </message>
+    <message>
+        <source>Boards for the lens and markers for the floor, to scale</source>
+        <translation>Tableros para la lente y marcadores para el suelo, a escala</translation>
+    </message>
+    <message>
+        <source>Camera %1 is calibrated. %2</source>
+        <translation>La cámara %1 está calibrada. %2</translation>
+    </message>
+    <message>
+        <source>register camera %1</source>
+        <translation>registrar la cámara %1</translation>
+    </message>
+    <message>
+        <source>Camera %1 is registered. %2</source>
+        <translation>La cámara %1 está registrada. %2</translation>
+    </message>
+    <message>
+        <source>Camera %1 is registered through camera %2. %3</source>
+        <translation>La cámara %1 está registrada mediante la cámara %2. %3</translation>
+    </message>
+    <message>
+        <source>The cameras of layout %1 are registered together. %2</source>
+        <translation>Las cámaras del plano %1 están registradas juntas. %2</translation>
+    </message>
+    <message>
+        <source>Intrinsics of a camera</source>
+        <translation>Parámetros intrínsecos de una cámara</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml);;All files (*)</source>
+        <translation>Calibraciones (*.yaml *.yml);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Import intrinsics</source>
+        <translation>Importar parámetros intrínsecos</translation>
+    </message>
+    <message>
+        <source>Camera:</source>
+        <translation>Cámara:</translation>
+    </message>
+    <message>
+        <source>The lens of camera %1 was taken from %2.</source>
+        <translation>La lente de la cámara %1 se tomó de %2.</translation>
+    </message>
+    <message>
+        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <translation>Lugares de los marcadores (label,x_mm,y_mm)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>Tablas (*.csv *.txt);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>add layout %1</source>
+        <translation>añadir el plano %1</translation>
+    </message>
+    <message>
+        <source>Layout %1 has %2 markers.</source>
+        <translation>El plano %1 tiene %2 marcadores.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ThroughSourcePage</name>
+    <message>
+        <source>Picture or video of the camera to register</source>
+        <translation>Imagen o video de la cámara por registrar</translation>
+    </message>
+    <message>
+        <source>Picture or video of the registered camera</source>
+        <translation>Imagen o video de la cámara registrada</translation>
+    </message>
+    <message>
+        <source>A camera cannot be registered through itself: choose two different ones.</source>
+        <translation>Una cámara no se puede registrar mediante sí misma: elija dos distintas.</translation>
+    </message>
+    <message>
+        <source>Camera to register</source>
+        <translation>Cámara por registrar</translation>
+    </message>
+    <message>
+        <source>Registered camera</source>
+        <translation>Cámara registrada</translation>
+    </message>
+    <message>
+        <source>A camera that sees no markers can be registered by points of the floor that a registered camera sees as well: corners of tiles, ends of tape, screws. Four are enough, six or more spread over the common part are better. Neither camera may be moved afterwards.</source>
+        <translation>Una cámara que no ve marcadores se puede registrar con puntos del suelo que también ve una cámara registrada: esquinas de baldosas, extremos de cinta, tornillos. Bastan cuatro; seis o más repartidos por la parte común son mejores. Después no se debe mover ninguna de las dos cámaras.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera to register</source>
+        <translation>Cá&amp;mara por registrar</translation>
+    </message>
+    <message>
+        <source>&amp;Through camera</source>
+        <translation>Median&amp;te la cámara</translation>
+    </message>
+    <message>
+        <source>Its picture</source>
+        <translation>Su imagen</translation>
+    </message>
+    <message>
+        <source>The registered camera&apos;s picture</source>
+        <translation>La imagen de la cámara registrada</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ThroughWizard</name>
+    <message>
+        <source>Register through another camera</source>
+        <translation>Registrar mediante otra cámara</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Two cameras and their pictures</source>
+        <translation>Dos cámaras y sus imágenes</translation>
+    </message>
+    <message>
+        <source>The same points in both pictures</source>
+        <translation>Los mismos puntos en ambas imágenes</translation>
+    </message>
+    <message>
+        <source>Getting the pictures…</source>
+        <translation>Obteniendo las imágenes…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TimeSlider</name>
+    <message>
+        <source>Time of the trial</source>
+        <translation>Tiempo del ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Timeline</name>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Reproducir o pausar</translation>
+    </message>
+    <message>
+        <source>One frame &amp;back</source>
+        <translation>Un fotograma &amp;atrás</translation>
+    </message>
+    <message>
+        <source>One frame &amp;forward</source>
+        <translation>Un fotograma a&amp;delante</translation>
+    </message>
+    <message>
+        <source>One second back</source>
+        <translation>Un segundo atrás</translation>
+    </message>
+    <message>
+        <source>One second forward</source>
+        <translation>Un segundo adelante</translation>
+    </message>
+    <message>
+        <source>Play backwards, again: faster</source>
+        <translation>Reproducir hacia atrás; otra vez: más rápido</translation>
+    </message>
+    <message>
+        <source>&amp;Stop; held, the two beside go by one frame</source>
+        <translation>De&amp;tener; si se mantiene, las dos contiguas mueven un fotograma</translation>
+    </message>
+    <message>
+        <source>Play forwards, again: faster</source>
+        <translation>Reproducir hacia delante; otra vez: más rápido</translation>
+    </message>
+    <message>
+        <source>To the first frame</source>
+        <translation>Al primer fotograma</translation>
+    </message>
+    <message>
+        <source>To the last frame</source>
+        <translation>Al último fotograma</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>&amp;Bucle</translation>
+    </message>
+    <message>
+        <source>Range beg&amp;ins here</source>
+        <translation>&amp;Inicio del intervalo aquí</translation>
+    </message>
+    <message>
+        <source>Range &amp;ends here</source>
+        <translation>&amp;Fin del intervalo aquí</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the range</source>
+        <translation>&amp;Quitar el intervalo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TimelineBar</name>
+    <message>
+        <source>Time line</source>
+        <translation>Línea de tiempo</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Fotograma</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>Velocidad de reproducción</translation>
+    </message>
+    <message>
+        <source>To the first frame (Home)</source>
+        <translation>Al primer fotograma (Inicio)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Reproducir (Espacio)</translation>
+    </message>
+    <message>
+        <source>To the last frame (End)</source>
+        <translation>Al último fotograma (Fin)</translation>
+    </message>
+    <message>
+        <source>no frames</source>
+        <translation>sin fotogramas</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>fotograma %1 de %2</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Pausa (Espacio)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrackDialog</name>
+    <message>
+        <source>Robots to follow</source>
+        <translation>Robots que seguir</translation>
+    </message>
+    <message>
+        <source>Track %1</source>
+        <translation>Rastrear %1</translation>
+    </message>
+    <message>
+        <source>Kalman/RTS, noise from the data (best)</source>
+        <translation>Kalman/RTS, ruido según los datos (el mejor)</translation>
+    </message>
+    <message>
+        <source>Savitzky–Golay</source>
+        <translation>Savitzky–Golay</translation>
+    </message>
+    <message>
+        <source>Differences as in Tracker</source>
+        <translation>Diferencias como en Tracker</translation>
+    </message>
+    <message>
+        <source>None: raw differences</source>
+        <translation>Ninguno: diferencias directas</translation>
+    </message>
+    <message>
+        <source>&amp;Robots</source>
+        <translation>R&amp;obots</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothing</source>
+        <translation>&amp;Suavizado</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Rastrear</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TransferActions</name>
+    <message>
+        <source>&amp;Pack into one file…</source>
+        <translation>&amp;Empaquetar en un archivo…</translation>
+    </message>
+    <message>
+        <source>&amp;Unpack a packed project…</source>
+        <translation>Dese&amp;mpaquetar proyecto…</translation>
+    </message>
+    <message>
+        <source>Find &amp;lost videos…</source>
+        <translation>Buscar videos &amp;perdidos…</translation>
+    </message>
+    <message>
+        <source>Pack the project with its videos</source>
+        <translation>Empaquetar el proyecto con sus videos</translation>
+    </message>
+    <message>
+        <source>Packed projects (*%1)</source>
+        <translation>Proyectos empaquetados (*%1)</translation>
+    </message>
+    <message>
+        <source>Packing the project</source>
+        <translation>Empaquetando el proyecto</translation>
+    </message>
+    <message>
+        <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
+        <translation>El proyecto está empaquetado en %1. En otro lugar se desempaqueta con “Desempaquetar proyecto”.</translation>
+    </message>
+    <message>
+        <source>Note: %1.</source>
+        <translation>Nota: %1.</translation>
+    </message>
+    <message>
+        <source>Unpack a packed project</source>
+        <translation>Desempaquetar proyecto</translation>
+    </message>
+    <message>
+        <source>Packed projects (*%1);;All files (*)</source>
+        <translation>Proyectos empaquetados (*%1);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Where shall the project be unpacked?</source>
+        <translation>¿Dónde desempaquetar el proyecto?</translation>
+    </message>
+    <message>
+        <source>Unpacking the project</source>
+        <translation>Desempaquetando el proyecto</translation>
+    </message>
+    <message>
+        <source>In which folder, or below, may the lost videos lie?</source>
+        <translation>¿En qué carpeta, o por debajo de cuál, pueden estar los videos perdidos?</translation>
+    </message>
+    <message>
+        <source>Looking for lost videos</source>
+        <translation>Buscando videos perdidos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lost videos were found, by their content.</source>
+        <translation>Se encontraron %1 de %2 videos perdidos, por su contenido.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrendChart</name>
+    <message>
+        <source>Progress of the team</source>
+        <translation>Progreso del equipo</translation>
+    </message>
+    <message>
+        <source>%1: %2 trials, progress: %3</source>
+        <translation>%1: %2 ensayos, progreso: %3</translation>
+    </message>
+    <message>
+        <source>No team is selected</source>
+        <translation>Ningún equipo seleccionado</translation>
+    </message>
+    <message>
+        <source>Select a team to see its trials through the term.</source>
+        <translation>Seleccione un equipo para ver sus ensayos a lo largo del periodo.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialActions</name>
+    <message>
+        <source>Trial %1</source>
+        <translation>Ensayo %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2 of %3 frames, spikes flagged: %4</source>
+        <translation>%1 en %2 de %3 fotogramas, atípicos señalados: %4</translation>
+    </message>
+    <message>
+        <source>%1 is tracked: %2.</source>
+        <translation>%1 está rastreado: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is imported.</source>
+        <translation>%1 está importado.</translation>
+    </message>
+    <message>
+        <source>&amp;Import trial from videos…</source>
+        <translation>&amp;Importar ensayo de videos…</translation>
+    </message>
+    <message>
+        <source>Import finished tra&amp;cks…</source>
+        <translation>Importar &amp;trazas terminadas…</translation>
+    </message>
+    <message>
+        <source>&amp;Track…</source>
+        <translation>&amp;Rastrear…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportar…</translation>
+    </message>
+    <message>
+        <source>Export &amp;video…</source>
+        <translation>Exportar &amp;video…</translation>
+    </message>
+    <message>
+        <source>Add &amp;robot…</source>
+        <translation>Añadir r&amp;obot…</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>Importando %1</translation>
+    </message>
+    <message>
+        <source>Tracking %1</source>
+        <translation>Rastreando %1</translation>
+    </message>
+    <message>
+        <source>the sample</source>
+        <translation>la muestra</translation>
+    </message>
+    <message>
+        <source>this project can only be read</source>
+        <translation>este proyecto es de solo lectura</translation>
+    </message>
+    <message>
+        <source>save a copy and work on that</source>
+        <translation>guarde una copia y trabaje en ella</translation>
+    </message>
+    <message>
+        <source>Measuring %1 again</source>
+        <translation>Volviendo a medir %1</translation>
+    </message>
+    <message>
+        <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
+        <translation>La muestra a los %1 de %2 no se usa. Deshacer lo revierte.</translation>
+    </message>
+    <message>
+        <source>The sample at %1 of %2 is used. Undo takes it back.</source>
+        <translation>La muestra a los %1 de %2 se usa. Deshacer lo revierte.</translation>
+    </message>
+    <message>
+        <source>Video of %1</source>
+        <translation>Video de %1</translation>
+    </message>
+    <message>
+        <source>MP4 videos (*.mp4)</source>
+        <translation>Videos MP4 (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Making the video of %1</source>
+        <translation>Creando el video de %1</translation>
+    </message>
+    <message>
+        <source>The video of %1 is there: %2</source>
+        <translation>El video de %1 está listo: %2</translation>
+    </message>
+    <message>
+        <source>add robot %1</source>
+        <translation>añadir el robot %1</translation>
+    </message>
+    <message>
+        <source>Robot %1 is known now.</source>
+        <translation>Se añadió el robot %1.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialBatch</name>
+    <message>
+        <source>many trials</source>
+        <translation>muchos ensayos</translation>
+    </message>
+    <message>
+        <source>another job is running</source>
+        <translation>hay otro trabajo en curso</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>espere a que termine o cancélelo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialChooser</name>
+    <message>
+        <source>&amp;Previous trial</source>
+        <translation>Ensayo &amp;anterior</translation>
+    </message>
+    <message>
+        <source>&amp;Next trial</source>
+        <translation>Ensayo &amp;siguiente</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialDetail</name>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>none: the track was imported</source>
+        <translation>ninguna: la traza se importó</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Puntuación</translation>
+    </message>
+    <message>
+        <source>none: it was measured by another course than its task has now; measure it again</source>
+        <translation>ninguna: se midió con un circuito distinto del que tiene ahora su tarea; vuelva a medirlo</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>none yet: open it and choose Track</source>
+        <translation>aún ninguno: ábralo y elija Rastrear</translation>
+    </message>
+    <message>
+        <source>Open in Review</source>
+        <translation>Abrir en Revisar</translation>
+    </message>
+    <message>
+        <source>Facts of the trial</source>
+        <translation>Datos del ensayo</translation>
+    </message>
+    <message>
+        <source>Notes of the trial</source>
+        <translation>Notas del ensayo</translation>
+    </message>
+    <message>
+        <source>What was changed on the robot? What should be remembered?</source>
+        <translation>¿Qué se cambió en el robot? ¿Qué conviene recordar?</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>&amp;Notas</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Ensayo</translation>
+    </message>
+    <message>
+        <source>No trials yet</source>
+        <translation>Aún no hay ensayos</translation>
+    </message>
+    <message>
+        <source>No trial selected</source>
+        <translation>Ningún ensayo seleccionado</translation>
+    </message>
+    <message>
+        <source>write notes of %1</source>
+        <translation>escribir las notas de %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialFilterBar</name>
+    <message>
+        <source>Class</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Any class</source>
+        <translation>Cualquier clase</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Any team</source>
+        <translation>Cualquier equipo</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>Cualquier tarea</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Any robot</source>
+        <translation>Cualquier robot</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Any date</source>
+        <translation>Cualquier fecha</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Hoy</translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation>Últimos 7 días</translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation>Últimos 30 días</translation>
+    </message>
+    <message>
+        <source>Last 12 months</source>
+        <translation>Últimos 12 meses</translation>
+    </message>
+    <message>
+        <source>Between…</source>
+        <translation>Entre…</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Dónde</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Ensayos</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archivados</translation>
+    </message>
+    <message>
+        <source>Bin</source>
+        <translation>Papelera</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Starred</source>
+        <translation>Destacados</translation>
+    </message>
+    <message>
+        <source>Only starred trials</source>
+        <translation>Solo ensayos destacados</translation>
+    </message>
+    <message>
+        <source>Show starred trials only</source>
+        <translation>Mostrar solo los ensayos destacados</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialModel</name>
+    <message>
+        <source>not tracked</source>
+        <translation>sin rastrear</translation>
+    </message>
+    <message>
+        <source>measure again</source>
+        <translation>volver a medir</translation>
+    </message>
+    <message>
+        <source>starred</source>
+        <translation>destacado</translation>
+    </message>
+    <message>
+        <source>not starred</source>
+        <translation>no destacado</translation>
+    </message>
+    <message>
+        <source>Tags, separated by commas: double-click or F2 changes them</source>
+        <translation>Etiquetas, separadas por comas: doble clic o F2 las cambia</translation>
+    </message>
+    <message>
+        <source>Star (Ctrl+D)</source>
+        <translation>Estrella (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Estrella</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Ensayo</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Robots</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>Vel. máxima</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Puntuación</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Etiquetas</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TroubleBar</name>
+    <message>
+        <source>What is the matter</source>
+        <translation>Qué ocurre</translation>
+    </message>
+    <message>
+        <source>Put it right</source>
+        <translation>Corregirlo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::UndoActions</name>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>Deshecho: %1.</translation>
+    </message>
+    <message>
+        <source>Made again: %1.</source>
+        <translation>Rehecho: %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Deshacer: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Rehacer: %1</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>deshacer</translation>
+    </message>
+    <message>
+        <source>a job is running on the project</source>
+        <translation>hay un trabajo en curso en el proyecto</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>espere a que termine o cancélelo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::VideoDialog</name>
+    <message>
+        <source>As it was driven</source>
+        <translation>A velocidad real</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/2</source>
+        <translation>Cámara lenta, 1/2</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/4</source>
+        <translation>Cámara lenta, 1/4</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/10</source>
+        <translation>Cámara lenta, 1/10</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>One video with the pictures of all cameras, the map and the speed, to be shown or sent: whoever gets it needs no Odograph.</source>
+        <translation>Un video con las imágenes de todas las cámaras, el mapa y la velocidad, para mostrarlo o enviarlo: quien lo recibe no necesita Odograph.</translation>
+    </message>
+    <message>
+        <source>&amp;Speed</source>
+        <translation>&amp;Velocidad</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>T&amp;amaño</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>Choose a place…</source>
+        <translation>Elegir un lugar…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ViewActions</name>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>&amp;Restablecer disposición</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Pantalla completa</translation>
+    </message>
+    <message>
+        <source>Colours of the &amp;desktop</source>
+        <translation>Colores del &amp;escritorio</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Claro</translation>
+    </message>
+    <message>
+        <source>Da&amp;rk</source>
+        <translation>&amp;Oscuro</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ViewSteps</name>
+    <message>
+        <source>From the motion or a flash</source>
+        <translation>Por el movimiento o un destello</translation>
+    </message>
+    <message>
+        <source>Begun together</source>
+        <translation>Iniciadas a la vez</translation>
+    </message>
+    <message>
+        <source>By hand: begun later by</source>
+        <translation>A mano: iniciada después en</translation>
+    </message>
+    <message>
+        <source>How view %1 gets in step with the first</source>
+        <translation>Cómo se sincroniza la vista %1 con la primera</translation>
+    </message>
+    <message>
+        <source>A flash: switch the room lights on and off once while all cameras record</source>
+        <translation>Un destello: encienda y apague una vez las luces de la sala mientras graban todas las cámaras</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>How much later view %1 began</source>
+        <translation>Cuánto después se inició la vista %1</translation>
+    </message>
+    <message>
+        <source>Below zero: it began earlier than the first view</source>
+        <translation>Por debajo de cero: se inició antes que la primera vista</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vista %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WelcomePage</name>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+    <message>
+        <source>Measures how a mobile robot moved, from the videos of ordinary cameras.</source>
+        <translation>Mide cómo se movió un robot móvil a partir de los videos de cámaras corrientes.</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Proyectos recientes</translation>
+    </message>
+    <message>
+        <source>not found any more</source>
+        <translation>ya no se encuentra</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Workspace</name>
+    <message>
+        <source>another job is running</source>
+        <translation>hay otro trabajo en curso</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>espere a que termine o cancélelo</translation>
+    </message>
+    <message>
+        <source>cannot open another project</source>
+        <translation>no se puede abrir otro proyecto</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Abriendo %1</translation>
+    </message>
+    <message>
+        <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
+        <translation>%1: %2. Aquí solo se puede consultar; para modificarlo, ciérrelo allí y vuelva a abrirlo aquí.</translation>
+    </message>
+    <message>
+        <source>Completing a recording that was cut off</source>
+        <translation>Completando una grabación interrumpida</translation>
+    </message>
+    <message>
+        <source>Making the hashes of new recordings</source>
+        <translation>Calculando los hashes de las grabaciones nuevas</translation>
+    </message>
+    <message>
+        <source>cannot make another project</source>
+        <translation>no se puede crear otro proyecto</translation>
+    </message>
+    <message>
+        <source>no project is open</source>
+        <translation>no hay ningún proyecto abierto</translation>
+    </message>
+    <message>
+        <source>open or make a project first</source>
+        <translation>primero abra o cree un proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ZoneTable</name>
+    <message>
+        <source>stay inside</source>
+        <translation>permanecer dentro</translation>
+    </message>
+    <message>
+        <source>keep out</source>
+        <translation>no entrar</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve zone</source>
+        <translation>&amp;Quitar zona</translation>
+    </message>
+    <message>
+        <source>Zone</source>
+        <translation>Zona</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regla</translation>
+    </message>
+    <message>
+        <source>Corners: x y; x y; … in mm</source>
+        <translation>Esquinas: x y; x y; … en mm</translation>
+    </message>
+    <message>
+        <source>Zones of the floor</source>
+        <translation>Zonas del suelo</translation>
+    </message>
+    <message>
+        <source>Add zone to sta&amp;y in</source>
+        <translation>Añadir zona de pe&amp;rmanencia</translation>
+    </message>
+    <message>
+        <source>Add zone to &amp;keep out of</source>
+        <translation>Añadir zona prohi&amp;bida</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s centre must stay in a zone, or keep out of it. Each is judged by itself; how often, how long and how far it was broken can be scored. Drag corners and edges on the map.</source>
+        <translation>El centro del robot debe permanecer en una zona o no entrar en ella. Cada una se juzga por separado; cuántas veces, cuánto tiempo y en cuánto se infringió se puede puntuar. Arrastre esquinas y bordes en el mapa.</translation>
+    </message>
+    <message>
+        <source>Rule of the zone</source>
+        <translation>Regla de la zona</translation>
+    </message>
+    <message>
+        <source>Zone %1</source>
+        <translation>Zona %1</translation>
+    </message>
+</context>
+</TS>

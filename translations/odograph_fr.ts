@@ -1,0 +1,8606 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>AccuracyLayer</name>
+    <message>
+        <source>expected ±, hatched: not seen</source>
+        <translation>± attendu, hachures&#xa0;: non vu</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>AnalysisWords</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>begun %1 earlier</source>
+        <translation>commencée %1 plus tôt</translation>
+    </message>
+    <message>
+        <source>begun %1 later</source>
+        <translation>commencée %1 plus tard</translation>
+    </message>
+    <message>
+        <source>Kalman/RTS, noise from the data</source>
+        <translation>Kalman/RTS, bruit d’après les données</translation>
+    </message>
+    <message>
+        <source>Savitzky–Golay, cubic, 11 points</source>
+        <translation>Savitzky–Golay, cubique, 11 points</translation>
+    </message>
+    <message>
+        <source>differences as in Tracker</source>
+        <translation>différences comme dans Tracker</translation>
+    </message>
+    <message>
+        <source>none: raw differences</source>
+        <translation>aucun&#xa0;: différences brutes</translation>
+    </message>
+    <message>
+        <source>%1, as told by hand</source>
+        <translation>%1, indiqué à la main</translation>
+    </message>
+    <message>
+        <source>in step to %1, found from the motion; %2</source>
+        <translation>synchronisée à %1 près, d’après le mouvement&#xa0;; %2</translation>
+    </message>
+    <message>
+        <source>in step to %1, found from a flash of light; %2</source>
+        <translation>synchronisée à %1 près, d’après un éclair de lumière&#xa0;; %2</translation>
+    </message>
+    <message>
+        <source>in step to %1, by the cameras&apos; time stamps; %2</source>
+        <translation>synchronisée à %1 près, par l’horodatage des caméras&#xa0;; %2</translation>
+    </message>
+    <message>
+        <source>taken as begun together</source>
+        <translation>supposée commencée en même temps</translation>
+    </message>
+    <message>
+        <source>, its clock %1 ppm fast</source>
+        <translation>, horloge trop rapide de %1 ppm</translation>
+    </message>
+    <message>
+        <source>, its clock %1 ppm slow</source>
+        <translation>, horloge trop lente de %1 ppm</translation>
+    </message>
+</context>
+<context>
+    <name>AnnotatedPicture</name>
+    <message>
+        <source>slow motion %1×</source>
+        <translation>ralenti %1×</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>Cette caméra n’enregistrait pas à cet instant</translation>
+    </message>
+    <message>
+        <source>This picture cannot be decoded</source>
+        <translation>Cette image ne peut pas être décodée</translation>
+    </message>
+</context>
+<context>
+    <name>ClassReport</name>
+    <message>
+        <source>Rank: one more than the number of teams that are better beyond doubt (medians apart by more than 1.96 σ); teams of one rank cannot be told apart.</source>
+        <translation>Rang&#xa0;: un de plus que le nombre d’équipes sûrement meilleures (médianes distantes de plus de 1.96 σ)&#xa0;; les équipes de même rang ne peuvent pas être départagées.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) left out: measured by another course; measure them again.</source>
+        <translation>
+            <numerusform>%n essai exclu&#xa0;: mesuré sur un autre parcours&#xa0;; remesurez-le.</numerusform>
+            <numerusform>%n essais exclus&#xa0;: mesurés sur un autre parcours&#xa0;; remesurez-les.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Page %1 of %2 · Odograph %3</source>
+        <translation>Page %1 sur %2 · Odograph %3</translation>
+    </message>
+    <message>
+        <source>Odograph %1</source>
+        <translation>Odograph %1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>Épreuve&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>selon&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>du %1 au %2</translation>
+    </message>
+    <message>
+        <source>Teams</source>
+        <translation>Équipes</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>sur %1</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Meilleur</translation>
+    </message>
+    <message>
+        <source>Median of all runs</source>
+        <translation>Médiane de tous les passages</translation>
+    </message>
+    <message>
+        <source>Middle half of the runs</source>
+        <translation>Moitié centrale des passages</translation>
+    </message>
+    <message>
+        <source>The teams</source>
+        <translation>Les équipes</translation>
+    </message>
+    <message>
+        <source>each run is a dot; the line is the median of the team</source>
+        <translation>chaque point est un passage&#xa0;; le trait est la médiane de l’équipe</translation>
+    </message>
+    <message>
+        <source>#</source>
+        <translation>#</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Médiane</translation>
+    </message>
+    <message>
+        <source>Through the term</source>
+        <translation>Au fil du temps</translation>
+    </message>
+    <message>
+        <source>Its trials</source>
+        <translation>Ses essais</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Class: %1</source>
+        <translation>Classe&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Rang</translation>
+    </message>
+    <message numerus="yes">
+        <source>of %n team(s)</source>
+        <translation>
+            <numerusform>sur %n équipe</numerusform>
+            <numerusform>sur %n équipes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>class median %1</source>
+        <translation>médiane de la classe&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Spread of one run</source>
+        <translation>Dispersion d’un passage</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonExplanation</name>
+    <message>
+        <source>There is no difference.</source>
+        <translation>Il n’y a pas de différence.</translation>
+    </message>
+    <message>
+        <source>Both are exact, so that any difference is one.</source>
+        <translation>Les deux sont exacts&#xa0;: la moindre différence en est une.</translation>
+    </message>
+    <message>
+        <source>It is %1 σ, more than 1.96: were there no difference, chance would give as much in less than 5 of 100 cases.</source>
+        <translation>Elle vaut %1 σ, plus de 1.96&#xa0;: s’il n’y avait pas de différence, le hasard en donnerait autant dans moins de 5 cas sur 100.</translation>
+    </message>
+    <message>
+        <source>It is %1 σ, not more than 1.96: within the error, so that no difference can be claimed.</source>
+        <translation>Elle vaut %1 σ, pas plus de 1.96&#xa0;: elle est dans la marge d’erreur et l’on ne peut conclure à aucune différence.</translation>
+    </message>
+    <message>
+        <source>along the task&apos;s reference path</source>
+        <translation>le long du tracé de référence de l’épreuve</translation>
+    </message>
+    <message>
+        <source>along the way of %1</source>
+        <translation>le long du trajet de %1</translation>
+    </message>
+    <message>
+        <source>time 0: each passes the start gate</source>
+        <translation>temps 0&#xa0;: chacun franchit la porte de départ</translation>
+    </message>
+    <message>
+        <source>time 0: each begins to move</source>
+        <translation>temps 0&#xa0;: chacun se met en mouvement</translation>
+    </message>
+    <message>
+        <source>time 0: each first comes to the same place of the way</source>
+        <translation>temps 0&#xa0;: chacun arrive pour la première fois au même endroit du trajet</translation>
+    </message>
+    <message>
+        <source>time 0: told by hand, to a frame</source>
+        <translation>temps 0&#xa0;: indiqué à la main, à une image près</translation>
+    </message>
+    <message>
+        <source>both by the same registrations and for the same solid: what the calibration adds is common, and only its difference counts</source>
+        <translation>tous deux avec les mêmes localisations et pour le même solide&#xa0;: la part de l’étalonnage est commune, seule sa différence compte</translation>
+    </message>
+    <message>
+        <source>not by the same registrations, or not for the same solid: what the calibration adds counts for both in full</source>
+        <translation>pas avec les mêmes localisations, ou pas pour le même solide&#xa0;: la part de l’étalonnage compte en entier pour les deux</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>%1: %2 less %3</source>
+        <translation>%1&#xa0;: %2 moins %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>only one of the two has it</source>
+        <translation>un seul des deux l’a</translation>
+    </message>
+    <message>
+        <source>the figure of %1 less that of %2</source>
+        <translation>la valeur de %1 moins celle de %2</translation>
+    </message>
+    <message>
+        <source>Each: %1</source>
+        <translation>Chacun&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>√(σ₁² + σ₂²), both as independent; where the runs share their calibration, its error of scale leaves only its part of the difference</source>
+        <translation>√(σ₁² + σ₂²), les deux étant indépendants&#xa0;; si les passages partagent leur étalonnage, l’erreur d’échelle de celui-ci ne laisse que sa part de la différence</translation>
+    </message>
+    <message>
+        <source>not seen at an end</source>
+        <translation>non vu à une extrémité</translation>
+    </message>
+    <message>
+        <source>Sector %1 to %2: %3 less %4</source>
+        <translation>Secteur de %1 à %2&#xa0;: %3 moins %4</translation>
+    </message>
+    <message>
+        <source>begin</source>
+        <translation>début</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>fin</translation>
+    </message>
+    <message>
+        <source>The time from the first arrival at the one gate to the first arrival at the next, of each run, by its place along the common path; waiting counts.</source>
+        <translation>Le temps de la première arrivée à une porte à la première arrivée à la suivante, pour chaque passage, d’après sa place sur le tracé commun&#xa0;; les attentes comptent.</translation>
+    </message>
+    <message>
+        <source>of each arrival: σ of the place along the path over the speed; displacements at two gates count as independent</source>
+        <translation>de chaque arrivée&#xa0;: σ de la place le long du tracé, divisé par la vitesse&#xa0;; les déplacements à deux portes sont pris comme indépendants</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 of the way</source>
+        <translation>de %1 à %2 du trajet</translation>
+    </message>
+    <message>
+        <source>Δt of %1 against %2 at %3</source>
+        <translation>Δt de %1 par rapport à %2 à %3</translation>
+    </message>
+    <message>
+        <source>The time of the first arrival at this place of the common path, each from its own time 0: that of %1 less that of %2. Above 0 it is later.</source>
+        <translation>Le temps de la première arrivée à cet endroit du tracé commun, chacun depuis son propre temps 0&#xa0;: celui de %1 moins celui de %2. Au-dessus de 0, il est en retard.</translation>
+    </message>
+    <message>
+        <source>of both arrivals: σ of the place along the path over the speed, and of both times 0</source>
+        <translation>des deux arrivées&#xa0;: σ de la place le long du tracé, divisé par la vitesse, et des deux temps 0</translation>
+    </message>
+    <message>
+        <source>Speed of %1 at %2</source>
+        <translation>Vitesse de %1 à %2</translation>
+    </message>
+    <message>
+        <source>|v| of the smoothed curve where the run first comes to this place of the common path, between frames interpolated</source>
+        <translation>|v| de la courbe lissée là où le passage arrive pour la première fois à cet endroit du tracé commun, interpolée entre les images</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <translation>σ de la vitesse lissée à cet endroit, avec l’erreur d’échelle de l’étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonReport</name>
+    <message>
+        <source>± one σ; grey, ≈: within the error</source>
+        <translation>± un σ&#xa0;; gris, ≈&#xa0;: dans la marge d’erreur</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>right − left</source>
+        <translation>droite − gauche</translation>
+    </message>
+    <message>
+        <source>along the task’s path</source>
+        <translation>le long du tracé de l’épreuve</translation>
+    </message>
+    <message>
+        <source>along the way of the left run</source>
+        <translation>le long du trajet du passage de gauche</translation>
+    </message>
+    <message>
+        <source>aligned by the start gate, %1</source>
+        <translation>alignés sur la porte de départ, %1</translation>
+    </message>
+    <message>
+        <source>aligned by the onset of motion, %1</source>
+        <translation>alignés sur le début du mouvement, %1</translation>
+    </message>
+    <message>
+        <source>aligned by a place that both pass, %1</source>
+        <translation>alignés sur un endroit où passent les deux, %1</translation>
+    </message>
+    <message>
+        <source>aligned by hand, %1</source>
+        <translation>alignés à la main, %1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>Épreuve&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1: analysed %2, Odograph %3</source>
+        <translation>%1&#xa0;: analysé le %2, Odograph %3</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its error cancels as far as they do.</source>
+        <translation>Les deux passages partagent leur étalonnage&#xa0;: son erreur se compense dans la mesure où ils le partagent.</translation>
+    </message>
+    <message>
+        <source>The runs do not share their calibration: the errors of both count.</source>
+        <translation>Les passages ne partagent pas leur étalonnage&#xa0;: les erreurs des deux comptent.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>Speed along the way, %1</source>
+        <translation>Vitesse le long du trajet, %1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>avec sa bande à ±95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>Écart de temps, s</translation>
+    </message>
+    <message>
+        <source>above 0: the right run is later; grey: within the error</source>
+        <translation>au-dessus de 0&#xa0;: le passage de droite est en retard&#xa0;; gris&#xa0;: dans la marge d’erreur</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>Secteurs, s</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Grandeurs</translation>
+    </message>
+</context>
+<context>
+    <name>Explanation</name>
+    <message>
+        <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>
+        <translation>celui de la courbe lissée à cet endroit, et l’erreur d’échelle de l’étalonnage</translation>
+    </message>
+    <message>
+        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
+        <translation>Du début du mouvement au dernier arrêt. Être en mouvement, c’est aller plus vite que 20 mm/s et que trois σ de la vitesse, pendant au moins trois images&#xa0;; l’instant entre deux images est interpolé.</translation>
+    </message>
+    <message>
+        <source>of both moments: σ of the speed over its steepness there</source>
+        <translation>des deux instants&#xa0;: σ de la vitesse, divisé par sa pente à cet instant</translation>
+    </message>
+    <message>
+        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged counts as straight.</source>
+        <translation>∫|v|dt pendant le mouvement, par la méthode des trapèzes sur la vitesse lissée. Un trou non comblé est compté en ligne droite.</translation>
+    </message>
+    <message>
+        <source>of the ends&apos; positions, of errors across the path where it turns, and the calibration&apos;s error of scale</source>
+        <translation>des positions des extrémités, des erreurs en travers de la trajectoire là où elle tourne, et l’erreur d’échelle de l’étalonnage</translation>
+    </message>
+    <message>
+        <source>path length / time</source>
+        <translation>distance parcourue / temps</translation>
+    </message>
+    <message>
+        <source>of both, taken as independent</source>
+        <translation>des deux, pris comme indépendants</translation>
+    </message>
+    <message>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest, so that a badly known point does not win by its error.</source>
+        <translation>La vitesse |v| de la courbe lissée là où |v| − 2σ est maximal, pour qu’un point mal connu ne l’emporte pas par son erreur.</translation>
+    </message>
+    <message>
+        <source>√(mean of |v|²) while it moves</source>
+        <translation>√(moyenne de |v|²) pendant le mouvement</translation>
+    </message>
+    <message>
+        <source>the bound for errors that all go together, and the calibration&apos;s error of scale</source>
+        <translation>la borne pour des erreurs toutes de même sens, et l’erreur d’échelle de l’étalonnage</translation>
+    </message>
+    <message>
+        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
+        <translation>L’accélération |a| de la courbe lissée là où |a| − 2σ est maximal.</translation>
+    </message>
+    <message>
+        <source>√(mean of |a|²) while it moves</source>
+        <translation>√(moyenne de |a|²) pendant le mouvement</translation>
+    </message>
+    <message>
+        <source>distance from the first to the last place of the motion / path length</source>
+        <translation>distance du premier au dernier point du mouvement / distance parcourue</translation>
+    </message>
+    <message>
+        <source>of the ends&apos; positions</source>
+        <translation>des positions des extrémités</translation>
+    </message>
+    <message>
+        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
+        <translation>Le temps pendant lequel il est en mouvement&#xa0;: plus rapide que 20 mm/s et que trois σ de la vitesse.</translation>
+    </message>
+    <message>
+        <source>of each start and stop: σ of the speed over its steepness</source>
+        <translation>de chaque démarrage et arrêt&#xa0;: σ de la vitesse, divisé par sa pente</translation>
+    </message>
+    <message>
+        <source>The pauses between the onset of motion and the last stop, counted.</source>
+        <translation>Le nombre de pauses entre le début du mouvement et le dernier arrêt.</translation>
+    </message>
+    <message>
+        <source>time − time in motion</source>
+        <translation>temps − temps en mouvement</translation>
+    </message>
+    <message>
+        <source>of each start and stop</source>
+        <translation>de chaque démarrage et arrêt</translation>
+    </message>
+    <message>
+        <source>The speed that half of the time in motion stays below.</source>
+        <translation>La vitesse qui n’est pas dépassée pendant la moitié du temps en mouvement.</translation>
+    </message>
+    <message>
+        <source>of the stretches within 1.5 σ of it, each by its mean</source>
+        <translation>des intervalles à moins de 1.5 σ de cette valeur, chacun par sa moyenne</translation>
+    </message>
+    <message>
+        <source>The speed that 95 % of the time in motion stays below.</source>
+        <translation>La vitesse qui n’est pas dépassée pendant 95&#xa0;% du temps en mouvement.</translation>
+    </message>
+    <message>
+        <source>The acceleration that 95 % of the time in motion stays below.</source>
+        <translation>L’accélération qui n’est pas dépassée pendant 95&#xa0;% du temps en mouvement.</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, either way, where it less 2σ is largest.</source>
+        <translation>(vx·ay − vy·ax)/|v|² de la courbe lissée, dans un sens ou dans l’autre, là où sa valeur moins 2σ est maximale.</translation>
+    </message>
+    <message>
+        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, au premier ordre</translation>
+    </message>
+    <message>
+        <source>The circle with the least squared distances from the places of the motion.</source>
+        <translation>Le cercle dont les carrés des distances aux points du mouvement ont la plus petite somme.</translation>
+    </message>
+    <message>
+        <source>of the distances&apos; scatter, neighbours counted as fewer by 1 + 2Σρ, and the calibration&apos;s error of scale</source>
+        <translation>de la dispersion des distances, le nombre de points voisins étant réduit du facteur 1 + 2Σρ, et l’erreur d’échelle de l’étalonnage</translation>
+    </message>
+    <message>
+        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
+        <translation>Du franchissement de la porte de départ à celui de l’arrivée, chacun interpolé entre les images.</translation>
+    </message>
+    <message>
+        <source>of both passages: σ of the position across the gate over the speed</source>
+        <translation>des deux franchissements&#xa0;: σ de la position en travers de la porte, divisé par la vitesse</translation>
+    </message>
+    <message>
+        <source>Complete laps or runs, counted by the passages of the gates.</source>
+        <translation>Tours ou passages complets, comptés par les franchissements des portes.</translation>
+    </message>
+    <message>
+        <source>The shortest lap.</source>
+        <translation>Le tour le plus court.</translation>
+    </message>
+    <message>
+        <source>of its two passages; the calibration&apos;s error of a gate passed twice cancels</source>
+        <translation>de ses deux franchissements&#xa0;; l’erreur d’étalonnage d’une porte franchie deux fois se compense</translation>
+    </message>
+    <message>
+        <source>The mean of the laps&apos; times.</source>
+        <translation>La moyenne des temps au tour.</translation>
+    </message>
+    <message>
+        <source>of the first and the last passage, over the number of laps</source>
+        <translation>du premier et du dernier franchissement, divisé par le nombre de tours</translation>
+    </message>
+    <message>
+        <source>The mean distance from the reference path, over the way.</source>
+        <translation>La distance moyenne au tracé de référence, sur tout le trajet.</translation>
+    </message>
+    <message>
+        <source>of the position across the path, and of its noise, which has no sign there</source>
+        <translation>de la position en travers du tracé, et de son bruit, qui n’y a pas de signe</translation>
+    </message>
+    <message>
+        <source>√(mean of the squared distance from the reference path), over the way</source>
+        <translation>√(moyenne du carré de la distance au tracé de référence), sur tout le trajet</translation>
+    </message>
+    <message>
+        <source>of the position across the path</source>
+        <translation>de la position en travers du tracé</translation>
+    </message>
+    <message>
+        <source>The largest distance from the reference path.</source>
+        <translation>La plus grande distance au tracé de référence.</translation>
+    </message>
+    <message>
+        <source>of the position across the path, there</source>
+        <translation>de la position en travers du tracé, à cet endroit</translation>
+    </message>
+    <message>
+        <source>The mean of the distance from the reference path, to the left positive.</source>
+        <translation>La moyenne de la distance au tracé de référence, comptée positive à gauche.</translation>
+    </message>
+    <message>
+        <source>of the position across the path, mostly the calibration&apos;s</source>
+        <translation>de la position en travers du tracé, surtout la part de l’étalonnage</translation>
+    </message>
+    <message>
+        <source>The share of the reference path that was followed.</source>
+        <translation>La part du tracé de référence qui a été suivie.</translation>
+    </message>
+    <message>
+        <source>How often the robot&apos;s centre left a zone to stay in, or came into one to keep out of. It counts where it is beyond the edge by more than three σ of the track&apos;s own noise.</source>
+        <translation>Combien de fois le centre du robot a quitté une zone où rester, ou est entré dans une zone à éviter. Cela compte s’il dépasse le bord de plus de trois σ du bruit propre à la trajectoire.</translation>
+    </message>
+    <message>
+        <source>The time in which the robot&apos;s centre was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <translation>Le temps pendant lequel le centre du robot était au-delà du bord d’une zone, interpolé entre les images&#xa0;; dans deux zones à la fois, il compte double.</translation>
+    </message>
+    <message>
+        <source>of each moment at an edge: σ of the position across it over the speed; and what the time differs by when the calibration puts the track nearer or further</source>
+        <translation>de chaque instant à un bord&#xa0;: σ de la position en travers de celui-ci, divisé par la vitesse&#xa0;; et ce dont le temps change quand l’étalonnage rapproche ou éloigne la trajectoire</translation>
+    </message>
+    <message>
+        <source>How far the robot&apos;s centre was beyond the edge of a zone at most.</source>
+        <translation>De combien, au plus, le centre du robot a dépassé le bord d’une zone.</translation>
+    </message>
+    <message>
+        <source>of the position across the edge, there</source>
+        <translation>de la position en travers du bord, à cet endroit</translation>
+    </message>
+    <message>
+        <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
+        <translation>lissé par filtre de Kalman et lisseur RTS, bruit par maximum de vraisemblance (Rauch, Tung, Striebel 1965&#xa0;; Bar-Shalom et al. 2001)</translation>
+    </message>
+    <message>
+        <source>smoothed by a cubic through eleven points (Savitzky and Golay 1964)</source>
+        <translation>lissé par une cubique sur onze points (Savitzky et Golay 1964)</translation>
+    </message>
+    <message>
+        <source>differences as in Tracker, positions not smoothed</source>
+        <translation>différences comme dans Tracker, positions non lissées</translation>
+    </message>
+    <message>
+        <source>raw differences (Park 2018, eq. 6 to 8), nothing smoothed</source>
+        <translation>différences brutes (Park 2018, éq. 6 à 8), rien n’est lissé</translation>
+    </message>
+    <message>
+        <source>robot %1 high (estimated)</source>
+        <translation>robot haut de %1 (estimé)</translation>
+    </message>
+    <message>
+        <source>robot %1 high</source>
+        <translation>robot haut de %1</translation>
+    </message>
+    <message>
+        <source>analysis %1 by Odograph %2</source>
+        <translation>analyse %1 par Odograph %2</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <translation>σ de la vitesse lissée à cet instant, avec l’erreur d’échelle de l’étalonnage</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>|v| = √(vx² + vy²) of the smoothed curve at this frame</source>
+        <translation>|v| = √(vx² + vy²) de la courbe lissée à cette image</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands</source>
+        <translation>a·v/|v| de la courbe lissée à cette image&#xa0;: le long de la trajectoire, donc négative au freinage&#xa0;; |a| à l’arrêt</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed acceleration there, with the calibration&apos;s error of scale</source>
+        <translation>σ de l’accélération lissée à cet instant, avec l’erreur d’échelle de l’étalonnage</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Cap</translation>
+    </message>
+    <message>
+        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn</source>
+        <translation>atan2(vy, vx) de la courbe lissée à cette image, dans le sens trigonométrique depuis X, sans sauts d’un tour</translation>
+    </message>
+    <message>
+        <source>σ of the velocity across the motion over the speed</source>
+        <translation>σ de la vitesse en travers du mouvement, divisé par la vitesse</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Vitesse angulaire</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame</source>
+        <translation>(vx·ay − vy·ax)/|v|² de la courbe lissée à cette image</translation>
+    </message>
+    <message>
+        <source>Position X</source>
+        <translation>Position X</translation>
+    </message>
+    <message>
+        <source>Position Y</source>
+        <translation>Position Y</translation>
+    </message>
+    <message>
+        <source>the smoothed curve at this frame</source>
+        <translation>la courbe lissée à cette image</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed position, with the calibration&apos;s part</source>
+        <translation>σ de la position lissée, avec la part de l’étalonnage</translation>
+    </message>
+    <message>
+        <source>at this frame no view found the robot: the curve goes across</source>
+        <translation>à cette image, aucune vue n’a trouvé le robot&#xa0;: la courbe passe par-dessus</translation>
+    </message>
+    <message>
+        <source>measured there: %1, %2 ±%3</source>
+        <translation>mesuré ici&#xa0;: %1, %2 ±%3</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>par %1</translation>
+    </message>
+    <message>
+        <source>it is flagged and not used: the curve comes from its neighbours</source>
+        <translation>il est signalé et inutilisé&#xa0;: la courbe vient de ses voisins</translation>
+    </message>
+    <message>
+        <source>Jump: the place is beyond what the motion before and after allows for (χ² of two degrees of freedom, 99.9 %).</source>
+        <translation>Saut&#xa0;: l’endroit est au-delà de ce que permet le mouvement avant et après (χ² à deux degrés de liberté, 99.9&#xa0;%).</translation>
+    </message>
+    <message>
+        <source>Limit: to get there it had to be faster than the limit of the task or of the analysis.</source>
+        <translation>Limite&#xa0;: pour y arriver, il aurait fallu aller plus vite que la limite de l’épreuve ou de l’analyse.</translation>
+    </message>
+    <message>
+        <source>Limit: to get there it had to accelerate harder than the limit of the task or of the analysis.</source>
+        <translation>Limite&#xa0;: pour y arriver, il aurait fallu accélérer plus fort que la limite de l’épreuve ou de l’analyse.</translation>
+    </message>
+    <message>
+        <source>Views disagree: their places differ by more than their errors and their usual disagreement explain (χ², 99.9 %).</source>
+        <translation>Désaccord des vues&#xa0;: leurs positions diffèrent de plus que ne l’expliquent leurs erreurs et leur désaccord habituel (χ², 99.9&#xa0;%).</translation>
+    </message>
+    <message>
+        <source>Low score: the tracker was not sure of what it saw.</source>
+        <translation>Score faible&#xa0;: le suivi n’était pas sûr de ce qu’il voyait.</translation>
+    </message>
+    <message>
+        <source>Lost: no view found the robot.</source>
+        <translation>Perdu&#xa0;: aucune vue n’a trouvé le robot.</translation>
+    </message>
+    <message>
+        <source>Repeated picture: the camera gave the same picture twice, so its time is not known.</source>
+        <translation>Image répétée&#xa0;: la caméra a donné deux fois la même image, son instant n’est donc pas connu.</translation>
+    </message>
+    <message>
+        <source>Bridged: the curve goes across without a measurement.</source>
+        <translation>Comblé&#xa0;: la courbe passe par-dessus sans mesure.</translation>
+    </message>
+    <message>
+        <source>By hand: a person judged it, over the analysis.</source>
+        <translation>À la main&#xa0;: une personne en a décidé, contre l’analyse.</translation>
+    </message>
+    <message>
+        <source>How it is computed</source>
+        <translation>Comment c’est calculé</translation>
+    </message>
+    <message>
+        <source>What ± contains (one standard deviation)</source>
+        <translation>Ce que ± contient (un écart-type)</translation>
+    </message>
+    <message>
+        <source>What went into it</source>
+        <translation>Ce qui y est entré</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>trial %1, robot %2</source>
+        <translation>essai %1, robot %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples used</source>
+        <translation>%1 échantillons sur %2 utilisés</translation>
+    </message>
+    <message>
+        <source>views: %1</source>
+        <translation>vues&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3, %4 beyond the edge at most</source>
+        <translation>%1&#xa0;: de %2 à %3, au plus %4 au-delà du bord</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Spike at %1</source>
+        <translation>Pic aberrant à %1</translation>
+    </message>
+    <message>
+        <source>The sample is kept, but not used for the curve.</source>
+        <translation>L’échantillon est conservé, mais n’est pas utilisé pour la courbe.</translation>
+    </message>
+    <message>
+        <source>The sample is used for the curve nevertheless: what is wrong with it was left out, or a person restored it.</source>
+        <translation>L’échantillon est tout de même utilisé pour la courbe&#xa0;: ce qui est faux en a été exclu, ou une personne l’a rétabli.</translation>
+    </message>
+    <message>
+        <source>the views are %1 apart there</source>
+        <translation>les vues y sont distantes de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExplanationDialog</name>
+    <message>
+        <source>How was this computed?</source>
+        <translation>Comment est-ce calculé&#xa0;?</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copier</translation>
+    </message>
+</context>
+<context>
+    <name>FactExplanations</name>
+    <message>
+        <source>The offset at which the tracks of the robot on the floor, as the two views see it, coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in half frames and refined by Gauss–Newton. The clocks&apos; rate is taken where it is beyond three σ.</source>
+        <translation>Le décalage pour lequel les trajectoires du robot au sol, telles que les deux vues le voient, coïncident&#xa0;: moindres carrés de r(t) = p₁(t) − p₂((t − décalage)(1 + dérive)), avec entre elles une translation constante et une petite différence d’échelle, cherché par demi-images et affiné par Gauss–Newton. La dérive des horloges est retenue si elle dépasse trois σ.</translation>
+    </message>
+    <message>
+        <source>from the curvature of the sum of squares and the residual, which is taken as correlated over half a second</source>
+        <translation>de la courbure de la somme des carrés et du résidu, supposé corrélé sur une demi-seconde</translation>
+    </message>
+    <message>
+        <source>The offset at which the jumps of light that both views saw fall together, taken where no other offset comes within a factor of 150 of its likelihood: the pairs&apos; weighted mean.</source>
+        <translation>Le décalage pour lequel les sauts de lumière vus par les deux vues coïncident, retenu si aucun autre décalage n’atteint le 150e de sa vraisemblance&#xa0;: la moyenne pondérée des paires.</translation>
+    </message>
+    <message>
+        <source>of the pairs, of their scatter, and a tenth of a frame interval for each view, for its shutter</source>
+        <translation>des paires, de leur dispersion, plus un dixième d’intervalle d’image par vue, pour son obturateur</translation>
+    </message>
+    <message>
+        <source>Each camera&apos;s time stamps, related to this computer&apos;s clock by readings of the camera&apos;s while it recorded.</source>
+        <translation>L’horodatage de chaque caméra, rapporté à l’horloge de cet ordinateur par des lectures de celle de la caméra pendant l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>of both relations of the clocks</source>
+        <translation>des deux relations entre horloges</translation>
+    </message>
+    <message>
+        <source>Times at the gates</source>
+        <translation>Temps aux portes</translation>
+    </message>
+    <message>
+        <source>When the robot&apos;s centre crosses the gate&apos;s line between its ends, the way the gate is passed: between two frames the smoothed position is the cubic through both places and velocities. It has passed when it was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
+        <translation>L’instant où le centre du robot coupe la ligne de la porte entre ses extrémités, dans le sens où la porte se franchit&#xa0;: entre deux images, la position lissée est la cubique définie par les deux positions et les deux vitesses. La porte est franchie s’il était avant la ligne de trois σ du bruit propre à la trajectoire, puis après elle d’autant.</translation>
+    </message>
+    <message>
+        <source>σ of the position across the gate over the speed across it, with the calibration&apos;s part</source>
+        <translation>σ de la position en travers de la porte, divisé par la vitesse en travers de celle-ci, avec la part de l’étalonnage</translation>
+    </message>
+    <message>
+        <source>From one passing of the start to the finish, or of the one gate to the next; of each split its first passing counts.</source>
+        <translation>D’un franchissement du départ à l’arrivée, ou d’une porte à la suivante&#xa0;; pour chaque intermédiaire, le premier franchissement compte.</translation>
+    </message>
+    <message>
+        <source>of both passages; the calibration&apos;s error of a gate that is passed twice at one speed cancels</source>
+        <translation>des deux franchissements&#xa0;; l’erreur d’étalonnage d’une porte franchie deux fois à la même vitesse se compense</translation>
+    </message>
+    <message>
+        <source>to %1: %2</source>
+        <translation>jusqu’à %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>View %1 in step with the first</source>
+        <translation>Vue %1 synchronisée avec la première</translation>
+    </message>
+    <message>
+        <source>video %1, %2 frames</source>
+        <translation>vidéo %1, %2 images</translation>
+    </message>
+    <message>
+        <source>Height of robot %1</source>
+        <translation>Hauteur du robot %1</translation>
+    </message>
+    <message>
+        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes the outlines in all views are, by weighted least squares at some forty times of the run; where no such solid explains them, the height at which all views put the robot at the same place.</source>
+        <translation>Le solide (boîte ou cylindre, au sol, ou plaque au sommet du robot) dont les contours de toutes les vues sont les silhouettes, par moindres carrés pondérés à une quarantaine d’instants du passage&#xa0;; si aucun solide de ce genre ne les explique, la hauteur à laquelle toutes les vues placent le robot au même endroit.</translation>
+    </message>
+</context>
+<context>
+    <name>FirstLesson</name>
+    <message>
+        <source>Play a run</source>
+        <translation>Lire un passage</translation>
+    </message>
+    <message>
+        <source>Two cameras watched a robot drive. Press Space: both videos, the map and the curves play in step. Space again stops.</source>
+        <translation>Deux caméras ont regardé rouler un robot. Appuyez sur Espace&#xa0;: les deux vidéos, la carte et les courbes avancent ensemble. Espace de nouveau arrête.</translation>
+    </message>
+    <message>
+        <source>Read a figure</source>
+        <translation>Lire une valeur</translation>
+    </message>
+    <message>
+        <source>Click into the speed curve. The bubble tells the speed at that moment and its ±: how far off it may be. The band around the curve is where the truth lies in 95 of 100 cases.</source>
+        <translation>Cliquez dans la courbe de vitesse. La bulle donne la vitesse à cet instant et son ±&#xa0;: de combien elle peut être fausse. La bande autour de la courbe contient la vérité dans 95 cas sur 100.</translation>
+    </message>
+    <message>
+        <source>Look at what was flagged</source>
+        <translation>Voir ce qui est signalé</translation>
+    </message>
+    <message>
+        <source>Go through the trials with Ctrl+Page Up and Ctrl+Page Down to one whose list of spikes, at the right, is not empty. A spike is a moment at which what was measured cannot be true; the list says why.</source>
+        <translation>Parcourez les essais avec Ctrl+Page précédente et Ctrl+Page suivante jusqu’à un essai dont la liste de pics, à droite, n’est pas vide. Un pic aberrant est un instant où ce qui a été mesuré ne peut pas être vrai&#xa0;; la liste dit pourquoi.</translation>
+    </message>
+    <message>
+        <source>Overrule it</source>
+        <translation>En décider autrement</translation>
+    </message>
+    <message>
+        <source>Click a spike in the list and look at the videos: was the robot really there? Press U to use the sample all the same. Nothing that was measured is ever lost.</source>
+        <translation>Cliquez sur un pic dans la liste et regardez les vidéos&#xa0;: le robot était-il vraiment là&#xa0;? Appuyez sur U pour utiliser quand même l’échantillon. Rien de ce qui a été mesuré n’est jamais perdu.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Revenir en arrière</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z. Whatever you change is saved at once, and can be taken back.</source>
+        <translation>Appuyez sur Ctrl+Z. Tout ce que vous modifiez est enregistré aussitôt, et peut être annulé.</translation>
+    </message>
+    <message>
+        <source>Compare two runs</source>
+        <translation>Comparer deux passages</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+4. Choose two runs above the pictures: where was one faster, and is that more than the error? What is grey is not.</source>
+        <translation>Appuyez sur Ctrl+4. Choisissez deux passages au-dessus des images&#xa0;: où l’un était-il plus rapide, et l’écart dépasse-t-il la marge d’erreur&#xa0;? Ce qui est gris, non.</translation>
+    </message>
+    <message>
+        <source>Find it again</source>
+        <translation>Le retrouver</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+5. History holds the whole year: type a team&apos;s name to search, open a run with Enter, and see under Teams who made progress.</source>
+        <translation>Appuyez sur Ctrl+5. «&#xa0;Historique&#xa0;» garde toute l’année&#xa0;: tapez le nom d’une équipe pour chercher, ouvrez un passage avec Entrée, et voyez sous «&#xa0;Équipes&#xa0;» qui a progressé.</translation>
+    </message>
+    <message>
+        <source>That was it</source>
+        <translation>C’est tout</translation>
+    </message>
+    <message>
+        <source>With your own robots: make a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or bring in videos (Ctrl+I). F1 explains each page.</source>
+        <translation>Avec vos propres robots&#xa0;: créez un projet (Ctrl+N), préparez le sol dans «&#xa0;Banc&#xa0;» (Ctrl+1), puis filmez (Ctrl+2) ou importez des vidéos (Ctrl+I). F1 explique chaque page.</translation>
+    </message>
+</context>
+<context>
+    <name>HealthWatch</name>
+    <message>
+        <source>The project can only be read</source>
+        <translation>Le projet ne peut qu’être lu</translation>
+    </message>
+    <message>
+        <source>Opening the cameras…</source>
+        <translation>Ouverture des caméras…</translation>
+    </message>
+    <message>
+        <source>No camera runs</source>
+        <translation>Aucune caméra ne tourne</translation>
+    </message>
+    <message>
+        <source>No camera sends pictures</source>
+        <translation>Aucune caméra n’envoie d’images</translation>
+    </message>
+    <message>
+        <source>This project can only be read: nothing can be recorded into it.</source>
+        <translation>Ce projet ne peut qu’être lu&#xa0;: rien ne peut y être enregistré.</translation>
+    </message>
+    <message>
+        <source>Register &amp;it in Testbed</source>
+        <translation>La locali&amp;ser dans «&#xa0;Banc&#xa0;»</translation>
+    </message>
+</context>
+<context>
+    <name>HelpDialogs</name>
+    <message>
+        <source>Keys</source>
+        <translation>Raccourcis</translation>
+    </message>
+    <message>
+        <source>List of keys</source>
+        <translation>Liste des raccourcis</translation>
+    </message>
+    <message>
+        <source>About Odograph</source>
+        <translation>À propos d’Odograph</translation>
+    </message>
+    <message>
+        <source>Odograph %1</source>
+        <translation>Odograph %1</translation>
+    </message>
+    <message>
+        <source>Measures how a mobile robot moved, from the videos of ordinary cameras.
+
+Free software under the GNU General Public License, version 3 or later, without any warranty.
+
+The method follows S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018.</source>
+        <translation>Mesure comment un robot mobile s’est déplacé, à partir des vidéos de caméras ordinaires.
+
+Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure, sans aucune garantie.
+
+La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory&#xa0;», 2018.</translation>
+    </message>
+</context>
+<context>
+    <name>MapPainting</name>
+    <message>
+        <source>grid %1 %2</source>
+        <translation>grille de %1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>Modes</name>
+    <message>
+        <source>Testbed</source>
+        <translation>Banc</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Filmer</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Examiner</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+</context>
+<context>
+    <name>OwnChanges</name>
+    <message>
+        <source>nothing was changed here</source>
+        <translation>rien n’a été modifié ici</translation>
+    </message>
+    <message>
+        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <translation>ce qui a été modifié avant s’annule dans le menu «&#xa0;Édition&#xa0;» de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Done: %1. Ctrl+Z takes it back.</source>
+        <translation>Fait&#xa0;: %1. Ctrl+Z l’annule.</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>annuler</translation>
+    </message>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>Annulé&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>rétablir</translation>
+    </message>
+    <message>
+        <source>Made again: %1.</source>
+        <translation>Rétabli&#xa0;: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>PageMenus</name>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>T&amp;rial</source>
+        <translation>&amp;Essai</translation>
+    </message>
+    <message>
+        <source>&amp;Spikes</source>
+        <translation>&amp;Pics</translation>
+    </message>
+    <message>
+        <source>&amp;History</source>
+        <translation>&amp;Historique</translation>
+    </message>
+    <message>
+        <source>Re&amp;cord</source>
+        <translation>Fil&amp;mer</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Lecture</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Outils</translation>
+    </message>
+</context>
+<context>
+    <name>RangeFacts</name>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>de %1 à %2</translation>
+    </message>
+    <message>
+        <source>What the calibration adds to an angle is not known and not in it.</source>
+        <translation>Ce que l’étalonnage ajoute à un angle n’est pas connu et n’y est pas compris.</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s error of place is in it.</source>
+        <translation>L’erreur de position de l’étalonnage y est comprise.</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s error of scale is in it.</source>
+        <translation>L’erreur d’échelle de l’étalonnage y est comprise.</translation>
+    </message>
+    <message>
+        <source>Neighbours of a smoothed curve share their error, so it is averaged out by time and not by frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
+        <translation>Les points voisins d’une courbe lissée partagent leur erreur&#xa0;: la moyenne la réduit donc selon le temps et non selon les images, avec pour la position un spectre en r/(1 + (ω/ω₀)⁶), ω₀ = √2 σv/σx.</translation>
+    </message>
+    <message>
+        <source>Of the smoothed curve, each value for half the time to both neighbours: its mean, the median (half of the time stays below it), the least and the most beyond doubt (by the value plus or minus 2σ), and the spread √(mean of the squared distance from the mean).</source>
+        <translation>De la courbe lissée, chaque valeur comptant pour la moitié du temps jusqu’à ses deux voisines&#xa0;: sa moyenne, sa médiane (la moitié du temps se passe en dessous), le minimum et le maximum certains (d’après la valeur plus ou moins 2σ), et la dispersion √(moyenne du carré de la distance à la moyenne).</translation>
+    </message>
+    <message>
+        <source>no value here</source>
+        <translation>pas de valeur ici</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>moyenne</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>médiane</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>minimum</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>maximum</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>dispersion</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not its shape: χ² is %1 times what the errors explain</source>
+        <translation>pas cette forme&#xa0;: χ² vaut %1 fois ce que les erreurs expliquent</translation>
+    </message>
+    <message>
+        <source>fits; the stated errors are too large: χ² is %1 of what they let expect</source>
+        <translation>concorde&#xa0;; les erreurs annoncées sont trop grandes&#xa0;: χ² vaut %1 fois ce qu’elles laissent attendre</translation>
+    </message>
+    <message>
+        <source>fits: χ² is %1 of what the errors let expect</source>
+        <translation>concorde&#xa0;: χ² vaut %1 fois ce que les erreurs laissent attendre</translation>
+    </message>
+    <message>
+        <source>Fit of %1</source>
+        <translation>Ajustement&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, over what the errors let expect of it: the number of points less what the coefficients take up.</source>
+        <translation>Le polynôme en t − t₀ de plus petit Σ(résidu/σ)² sur %1, t₀ = %2. χ² est cette somme, divisée par ce que les erreurs en laissent attendre&#xa0;: le nombre de points moins ce que prennent les coefficients.</translation>
+    </message>
+    <message>
+        <source>the measured places that are used</source>
+        <translation>les positions mesurées utilisées</translation>
+    </message>
+    <message>
+        <source>the smoothed curve</source>
+        <translation>la courbe lissée</translation>
+    </message>
+    <message>
+        <source>The larger of two: that of the measurements, widened by 1 + 2Σρ of the residuals where they hang together (here ×%1), and that of the smoothed curve, which knows what of their errors lasts.</source>
+        <translation>Le plus grand des deux&#xa0;: celui des mesures, élargi du facteur 1 + 2Σρ des résidus s’ils sont corrélés (ici ×%1), et celui de la courbe lissée, qui sait ce qui persiste de leurs erreurs.</translation>
+    </message>
+    <message>
+        <source>That the shape is the true one is taken for granted; χ² far above 1 says that it is not. Below 1 it comes of a smoother that allows for more motion than there is.</source>
+        <translation>On suppose que la forme est la vraie&#xa0;; un χ² bien supérieur à 1 dit que non. Inférieur à 1, il vient d’un lissage qui admet plus de mouvement qu’il n’y en a.</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 points</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>%1 to %2: %3</source>
+        <translation>%1 à %2&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustement</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valeur</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>à %1</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>pente</translation>
+    </message>
+    <message>
+        <source>slope there</source>
+        <translation>pente en ce point</translation>
+    </message>
+    <message>
+        <source>times t²</source>
+        <translation>facteur de t²</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>résidu</translation>
+    </message>
+    <message>
+        <source>%1 (RMS)</source>
+        <translation>%1 (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>RecordHealth</name>
+    <message>
+        <source>trouble</source>
+        <translation>panne</translation>
+    </message>
+    <message>
+        <source>slow</source>
+        <translation>lent</translation>
+    </message>
+    <message>
+        <source>losses</source>
+        <translation>pertes</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bon</translation>
+    </message>
+    <message>
+        <source>, %1 ms</source>
+        <translation>, %1 ms</translation>
+    </message>
+    <message>
+        <source>; not registered</source>
+        <translation>&#xa0;; non localisée</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Caméra %1</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>non vu</translation>
+    </message>
+    <message>
+        <source>unseen</source>
+        <translation>non vu</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, %3</source>
+        <translation>x %1, y %2, %3</translation>
+    </message>
+    <message>
+        <source>; one camera sees it</source>
+        <translation>&#xa0;; une caméra le voit</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>vu</translation>
+    </message>
+    <message>
+        <source>fair</source>
+        <translation>passable</translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation>décalé</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Synchro</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>En direct</translation>
+    </message>
+    <message>
+        <source>%1 MB written</source>
+        <translation>%1 Mo écrits</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>Disque</translation>
+    </message>
+    <message>
+        <source>Camera %1 is not registered to the floor: it is recorded, but cannot tell where a robot is.</source>
+        <translation>La caméra %1 n’est pas localisée par rapport au sol&#xa0;: elle est enregistrée, mais ne peut pas dire où se trouve un robot.</translation>
+    </message>
+    <message>
+        <source>Camera %1 was registered for pictures of %2×%3, which it does not send now: it is recorded, but cannot tell where a robot is.</source>
+        <translation>La caméra %1 a été localisée pour des images de %2×%3, qu’elle n’envoie pas en ce moment&#xa0;: elle est enregistrée, mais ne peut pas dire où se trouve un robot.</translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation>Enregistrement&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>Caméra %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>The disk is hardly fast enough: record to a faster one, or with fewer cameras.</source>
+        <translation>Le disque est à peine assez rapide&#xa0;: enregistrez sur un disque plus rapide, ou avec moins de caméras.</translation>
+    </message>
+    <message>
+        <source>The disk is nearly full: %1</source>
+        <translation>Le disque est presque plein&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The cameras are not in step: set both to the same rate.</source>
+        <translation>Les caméras ne sont pas synchronisées&#xa0;: réglez-les toutes deux à la même cadence.</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>et %n de plus</numerusform>
+            <numerusform>et %n de plus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>ReportChart</name>
+    <message>
+        <source>Speed, %1</source>
+        <translation>Vitesse, %1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>Accélération le long de la trajectoire, %1</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>lissé, avec sa bande à ±95&#xa0;%&#xa0;; points&#xa0;: valeurs mesurées</translation>
+    </message>
+    <message>
+        <source>No curve: the robot was not seen</source>
+        <translation>Pas de courbe&#xa0;: le robot n’a pas été vu</translation>
+    </message>
+</context>
+<context>
+    <name>ReportMethod</name>
+    <message>
+        <source>%1: %2 frames at %3/s</source>
+        <translation>%1&#xa0;: %2 images à %3/s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n missing</source>
+        <translation>
+            <numerusform>%n manquante</numerusform>
+            <numerusform>%n manquantes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>lens calibrated to %1 px</source>
+        <translation>objectif étalonné à %1 px près</translation>
+    </message>
+    <message>
+        <source>registered to the floor to %1 px, %2</source>
+        <translation>localisée par rapport au sol à %1 px près, %2</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>non localisée</translation>
+    </message>
+    <message>
+        <source>%1 samples: %2 measured, %3 used, %4 flagged, %5 bridged; the views disagree by %6 on average</source>
+        <translation>%1 échantillons&#xa0;: %2 mesurés, %3 utilisés, %4 signalés, %5 comblés&#xa0;; désaccord moyen des vues&#xa0;: %6</translation>
+    </message>
+    <message>
+        <source>t, s</source>
+        <translation>t, s</translation>
+    </message>
+    <message>
+        <source>x, %1</source>
+        <translation>x, %1</translation>
+    </message>
+    <message>
+        <source>y, %1</source>
+        <translation>y, %1</translation>
+    </message>
+    <message>
+        <source>speed, %1</source>
+        <translation>vitesse, %1</translation>
+    </message>
+    <message>
+        <source>± (σ)</source>
+        <translation>± (σ)</translation>
+    </message>
+    <message>
+        <source>acceleration, %1</source>
+        <translation>accélération, %1</translation>
+    </message>
+    <message>
+        <source>flags</source>
+        <translation>signalé</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Ce qui a été mesuré</translation>
+    </message>
+    <message>
+        <source>every sample, smoothed</source>
+        <translation>tous les échantillons, lissés</translation>
+    </message>
+    <message>
+        <source>one sample of %1, smoothed; all of them are in the exported file</source>
+        <translation>un échantillon sur %1, lissé&#xa0;; tous sont dans le fichier exporté</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>smoother: %1</source>
+        <translation>lissage&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>analysed %1, Odograph %2</source>
+        <translation>analysé le %1, Odograph %2</translation>
+    </message>
+    <message>
+        <source>%1: method</source>
+        <translation>%1&#xa0;: méthode</translation>
+    </message>
+    <message>
+        <source>How the figures were computed</source>
+        <translation>Comment les grandeurs sont calculées</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>±: %1.</source>
+        <translation>±&#xa0;: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ReportStills</name>
+    <message>
+        <source>no picture: the video is missing</source>
+        <translation>pas d’image&#xa0;: la vidéo manque</translation>
+    </message>
+</context>
+<context>
+    <name>RobotColours</name>
+    <message>
+        <source>blue</source>
+        <translation>bleu</translation>
+    </message>
+    <message>
+        <source>vermilion</source>
+        <translation>vermillon</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>vert</translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation>violet</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>orange</translation>
+    </message>
+    <message>
+        <source>sky blue</source>
+        <translation>bleu ciel</translation>
+    </message>
+    <message>
+        <source>by itself</source>
+        <translation>automatique</translation>
+    </message>
+</context>
+<context>
+    <name>RunEvents</name>
+    <message>
+        <source>First seen, moving already</source>
+        <translation>Apparaît, déjà en mouvement</translation>
+    </message>
+    <message>
+        <source>Starts to move</source>
+        <translation>Se met en mouvement</translation>
+    </message>
+    <message>
+        <source>Last seen, still moving</source>
+        <translation>Disparaît, encore en mouvement</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>S’arrête</translation>
+    </message>
+    <message>
+        <source>Top speed, %1</source>
+        <translation>Vitesse maximale, %1</translation>
+    </message>
+    <message>
+        <source>Passes %1</source>
+        <translation>Franchit %1</translation>
+    </message>
+    <message>
+        <source>Spike: %1</source>
+        <translation>Pic aberrant&#xa0;: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>(%n samples)</source>
+        <translation>
+            <numerusform>(%n échantillon)</numerusform>
+            <numerusform>(%n échantillons)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SceneDisagreement</name>
+    <message>
+        <source>Only one view at a time: nothing to compare</source>
+        <translation>Une seule vue à la fois&#xa0;: rien à comparer</translation>
+    </message>
+    <message>
+        <source>RMS %1, median %2</source>
+        <translation>RMS %1, médiane %2</translation>
+    </message>
+    <message>
+        <source>expected by the errors: %1</source>
+        <translation>attendu d’après les erreurs&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 – more than they explain</source>
+        <translation>%1 – plus qu’elles n’expliquent</translation>
+    </message>
+    <message>
+        <source>Disagreement of the views</source>
+        <translation>Désaccord des vues</translation>
+    </message>
+    <message>
+        <source>Each view alone puts the robot at a place on the floor. Shown is how far these places are apart in each frame in which two views or more saw it (of more than two, the largest distance); RMS is √(mean of the squares). Samples that are not used are left out.
+Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the views&apos; step σs.
+Much more than expected means that something is not as it was told: the views are not in step (then it grows with the speed), a camera has moved or is badly registered (then it depends on the place), or the robot&apos;s height is wrong (then it points to and from the cameras).</source>
+        <translation>Chaque vue place à elle seule le robot à un endroit du sol. On montre la distance entre ces endroits à chaque image où au moins deux vues l’ont vu (la plus grande s’il y en a plus de deux)&#xa0;; la RMS est √(moyenne des carrés). Les échantillons non utilisés sont exclus.
+La valeur attendue est √(tr A + tr B + (v·σs)²), avec les covariances A et B de deux vues (pixels et étalonnage), la vitesse v et la synchronisation σs des vues.
+Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa0;: les vues ne sont pas synchronisées (le désaccord croît alors avec la vitesse), une caméra a bougé ou est mal localisée (il dépend alors de l’endroit), ou la hauteur du robot est fausse (il est alors dirigé vers les caméras ou à l’opposé).</translation>
+    </message>
+    <message>
+        <source>%1 frames seen by two views or more; largest %2; views in step to %3 ms</source>
+        <translation>%1 images où au moins deux vues l’ont vu&#xa0;; maximum %2&#xa0;; vues synchronisées à %3 ms près</translation>
+    </message>
+</context>
+<context>
+    <name>ScoreText</name>
+    <message>
+        <source>%1: not measured, no points (%2)</source>
+        <translation>%1&#xa0;: non mesuré, aucun point (%2)</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 points (%4)</source>
+        <translation>%1 %2&#xa0;: %3 points (%4)</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 of %4 points (%5)</source>
+        <translation>%1 %2&#xa0;: %3 points sur %4 (%5)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>sur %1</translation>
+    </message>
+    <message>
+        <source>the sum of the points of each line; a line gives points × (figure − none at) / (all at − none at), from 0 to all</source>
+        <translation>la somme des points de chaque ligne&#xa0;; une ligne donne points × (valeur − aucun à) / (tous à − aucun à), de 0 à tous</translation>
+    </message>
+    <message>
+        <source>of each line half of what its points differ by when its figure is one σ more or less; root of the sum of the squares</source>
+        <translation>de chaque ligne, la moitié de ce dont ses points changent quand sa valeur est plus grande ou plus petite d’un σ&#xa0;; racine de la somme des carrés</translation>
+    </message>
+    <message>
+        <source>%1 points off at %2 or less, none off at %3 or more</source>
+        <translation>%1 points retirés à %2 ou moins, aucun à %3 ou plus</translation>
+    </message>
+    <message>
+        <source>%1 points off at %2 or more, none off at %3 or less</source>
+        <translation>%1 points retirés à %2 ou plus, aucun à %3 ou moins</translation>
+    </message>
+    <message>
+        <source>%1 points at %2 or less, none at %3 or more</source>
+        <translation>%1 points à %2 ou moins, aucun à %3 ou plus</translation>
+    </message>
+    <message>
+        <source>%1 points at %2 or more, none at %3 or less</source>
+        <translation>%1 points à %2 ou plus, aucun à %3 ou moins</translation>
+    </message>
+</context>
+<context>
+    <name>SnappedMarker</name>
+    <message>
+        <source>tag</source>
+        <translation>tag</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>anneau</translation>
+    </message>
+    <message>
+        <source>dot</source>
+        <translation>point</translation>
+    </message>
+    <message>
+        <source>tape crossing</source>
+        <translation>croix d’adhésif</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>coin</translation>
+    </message>
+    <message>
+        <source>crossing fields</source>
+        <translation>croix de damier</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>à la main</translation>
+    </message>
+</context>
+<context>
+    <name>TargetPainter</name>
+    <message>
+        <source>100 mm</source>
+        <translation>100 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Checkerboard, %1 × %2 inner corners, squares of %3</source>
+        <translation>Damier, %1 × %2 coins intérieurs, carrés de %3</translation>
+    </message>
+    <message>
+        <source>ChArUco board, %1 × %2 inner corners, squares of %3</source>
+        <translation>Mire ChArUco, %1 × %2 coins intérieurs, carrés de %3</translation>
+    </message>
+    <message>
+        <source>Floor marker %1 (tag 36h11 number %2), %3</source>
+        <translation>Marqueur au sol %1 (tag 36h11 numéro %2), %3</translation>
+    </message>
+    <message>
+        <source>Floor marker %1 (ring), %2</source>
+        <translation>Marqueur au sol %1 (anneau), %2</translation>
+    </message>
+    <message>
+        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and tell Odograph what you measured.</source>
+        <translation>Imprimez à 100&#xa0;% (taille réelle). Collez bien à plat sur un support rigide, mesurez un carré, et indiquez à Odograph ce que vous avez mesuré.</translation>
+    </message>
+    <message>
+        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s place is its middle, where the four lines at the edges point.</source>
+        <translation>Imprimez à 100&#xa0;% (taille réelle). Posez à plat&#xa0;; la place du marqueur est son centre, là où pointent les quatre traits des bords.</translation>
+    </message>
+</context>
+<context>
+    <name>TestbedState</name>
+    <message>
+        <source>standard</source>
+        <translation>standard</translation>
+    </message>
+    <message>
+        <source>rational</source>
+        <translation>rationnel</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>fisheye</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objectif</translation>
+    </message>
+    <message>
+        <source>%1, f = %2 px</source>
+        <translation>%1, f = %2 px</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>Erreur sur la mire</translation>
+    </message>
+    <message>
+        <source>%1 px in %2 pictures</source>
+        <translation>%1 px sur %2 photos</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>Erreur de validation</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>On the floor</source>
+        <translation>Au sol</translation>
+    </message>
+    <message>
+        <source>registered %1</source>
+        <translation>localisée le %1</translation>
+    </message>
+    <message>
+        <source>Last check</source>
+        <translation>Dernier contrôle</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Place</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m, %3 m high</source>
+        <translation>x %1 m, y %2 m, hauteur %3 m</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marqueurs</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>Attention</translation>
+    </message>
+    <message>
+        <source>not calibrated: taken as free of distortion</source>
+        <translation>non étalonnée&#xa0;: supposée sans distorsion</translation>
+    </message>
+    <message>
+        <source>not registered: positions cannot be measured yet</source>
+        <translation>non localisée&#xa0;: les positions ne peuvent pas encore être mesurées</translation>
+    </message>
+</context>
+<context>
+    <name>TrailPainting</name>
+    <message>
+        <source>0 to %1 %2</source>
+        <translation>0 à %1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>TrendPainting</name>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+</context>
+<context>
+    <name>TrialCurves</name>
+    <message>
+        <source>No curve yet: track the trial</source>
+        <translation>Pas encore de courbe&#xa0;: suivez l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>TrialExport</name>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>CSV pour programmes (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>CSV pour tableurs, 1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>CSV pour tableurs, 1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Tracker text (*.txt)</source>
+        <translation>Texte Tracker (*.txt)</translation>
+    </message>
+    <message>
+        <source>TUM trajectory (*.tum)</source>
+        <translation>Trajectoire TUM (*.tum)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Robot:</source>
+        <translation>Robot&#xa0;:</translation>
+    </message>
+    <message>
+        <source>export of %1</source>
+        <translation>exportation de %1</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>il n’a pas encore été suivi</translation>
+    </message>
+    <message>
+        <source>track it first</source>
+        <translation>suivez-le d’abord</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>Exporter %1</translation>
+    </message>
+    <message>
+        <source>%1 was exported to %2.</source>
+        <translation>%1 a été exporté vers %2.</translation>
+    </message>
+</context>
+<context>
+    <name>TrialFacts</name>
+    <message>
+        <source>%1, %2 high (estimated)</source>
+        <translation>%1, haut de %2 (estimé)</translation>
+    </message>
+    <message>
+        <source>%1, %2 high</source>
+        <translation>%1, haut de %2</translation>
+    </message>
+    <message>
+        <source>%1: %2×%3, %4 frames</source>
+        <translation>%1&#xa0;: %2×%3, %4 images</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>video missing</source>
+        <translation>vidéo manquante</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>non localisée</translation>
+    </message>
+    <message>
+        <source>In step</source>
+        <translation>Synchro</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>non synchronisée</translation>
+    </message>
+    <message>
+        <source>SHA-256 %1…</source>
+        <translation>SHA-256 %1…</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Gates</source>
+        <translation>Portes</translation>
+    </message>
+    <message>
+        <source>to %1 %2</source>
+        <translation>jusqu’à %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Lap %1</source>
+        <translation>Tour %1</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Passage %1</translation>
+    </message>
+    <message>
+        <source>off by %1 on average</source>
+        <translation>écart moyen de %1</translation>
+    </message>
+    <message>
+        <source>%1 (RMS)</source>
+        <translation>%1 (RMS)</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>%1 au plus</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 vers la gauche</translation>
+    </message>
+    <message>
+        <source>%1 of it completed</source>
+        <translation>accompli à %1</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>respectées</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Épreuve</translation>
+    </message>
+    <message>
+        <source>measured by another course</source>
+        <translation>mesuré sur un autre parcours</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Score</translation>
+    </message>
+    <message>
+        <source>none until it is measured again: the task has another course now</source>
+        <translation>aucun avant d’être remesuré&#xa0;: l’épreuve a maintenant un autre parcours</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Testbed</source>
+        <translation>Banc d’essai</translation>
+    </message>
+    <message>
+        <source>markers “%1”</source>
+        <translation>marqueurs «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Imported</source>
+        <translation>Importé</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Tracé</translation>
+    </message>
+    <message>
+        <source>Distance from the path</source>
+        <translation>Écart au tracé</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>Zones</translation>
+    </message>
+    <message>
+        <source>Smoother</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
+        <source>Analysed</source>
+        <translation>Analysé</translation>
+    </message>
+    <message>
+        <source>%1, Odograph %2</source>
+        <translation>%1, Odograph %2</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+</context>
+<context>
+    <name>TrialReport</name>
+    <message>
+        <source>class median %1</source>
+        <translation>médiane de la classe&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Score</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>Le passage vu de dessus</translation>
+    </message>
+    <message>
+        <source>coloured by speed</source>
+        <translation>coloré selon la vitesse</translation>
+    </message>
+    <message>
+        <source>The cameras’ views</source>
+        <translation>Les vues des caméras</translation>
+    </message>
+    <message>
+        <source>at %1, the top speed</source>
+        <translation>à %1, la vitesse maximale</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>à %1</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Ce qui s’est passé</translation>
+    </message>
+    <message>
+        <source>It did not move</source>
+        <translation>Il n’a pas bougé</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>Intermédiaires</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Passage %1</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Grandeurs</translation>
+    </message>
+    <message>
+        <source>± one σ</source>
+        <translation>± un σ</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>This trial has not been tracked yet: there are no figures.</source>
+        <translation>Cet essai n’a pas encore été suivi&#xa0;: il n’y a pas de valeurs.</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Épreuve</translation>
+    </message>
+</context>
+<context>
+    <name>WindowTitle</name>
+    <message>
+        <source>Team %1</source>
+        <translation>Équipe %1</translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>odo::AccuracyDialog</name>
+    <message>
+        <source>may hang &amp;over the floor</source>
+        <translation>peut être au-dess&amp;us du sol</translation>
+    </message>
+    <message>
+        <source>&amp;Plan a camera</source>
+        <translation>&amp;Prévoir une caméra</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>&amp;Best place</source>
+        <translation>&amp;Meilleure place</translation>
+    </message>
+    <message>
+        <source>Expected accuracy</source>
+        <translation>Précision attendue</translation>
+    </message>
+    <message>
+        <source>Expected accuracy in words</source>
+        <translation>Précision attendue, en mots</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Ce qui ne va pas</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Cameras that count</source>
+        <translation>Caméras prises en compte</translation>
+    </message>
+    <message>
+        <source>All ticked cameras together</source>
+        <translation>Toutes les caméras cochées ensemble</translation>
+    </message>
+    <message>
+        <source>The chosen camera alone</source>
+        <translation>La caméra choisie seule</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>&amp;Afficher</translation>
+    </message>
+    <message>
+        <source>Height of the robo&amp;t</source>
+        <translation>&amp;Hauteur du robot</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Caméras</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>As under a ceiling; a tripod would stand in the robots&apos; way</source>
+        <translation>Comme sous un plafond&#xa0;; un trépied gênerait les robots</translation>
+    </message>
+    <message>
+        <source>Puts the camera where, with the others that are ticked, the worst place of the floor is known best</source>
+        <translation>Place la caméra là où, avec les autres caméras cochées, l’endroit du sol le moins bien connu l’est le mieux possible</translation>
+    </message>
+    <message>
+        <source>Room beyond the &amp;markers</source>
+        <translation>Mar&amp;ge autour des marqueurs</translation>
+    </message>
+    <message>
+        <source>Planned camera</source>
+        <translation>Caméra prévue</translation>
+    </message>
+    <message>
+        <source>%1, registered %2</source>
+        <translation>%1, localisée le %2</translation>
+    </message>
+    <message>
+        <source>Planned %1</source>
+        <translation>Prévue %1</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3.</source>
+        <translation>%1&#xa0;: %2&#xa0;; %3.</translation>
+    </message>
+    <message>
+        <source>Looking for the best place…</source>
+        <translation>Recherche de la meilleure place…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Badge</name>
+    <message>
+        <source>not registered</source>
+        <translation>non localisée</translation>
+    </message>
+    <message>
+        <source>moved %1</source>
+        <translation>a bougé de %1</translation>
+    </message>
+    <message>
+        <source>marker moved %1</source>
+        <translation>marqueur déplacé de %1</translation>
+    </message>
+    <message>
+        <source>markers not found</source>
+        <translation>marqueurs introuvables</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoardCanvas</name>
+    <message>
+        <source>Picture of the board</source>
+        <translation>Photo de la mire</translation>
+    </message>
+    <message>
+        <source>residuals, longest %1 px</source>
+        <translation>résidus, le plus long&#xa0;: %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoardSearchWorker</name>
+    <message>
+        <source>picture %1</source>
+        <translation>photo %1</translation>
+    </message>
+    <message>
+        <source>in none of its pictures is a board that is still, sharp and new</source>
+        <translation>aucune de ses images ne montre une mire immobile, nette et nouvelle</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoxCanvas</name>
+    <message>
+        <source>Picture; arrow keys move the box round the robot, with Shift they change its size</source>
+        <translation>Image&#xa0;; les flèches déplacent le cadre autour du robot, avec Maj elles changent sa taille</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraChoiceDialog</name>
+    <message>
+        <source>Cameras to record with</source>
+        <translation>Caméras pour filmer</translation>
+    </message>
+    <message>
+        <source>Device that is camera %1</source>
+        <translation>Appareil qui est la caméra %1</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>Réglages…</translation>
+    </message>
+    <message>
+        <source>Settings of camera %1</source>
+        <translation>Réglages de la caméra %1</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Caméra %1</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>&amp;Rechercher</translation>
+    </message>
+    <message>
+        <source>Use these</source>
+        <translation>Utiliser</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>non utilisé</translation>
+    </message>
+    <message>
+        <source>in use by another program</source>
+        <translation>utilisé par un autre programme</translation>
+    </message>
+    <message>
+        <source>%1 (not connected)</source>
+        <translation>%1 (non connecté)</translation>
+    </message>
+    <message>
+        <source>Looking for cameras…</source>
+        <translation>Recherche des caméras…</translation>
+    </message>
+    <message>
+        <source>Choose at least one camera. With two, the place of a robot is known better, and while one cannot see it.</source>
+        <translation>Choisissez au moins une caméra. Avec deux, la place d’un robot est mieux connue, et le reste quand l’une ne le voit pas.</translation>
+    </message>
+    <message>
+        <source>One device cannot be two cameras.</source>
+        <translation>Un appareil ne peut pas être deux caméras.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraListModel</name>
+    <message>
+        <source>not calibrated</source>
+        <translation>non étalonnée</translation>
+    </message>
+    <message>
+        <source>calibrated, ±%1 px</source>
+        <translation>étalonnée, ±%1 px</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>non localisée</translation>
+    </message>
+    <message>
+        <source>registered, %1</source>
+        <translation>localisée, %1</translation>
+    </message>
+    <message>
+        <source>Calibrate the lens, then register the camera to the floor.</source>
+        <translation>Étalonnez l’objectif, puis localisez la caméra par rapport au sol.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objectif</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraView</name>
+    <message>
+        <source>in step to %1 ms</source>
+        <translation>synchronisée à %1 ms près</translation>
+    </message>
+    <message>
+        <source>offset by hand</source>
+        <translation>décalage manuel</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>non synchronisée</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Caméra %1</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Picture of the camera</source>
+        <translation>Image de la caméra</translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <translation>Image de %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraWishesDialog</name>
+    <message>
+        <source>as the camera has it</source>
+        <translation>selon la caméra</translation>
+    </message>
+    <message>
+        <source>frames/s</source>
+        <translation>images/s</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Ask for each picture, so that all such cameras take theirs together</source>
+        <translation>Demander chaque image, pour que toutes ces caméras la prennent ensemble</translation>
+    </message>
+    <message>
+        <source>Settings of %1</source>
+        <translation>Réglages de %1</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Cadence</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Exposition</translation>
+    </message>
+    <message>
+        <source>Software trigger</source>
+        <translation>Déclenchement logiciel</translation>
+    </message>
+    <message>
+        <source>&amp;Picture</source>
+        <translation>&amp;Image</translation>
+    </message>
+    <message>
+        <source>&amp;Rate</source>
+        <translation>&amp;Cadence</translation>
+    </message>
+    <message>
+        <source>&amp;Exposure</source>
+        <translation>&amp;Exposition</translation>
+    </message>
+    <message>
+        <source>&amp;Trigger</source>
+        <translation>&amp;Déclenchement</translation>
+    </message>
+    <message>
+        <source>What the camera cannot do is said when it is opened.</source>
+        <translation>Ce que la caméra ne sait pas faire est indiqué à son ouverture.</translation>
+    </message>
+    <message>
+        <source>Use these</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>the best for tracking</source>
+        <translation>le mieux pour le suivi</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChangeModel</name>
+    <message>
+        <source>made</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation>annulé</translation>
+    </message>
+    <message>
+        <source>made again</source>
+        <translation>rétabli</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Modification</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChangesDialog</name>
+    <message>
+        <source>Changes of the project</source>
+        <translation>Modifications du projet</translation>
+    </message>
+    <message>
+        <source>Nothing has been changed yet.</source>
+        <translation>Rien n’a encore été modifié.</translation>
+    </message>
+    <message>
+        <source>What was changed, in this window and by the command line, the newest first. Recordings, imports and tracking are told too; they cannot be undone.</source>
+        <translation>Ce qui a été modifié, dans cette fenêtre et par la ligne de commande, du plus récent au plus ancien. Les enregistrements, les importations et les suivis y figurent aussi&#xa0;; ils ne peuvent pas être annulés.</translation>
+    </message>
+    <message>
+        <source>Search the changes…</source>
+        <translation>Chercher dans les modifications…</translation>
+    </message>
+    <message>
+        <source>Search the changes</source>
+        <translation>Chercher dans les modifications</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Modifications</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChartPicture</name>
+    <message>
+        <source>&amp;Copy as a picture</source>
+        <translation>&amp;Copier comme image</translation>
+    </message>
+    <message>
+        <source>&amp;Save as a picture…</source>
+        <translation>&amp;Enregistrer comme image…</translation>
+    </message>
+    <message>
+        <source>SVG pictures (*.svg)</source>
+        <translation>Images SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>Images PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Save as a picture</source>
+        <translation>Enregistrer comme image</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChartSpan</name>
+    <message>
+        <source>Charts: show &amp;less</source>
+        <translation>Graphiques&#xa0;: montrer &amp;moins</translation>
+    </message>
+    <message>
+        <source>Charts: show &amp;more</source>
+        <translation>Graphiques&#xa0;: montrer pl&amp;us</translation>
+    </message>
+    <message>
+        <source>Charts: show &amp;all</source>
+        <translation>Graphiques&#xa0;: montrer &amp;tout</translation>
+    </message>
+    <message>
+        <source>Charts against the &amp;distance</source>
+        <translation>Graphiques selon la dist&amp;ance</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CheckTools</name>
+    <message>
+        <source>&amp;Check the cameras…</source>
+        <translation>&amp;Vérifier les caméras…</translation>
+    </message>
+    <message>
+        <source>Moved?</source>
+        <translation>Bougé&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Look whether each camera still stands where it was registered, before the robots run</source>
+        <translation>Vérifier que chaque caméra est encore là où elle a été localisée, avant que les robots roulent</translation>
+    </message>
+    <message>
+        <source>Check a known &amp;length…</source>
+        <translation>Vérifier une lon&amp;gueur connue…</translation>
+    </message>
+    <message>
+        <source>Length…</source>
+        <translation>Longueur…</translation>
+    </message>
+    <message>
+        <source>Measure something of known length in a camera&apos;s picture, and see whether the camera is as good as it promises</source>
+        <translation>Mesurer dans l’image d’une caméra un objet de longueur connue, pour voir si la caméra est aussi bonne qu’elle le promet</translation>
+    </message>
+    <message>
+        <source>&amp;Expected accuracy…</source>
+        <translation>&amp;Précision attendue…</translation>
+    </message>
+    <message>
+        <source>Accuracy…</source>
+        <translation>Précision…</translation>
+    </message>
+    <message>
+        <source>See how well each place of the floor will be known, also with cameras that are only planned</source>
+        <translation>Voir avec quelle précision chaque endroit du sol sera connu, y compris avec des caméras seulement prévues</translation>
+    </message>
+    <message>
+        <source>&amp;Older calibrations…</source>
+        <translation>Étalonnages &amp;antérieurs…</translation>
+    </message>
+    <message>
+        <source>Revisions…</source>
+        <translation>Révisions…</translation>
+    </message>
+    <message>
+        <source>See every calibration and registration of a camera, put an older one in force, measure trials again</source>
+        <translation>Voir tous les étalonnages et toutes les localisations d’une caméra, en remettre un ancien en vigueur, remesurer des essais</translation>
+    </message>
+    <message>
+        <source>The cameras are checked: see their badges.</source>
+        <translation>Les caméras sont vérifiées&#xa0;: voyez leurs pastilles.</translation>
+    </message>
+    <message>
+        <source>Calibrations and trials are as they were chosen.</source>
+        <translation>Étalonnages et essais sont tels que vous les avez choisis.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ClassActions</name>
+    <message>
+        <source>&amp;Tasks…</source>
+        <translation>Épr&amp;euves…</translation>
+    </message>
+    <message>
+        <source>C&amp;lasses and teams…</source>
+        <translation>Classes et é&amp;quipes…</translation>
+    </message>
+    <message>
+        <source>R&amp;obots…</source>
+        <translation>R&amp;obots…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ClassesDialog</name>
+    <message>
+        <source>&amp;New class…</source>
+        <translation>&amp;Nouvelle classe…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Renommer…</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>&amp;Archiver</translation>
+    </message>
+    <message>
+        <source>Dele&amp;te</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>New t&amp;eam…</source>
+        <translation>Nouvelle é&amp;quipe…</translation>
+    </message>
+    <message>
+        <source>&amp;Move to</source>
+        <translation>&amp;Déplacer vers</translation>
+    </message>
+    <message>
+        <source>Members and r&amp;obots…</source>
+        <translation>Membres et r&amp;obots…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>Su&amp;pprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Import roster…</source>
+        <translation>&amp;Importer une liste…</translation>
+    </message>
+    <message>
+        <source>Classes and teams</source>
+        <translation>Classes et équipes</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Ce qui a été fait</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Classes</translation>
+    </message>
+    <message>
+        <source>An archived class is out of the way: History, Record and the standings show its teams and trials only where it is chosen there by name</source>
+        <translation>Une classe archivée est mise de côté&#xa0;: «&#xa0;Historique&#xa0;», «&#xa0;Filmer&#xa0;» et le classement ne montrent ses équipes et ses essais que si elle y est choisie par son nom</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Pseudonym</source>
+        <translation>Pseudonyme</translation>
+    </message>
+    <message>
+        <source>Members</source>
+        <translation>Membres</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Robots</translation>
+    </message>
+    <message>
+        <source>Teams of the class</source>
+        <translation>Équipes de la classe</translation>
+    </message>
+    <message>
+        <source>Double-click or F2 changes a name or a pseudonym</source>
+        <translation>Un double-clic ou F2 modifie un nom ou un pseudonyme</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (archived, %n team(s))</source>
+        <translation>
+            <numerusform>%1 (archivée, %n équipe)</numerusform>
+            <numerusform>%1 (archivée, %n équipes)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%n team(s))</source>
+        <translation>
+            <numerusform>%1 (%n équipe)</numerusform>
+            <numerusform>%1 (%n équipes)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Teams without a class</source>
+        <translation>Équipes sans classe</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>Dés&amp;archiver</translation>
+    </message>
+    <message>
+        <source>No class</source>
+        <translation>Aucune classe</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nom&#xa0;:</translation>
+    </message>
+    <message>
+        <source>New class</source>
+        <translation>Nouvelle classe</translation>
+    </message>
+    <message>
+        <source>add class %1</source>
+        <translation>ajout de la classe %1</translation>
+    </message>
+    <message>
+        <source>Rename class</source>
+        <translation>Renommer la classe</translation>
+    </message>
+    <message>
+        <source>rename class %1 to %2</source>
+        <translation>classe %1 renommée en %2</translation>
+    </message>
+    <message>
+        <source>take class %1 out of the archive</source>
+        <translation>désarchivage de la classe %1</translation>
+    </message>
+    <message>
+        <source>archive class %1</source>
+        <translation>archivage de la classe %1</translation>
+    </message>
+    <message>
+        <source>delete class %1</source>
+        <translation>suppression de la classe %1</translation>
+    </message>
+    <message>
+        <source>New team</source>
+        <translation>Nouvelle équipe</translation>
+    </message>
+    <message>
+        <source>add team %1</source>
+        <translation>ajout de l’équipe %1</translation>
+    </message>
+    <message>
+        <source>take team %1 out of its class</source>
+        <translation>retrait de l’équipe %1 de sa classe</translation>
+    </message>
+    <message>
+        <source>move team %1 to class %2</source>
+        <translation>déplacement de l’équipe %1 vers la classe %2</translation>
+    </message>
+    <message>
+        <source>delete team %1</source>
+        <translation>suppression de l’équipe %1</translation>
+    </message>
+    <message>
+        <source>change members and robots of team %1</source>
+        <translation>modification des membres et des robots de l’équipe %1</translation>
+    </message>
+    <message>
+        <source>rename team %1 to %2</source>
+        <translation>équipe %1 renommée en %2</translation>
+    </message>
+    <message>
+        <source>change the pseudonym of team %1</source>
+        <translation>modification du pseudonyme de l’équipe %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CompareColumn</name>
+    <message>
+        <source>Time difference</source>
+        <translation>Écart de temps</translation>
+    </message>
+    <message>
+        <source>Sectors</source>
+        <translation>Secteurs</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Grandeurs</translation>
+    </message>
+    <message>
+        <source>Run that is shown against the first</source>
+        <translation>Passage comparé au premier</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Passages</translation>
+    </message>
+    <message>
+        <source>Times from gate to gate</source>
+        <translation>Temps de porte à porte</translation>
+    </message>
+    <message>
+        <source>Figures of both runs</source>
+        <translation>Grandeurs des deux passages</translation>
+    </message>
+    <message>
+        <source>s · drag the gates on the map</source>
+        <translation>s · faites glisser les portes sur la carte</translation>
+    </message>
+    <message>
+        <source>grey: within the error</source>
+        <translation>gris&#xa0;: dans la marge d’erreur</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>de %1</translation>
+    </message>
+    <message>
+        <source>Later at the end</source>
+        <translation>En retard à la fin</translation>
+    </message>
+    <message>
+        <source>Earlier at the end</source>
+        <translation>En avance à la fin</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>À la fin</translation>
+    </message>
+    <message>
+        <source>Later here</source>
+        <translation>En retard ici</translation>
+    </message>
+    <message>
+        <source>Earlier here</source>
+        <translation>En avance ici</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Ici</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CompareDesk</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>Carte vue de dessus</translation>
+    </message>
+    <message>
+        <source>Map of the floor with the ways of the runs and the gates of the sectors</source>
+        <translation>Carte du sol avec les trajets des passages et les portes des secteurs</translation>
+    </message>
+    <message>
+        <source>Drag a gate along the way; with the keys: Up and Down choose one, Left and Right move it</source>
+        <translation>Faites glisser une porte le long du trajet&#xa0;; au clavier&#xa0;: Haut et Bas en choisissent une, Gauche et Droite la déplacent</translation>
+    </message>
+    <message>
+        <source>both runs</source>
+        <translation>les deux passages</translation>
+    </message>
+    <message>
+        <source>Camera of the first run</source>
+        <translation>Caméra du premier passage</translation>
+    </message>
+    <message>
+        <source>Camera of the second run</source>
+        <translation>Caméra du second passage</translation>
+    </message>
+    <message>
+        <source>dashed: the task&apos;s path</source>
+        <translation>tirets&#xa0;: tracé de l’épreuve</translation>
+    </message>
+    <message>
+        <source>along the first run&apos;s way</source>
+        <translation>le long du trajet du premier passage</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Premier</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Second</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ComparePage</name>
+    <message>
+        <source>These runs cannot be compared</source>
+        <translation>Ces passages ne peuvent pas être comparés</translation>
+    </message>
+    <message>
+        <source>%1. What helps: %2.</source>
+        <translation>%1. Pour y remédier&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Two runs are needed</source>
+        <translation>Il faut deux passages</translation>
+    </message>
+    <message>
+        <source>Comparing shows where one run is faster than another, and whether that is more than the error. Choose two trials that have been tracked, or bring in another one.</source>
+        <translation>La comparaison montre où un passage est plus rapide qu’un autre, et si l’écart dépasse la marge d’erreur. Choisissez deux essais déjà suivis, ou importez-en un autre.</translation>
+    </message>
+    <message>
+        <source>Import trial from videos…</source>
+        <translation>Importer les vidéos d’un essai…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CoveragePanel</name>
+    <message>
+        <source>Across</source>
+        <translation>En largeur</translation>
+    </message>
+    <message>
+        <source>Up and down</source>
+        <translation>En hauteur</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>De près</translation>
+    </message>
+    <message>
+        <source>Tilted</source>
+        <translation>Inclinée</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Couverture</translation>
+    </message>
+    <message>
+        <source>%1 pictures: enough. More do no harm.</source>
+        <translation>%1 photos&#xa0;: c’est assez. Davantage ne nuit pas.</translation>
+    </message>
+    <message>
+        <source>1 picture; ten or more are wanted.</source>
+        <translation>1 photo&#xa0;; il en faut au moins dix.</translation>
+    </message>
+    <message>
+        <source>%1 pictures; ten or more are wanted.</source>
+        <translation>%1 photos&#xa0;; il en faut au moins dix.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CrashNotice</name>
+    <message>
+        <source>Odograph ended unexpectedly</source>
+        <translation>Odograph s’est arrêté inopinément</translation>
+    </message>
+    <message>
+        <source>The last time, Odograph ended by a fault of its own. What was saved is safe. A recording that was cut off is kept up to its last second as soon as its project is opened again.</source>
+        <translation>La dernière fois, Odograph s’est arrêté à cause d’une erreur interne. Ce qui était enregistré est intact. Une vidéo dont l’enregistrement a été interrompu est conservée jusqu’à sa dernière seconde dès que son projet est rouvert.</translation>
+    </message>
+    <message>
+        <source>The last time, Odograph ended by a fault of its own. What was saved is safe.</source>
+        <translation>La dernière fois, Odograph s’est arrêté à cause d’une erreur interne. Ce qui était enregistré est intact.</translation>
+    </message>
+    <message>
+        <source>Project:</source>
+        <translation>Projet&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Report:</source>
+        <translation>Rapport&#xa0;:</translation>
+    </message>
+    <message>
+        <source>&amp;Open the project</source>
+        <translation>&amp;Ouvrir le projet</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DifferenceModel</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>begin</source>
+        <translation>début</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>fin</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Only one of the two has it</source>
+        <translation>Un seul des deux l’a</translation>
+    </message>
+    <message>
+        <source>%1: beyond the error (95 %)</source>
+        <translation>%1&#xa0;: hors marge d’erreur (95&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>%1: within the error (95 %), no difference can be claimed</source>
+        <translation>%1&#xa0;: dans la marge d’erreur (95&#xa0;%), on ne peut conclure à aucune différence</translation>
+    </message>
+    <message>
+        <source>beyond the error</source>
+        <translation>hors marge d’erreur</translation>
+    </message>
+    <message>
+        <source>within the error</source>
+        <translation>dans la marge d’erreur</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Différence</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DistanceChart</name>
+    <message>
+        <source>Speed along the way</source>
+        <translation>Vitesse le long du trajet</translation>
+    </message>
+    <message>
+        <source>Time difference along the way</source>
+        <translation>Écart de temps le long du trajet</translation>
+    </message>
+    <message>
+        <source>%1 · smoothed ±95 %</source>
+        <translation>%1 · lissé ±95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>s · above 0: %2 is later than %1 · ±95 % · grey: within the error</source>
+        <translation>s · au-dessus de 0&#xa0;: %2 en retard sur %1 · ±95&#xa0;% · gris&#xa0;: dans la marge d’erreur</translation>
+    </message>
+    <message>
+        <source>s · above 0: later than %1 · ±95 % · grey: within the error</source>
+        <translation>s · au-dessus de 0&#xa0;: en retard sur %1 · ±95&#xa0;% · gris&#xa0;: dans la marge d’erreur</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DockGrip</name>
+    <message>
+        <source>Drag to move, double click to float</source>
+        <translation>Glisser pour déplacer, double-clic pour détacher</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DoctorDialog</name>
+    <message>
+        <source>good</source>
+        <translation>bon</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>douteux</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>mauvais</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>Set-up doctor</source>
+        <translation>Diagnostic de l’installation</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Ce qui a été trouvé</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>&amp;Rechercher</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Recherche…</translation>
+    </message>
+    <message>
+        <source>. What to do: %1.</source>
+        <translation>. À faire&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that would disturb a recording.</source>
+        <translation>Rien n’a été trouvé qui gênerait un enregistrement.</translation>
+    </message>
+    <message>
+        <source>There is one thing to look at.</source>
+        <translation>Il y a un point à examiner.</translation>
+    </message>
+    <message>
+        <source>There are %1 things to look at, the worst first.</source>
+        <translation>Il y a %1 points à examiner, le plus grave d’abord.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FigureGrid</name>
+    <message>
+        <source>Figures</source>
+        <translation>Grandeurs</translation>
+    </message>
+    <message>
+        <source>No result yet: track the trial</source>
+        <translation>Pas encore de résultat&#xa0;: suivez l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FigureText</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>Vitesse max.</translation>
+    </message>
+    <message>
+        <source>Mean speed</source>
+        <translation>Vitesse moyenne</translation>
+    </message>
+    <message>
+        <source>Speed (RMS)</source>
+        <translation>Vitesse (RMS)</translation>
+    </message>
+    <message>
+        <source>Top acceleration</source>
+        <translation>Accélération max.</translation>
+    </message>
+    <message>
+        <source>Acceleration (RMS)</source>
+        <translation>Accélération (RMS)</translation>
+    </message>
+    <message>
+        <source>Straightness</source>
+        <translation>Rectitude</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Arrêts</translation>
+    </message>
+    <message>
+        <source>Fastest turn</source>
+        <translation>Rotation max.</translation>
+    </message>
+    <message>
+        <source>Start to finish</source>
+        <translation>Du départ à l’arrivée</translation>
+    </message>
+    <message>
+        <source>Laps</source>
+        <translation>Tours</translation>
+    </message>
+    <message>
+        <source>Best lap</source>
+        <translation>Meilleur tour</translation>
+    </message>
+    <message>
+        <source>Mean lap</source>
+        <translation>Tour moyen</translation>
+    </message>
+    <message>
+        <source>Off the path (mean)</source>
+        <translation>Écart au tracé (moyen)</translation>
+    </message>
+    <message>
+        <source>Off the path (RMS)</source>
+        <translation>Écart au tracé (RMS)</translation>
+    </message>
+    <message>
+        <source>Off the path (most)</source>
+        <translation>Écart au tracé (max.)</translation>
+    </message>
+    <message>
+        <source>Left of the path</source>
+        <translation>À gauche du tracé</translation>
+    </message>
+    <message>
+        <source>Path completed</source>
+        <translation>Tracé accompli</translation>
+    </message>
+    <message>
+        <source>Zones broken</source>
+        <translation>Zones enfreintes</translation>
+    </message>
+    <message>
+        <source>Time beyond zones</source>
+        <translation>Temps hors zones</translation>
+    </message>
+    <message>
+        <source>Beyond zones (most)</source>
+        <translation>Hors zones (max.)</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Déplacement</translation>
+    </message>
+    <message>
+        <source>Time in motion</source>
+        <translation>Temps en mouvement</translation>
+    </message>
+    <message>
+        <source>Views disagree by</source>
+        <translation>Désaccord des vues</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Score</translation>
+    </message>
+    <message>
+        <source>Spikes</source>
+        <translation>Pics aberrants</translation>
+    </message>
+    <message>
+        <source>Limits broken</source>
+        <translation>Limites enfreintes</translation>
+    </message>
+    <message>
+        <source>Gates passed</source>
+        <translation>Portes franchies</translation>
+    </message>
+    <message>
+        <source>Robot&apos;s height</source>
+        <translation>Hauteur du robot</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FileActions</name>
+    <message>
+        <source>&amp;New project…</source>
+        <translation>&amp;Nouveau projet…</translation>
+    </message>
+    <message>
+        <source>&amp;Open project…</source>
+        <translation>&amp;Ouvrir un projet…</translation>
+    </message>
+    <message>
+        <source>Open &amp;demo lesson…</source>
+        <translation>Ouvrir la leçon de &amp;démo…</translation>
+    </message>
+    <message>
+        <source>Save a &amp;copy as…</source>
+        <translation>Enregistrer une &amp;copie…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Projets &amp;récents</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>&amp;Effacer cette liste</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Nouveau projet</translation>
+    </message>
+    <message>
+        <source>Project.odo</source>
+        <translation>Projet.odo</translation>
+    </message>
+    <message>
+        <source>Odograph projects (*.odo)</source>
+        <translation>Projets Odograph (*.odo)</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Ouvrir un projet</translation>
+    </message>
+    <message>
+        <source>Odograph projects (*.odo);;All files (*)</source>
+        <translation>Projets Odograph (*.odo);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Where shall the demo lesson be made?</source>
+        <translation>Où créer la leçon de démonstration&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Odograph demo</source>
+        <translation>Démo Odograph</translation>
+    </message>
+    <message>
+        <source>Making the demo lesson</source>
+        <translation>Création de la leçon de démonstration</translation>
+    </message>
+    <message>
+        <source>Copy of %1</source>
+        <translation>Copie de %1</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Enregistrer une copie</translation>
+    </message>
+    <message>
+        <source>Saving a copy</source>
+        <translation>Enregistrement d’une copie</translation>
+    </message>
+    <message>
+        <source>A copy was saved as %1. Its videos stay where they are.</source>
+        <translation>Une copie a été enregistrée&#xa0;: %1. Ses vidéos restent où elles sont.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FilmStrip</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>Re&amp;tirer</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>Pictures that count</source>
+        <translation>Photos prises en compte</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorMap</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>Carte vue de dessus</translation>
+    </message>
+    <message>
+        <source>Map: &amp;views&apos; disagreement</source>
+        <translation>Carte&#xa0;: désaccord des &amp;vues</translation>
+    </message>
+    <message>
+        <source>Map of the floor with the robots&apos; trails</source>
+        <translation>Carte du sol avec les traces des robots</translation>
+    </message>
+    <message>
+        <source>What colours the trails of the map</source>
+        <translation>Ce qui colore les traces sur la carte</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Disagreement</source>
+        <translation>Désaccord</translation>
+    </message>
+    <message>
+        <source>Disagreement of the views: %1</source>
+        <translation>Désaccord des vues&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>coloured by</source>
+        <translation>coloré selon</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorSketch</name>
+    <message>
+        <source>Sketch of the testbed from above</source>
+        <translation>Croquis du banc d’essai vu de dessus</translation>
+    </message>
+    <message>
+        <source>%1 markers, %2 cameras</source>
+        <translation>%1 marqueurs, %2 caméras</translation>
+    </message>
+    <message>
+        <source>%1, %2 m high</source>
+        <translation>%1, à %2 m de haut</translation>
+    </message>
+    <message>
+        <source>Markers and cameras are drawn here once there is a layout or a registered camera.</source>
+        <translation>Marqueurs et caméras sont dessinés ici dès qu’il y a un plan de marqueurs ou une caméra localisée.</translation>
+    </message>
+    <message>
+        <source>grid 0.5 m</source>
+        <translation>grille de 0.5 m</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorSourcePage</name>
+    <message>
+        <source>Picture or video of the markers</source>
+        <translation>Photo ou vidéo des marqueurs</translation>
+    </message>
+    <message>
+        <source>Markers whose places on the floor are known tell where the camera stands. Four are enough, a fifth checks them. Afterwards the camera must not be moved.</source>
+        <translation>Des marqueurs dont la place au sol est connue disent où se trouve la caméra. Quatre suffisent, un cinquième les contrôle. Ensuite, la caméra ne doit plus être déplacée.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>C&amp;améra</translation>
+    </message>
+    <message>
+        <source>Marker &amp;layout</source>
+        <translation>P&amp;lan de marqueurs</translation>
+    </message>
+    <message>
+        <source>Where the markers are seen</source>
+        <translation>Où l’on voit les marqueurs</translation>
+    </message>
+    <message>
+        <source>Its lens is measured.</source>
+        <translation>Son objectif est mesuré.</translation>
+    </message>
+    <message>
+        <source>Its lens was not measured: it is taken as free of distortion, and its focal length is estimated from the markers where they tell it.</source>
+        <translation>Son objectif n’a pas été mesuré&#xa0;: il est supposé sans distorsion, et sa distance focale est estimée d’après les marqueurs quand ils la donnent.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorWizard</name>
+    <message>
+        <source>Register camera to the floor</source>
+        <translation>Localiser une caméra par rapport au sol</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>The camera and its markers</source>
+        <translation>La caméra et ses marqueurs</translation>
+    </message>
+    <message>
+        <source>The markers in the picture</source>
+        <translation>Les marqueurs dans l’image</translation>
+    </message>
+    <message>
+        <source>Looking for the markers…</source>
+        <translation>Recherche des marqueurs…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::GateTable</name>
+    <message>
+        <source>start</source>
+        <translation>départ</translation>
+    </message>
+    <message>
+        <source>finish</source>
+        <translation>arrivée</translation>
+    </message>
+    <message>
+        <source>start and finish</source>
+        <translation>départ et arrivée</translation>
+    </message>
+    <message>
+        <source>split</source>
+        <translation>intermédiaire</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>&amp;Other way</source>
+        <translation>&amp;Inverser le sens</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Porte</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+    <message>
+        <source>x₁, mm</source>
+        <translation>x₁, mm</translation>
+    </message>
+    <message>
+        <source>y₁, mm</source>
+        <translation>y₁, mm</translation>
+    </message>
+    <message>
+        <source>x₂, mm</source>
+        <translation>x₂, mm</translation>
+    </message>
+    <message>
+        <source>y₂, mm</source>
+        <translation>y₂, mm</translation>
+    </message>
+    <message>
+        <source>Gates in the order in which they are passed</source>
+        <translation>Portes dans l’ordre de franchissement</translation>
+    </message>
+    <message>
+        <source>&amp;Add gate</source>
+        <translation>A&amp;jouter une porte</translation>
+    </message>
+    <message>
+        <source>The chosen gate is passed the other way</source>
+        <translation>La porte choisie se franchit dans l’autre sens</translation>
+    </message>
+    <message>
+        <source>Role of the gate</source>
+        <translation>Rôle de la porte</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>Intermédiaire %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::GeneralPage</name>
+    <message>
+        <source>Odograph shows it when it is started again.</source>
+        <translation>Odograph l’affichera à son prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>&amp;Units of results</source>
+        <translation>&amp;Unités des résultats</translation>
+    </message>
+    <message>
+        <source>Floors and targets are set up in millimetres, as they are printed. Exported files have the units that their format asks for.</source>
+        <translation>Les sols et les cibles se règlent en millimètres, comme ils sont imprimés. Les fichiers exportés ont les unités que demande leur format.</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thème</translation>
+    </message>
+    <message>
+        <source>&amp;Colours of maps</source>
+        <translation>&amp;Couleurs des cartes</translation>
+    </message>
+    <message>
+        <source>Both can be told apart by people who do not see red or green, and in a print without colours.</source>
+        <translation>Les deux restent lisibles pour qui ne voit pas le rouge ou le vert, et dans une impression sans couleurs.</translation>
+    </message>
+    <message>
+        <source>Units of results</source>
+        <translation>Unités des résultats</translation>
+    </message>
+    <message>
+        <source>Millimetres and metres: mm, m, m/s</source>
+        <translation>Millimètres et mètres&#xa0;: mm, m, m/s</translation>
+    </message>
+    <message>
+        <source>Centimetres: cm, cm/s</source>
+        <translation>Centimètres&#xa0;: cm, cm/s</translation>
+    </message>
+    <message>
+        <source>Inches and feet: in, ft, ft/s</source>
+        <translation>Pouces et pieds&#xa0;: in, ft, ft/s</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>As the computer has it</source>
+        <translation>Comme l’ordinateur</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>As the desktop has it</source>
+        <translation>Comme le bureau</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>Colours of maps</source>
+        <translation>Couleurs des cartes</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HelpActions</name>
+    <message>
+        <source>&amp;Help on this page</source>
+        <translation>&amp;Aide sur cette page</translation>
+    </message>
+    <message>
+        <source>&amp;First lesson</source>
+        <translation>&amp;Première leçon</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Raccourcis</translation>
+    </message>
+    <message>
+        <source>&amp;About Odograph</source>
+        <translation>À propos d’&amp;Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HelpPanel</name>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Close the help (F1)</source>
+        <translation>Fermer l’aide (F1)</translation>
+    </message>
+    <message>
+        <source>Close the help</source>
+        <translation>Fermer l’aide</translation>
+    </message>
+    <message>
+        <source>Help on this page</source>
+        <translation>Aide sur cette page</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HistoryActions</name>
+    <message>
+        <source>Import &amp;roster…</source>
+        <translation>Importer une &amp;liste de classe…</translation>
+    </message>
+    <message>
+        <source>&amp;Changes of the project…</source>
+        <translation>&amp;Modifications du projet…</translation>
+    </message>
+    <message>
+        <source>Import a roster: a table with the columns class and team, perhaps pseudonym</source>
+        <translation>Importer une liste de classe&#xa0;: un tableau avec les colonnes «&#xa0;class&#xa0;» et «&#xa0;team&#xa0;», éventuellement «&#xa0;pseudonym&#xa0;»</translation>
+    </message>
+    <message>
+        <source>CSV tables (*.csv)</source>
+        <translation>Tableaux CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>The roster is imported. Teams that are new: %1, changed: %2, as before: %3.</source>
+        <translation>La liste de classe est importée. Équipes nouvelles&#xa0;: %1, modifiées&#xa0;: %2, inchangées&#xa0;: %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Export %n trial(s): choose a folder</source>
+        <translation>
+            <numerusform>Exporter %n essai&#xa0;: choisissez un dossier</numerusform>
+            <numerusform>Exporter %n essais&#xa0;: choisissez un dossier</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exported trials: %1 of %2.</source>
+        <translation>Essais exportés&#xa0;: %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>Exporting %1 (%2 of %3)</source>
+        <translation>Exportation de %1 (%2 sur %3)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Videos of %n trial(s)</source>
+        <translation>
+            <numerusform>Vidéos de %n essai</numerusform>
+            <numerusform>Vidéos de %n essais</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Videos made: %1 of %2.</source>
+        <translation>Vidéos créées&#xa0;: %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>Making the video of %1 (%2 of %3)</source>
+        <translation>Création de la vidéo de %1 (%2 sur %3)</translation>
+    </message>
+    <message>
+        <source>Trials measured again: %1 of %2.</source>
+        <translation>Essais remesurés&#xa0;: %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>Measuring %1 again (%2 of %3)</source>
+        <translation>Nouvelle mesure de %1 (%2 sur %3)</translation>
+    </message>
+    <message>
+        <source>Emptying the bin</source>
+        <translation>Vidage de la corbeille</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) removed for good.</source>
+        <translation>
+            <numerusform>%n essai supprimé définitivement.</numerusform>
+            <numerusform>%n essais supprimés définitivement.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n trial(s) removed for good; the rest is still there.</source>
+        <translation>
+            <numerusform>%1 essai sur %n supprimé définitivement&#xa0;; le reste est encore là.</numerusform>
+            <numerusform>%1 essais sur %n supprimés définitivement&#xa0;; le reste est encore là.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 could not be deleted; delete it by hand.</source>
+        <translation>%1 n’a pas pu être supprimé&#xa0;; supprimez-le à la main.</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
+    </message>
+    <message>
+        <source>mend what stands there, and choose these trials again</source>
+        <translation>corrigez ce qui est indiqué, puis choisissez de nouveau ces essais</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HistoryPage</name>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Comparer</translation>
+    </message>
+    <message>
+        <source>Teams by &amp;pseudonym</source>
+        <translation>Équipes par &amp;pseudonyme</translation>
+    </message>
+    <message>
+        <source>Tria&amp;ls</source>
+        <translation>Essai&amp;s</translation>
+    </message>
+    <message>
+        <source>Tea&amp;ms</source>
+        <translation>É&amp;quipes</translation>
+    </message>
+    <message>
+        <source>Trials or teams</source>
+        <translation>Essais ou équipes</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>&amp;Remesurer</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xporter…</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>R&amp;apport…</translation>
+    </message>
+    <message>
+        <source>Export &amp;videos…</source>
+        <translation>Exporter les &amp;vidéos…</translation>
+    </message>
+    <message>
+        <source>Search trials, teams, tasks, tags, notes…</source>
+        <translation>Chercher essais, équipes, épreuves, étiquettes, notes…</translation>
+    </message>
+    <message>
+        <source>Search the trials</source>
+        <translation>Chercher dans les essais</translation>
+    </message>
+    <message>
+        <source>Searc&amp;h</source>
+        <translation>Cherc&amp;her</translation>
+    </message>
+    <message>
+        <source>%1 (archived)</source>
+        <translation>%1 (archivée)</translation>
+    </message>
+    <message>
+        <source>Compare the selected trials</source>
+        <translation>Comparer les essais sélectionnés</translation>
+    </message>
+    <message>
+        <source>Select two trials or more (Ctrl or Shift and a click)</source>
+        <translation>Sélectionnez au moins deux essais (Ctrl ou Maj et un clic)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n essai</numerusform>
+            <numerusform>%n essais</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n trial(s)</source>
+        <translation>
+            <numerusform>%1 sur %n essai</numerusform>
+            <numerusform>%1 sur %n essais</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportTracksDialog</name>
+    <message>
+        <source>Add &amp;robot</source>
+        <translation>A&amp;jouter un robot</translation>
+    </message>
+    <message>
+        <source>Import finished tracks</source>
+        <translation>Importer des trajectoires</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Positions that another program has measured, or Odograph has exported: TUM, CSV or Tracker&apos;s text. They are measured as a run without video.</source>
+        <translation>Positions mesurées par un autre programme ou exportées par Odograph&#xa0;: TUM, CSV ou texte de Tracker. Elles sont mesurées comme un passage sans vidéo.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nom</translation>
+    </message>
+    <message>
+        <source>&amp;Team</source>
+        <translation>É&amp;quipe</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>É&amp;preuve</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Trajectoires</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Robot of track %1</source>
+        <translation>Robot de la trajectoire %1</translation>
+    </message>
+    <message>
+        <source>A name that is new makes a new robot</source>
+        <translation>Un nom nouveau crée un nouveau robot</translation>
+    </message>
+    <message>
+        <source>File of track %1</source>
+        <translation>Fichier de la trajectoire %1</translation>
+    </message>
+    <message>
+        <source>Tracks (*.csv *.txt *.tum *.tsv);;All files (*)</source>
+        <translation>Trajectoires (*.csv *.txt *.tum *.tsv);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportTrialDialog</name>
+    <message>
+        <source>Robots in the trial</source>
+        <translation>Robots de l’essai</translation>
+    </message>
+    <message>
+        <source>Add &amp;view</source>
+        <translation>Ajouter une &amp;vue</translation>
+    </message>
+    <message>
+        <source>Camera&apos;s real &amp;rate</source>
+        <translation>&amp;Cadence réelle de la caméra</translation>
+    </message>
+    <message>
+        <source>Import trial from videos</source>
+        <translation>Importer les vidéos d’un essai</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nom</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>É&amp;quipe</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>É&amp;preuve</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>R&amp;obots</translation>
+    </message>
+    <message>
+        <source>Videos</source>
+        <translation>Vidéos</translation>
+    </message>
+    <message>
+        <source>In &amp;step</source>
+        <translation>&amp;Synchronisation</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Video file</source>
+        <translation>Fichier vidéo</translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> images/s</translation>
+    </message>
+    <message>
+        <source>Camera&apos;s real rate</source>
+        <translation>Cadence réelle de la caméra</translation>
+    </message>
+    <message>
+        <source>For slow motion: the file plays slower than the camera took it</source>
+        <translation>Pour un ralenti&#xa0;: le fichier se lit plus lentement que la caméra ne l’a pris</translation>
+    </message>
+    <message>
+        <source>Camera of view %1</source>
+        <translation>Caméra de la vue %1</translation>
+    </message>
+    <message>
+        <source>Video of view %1</source>
+        <translation>Vidéo de la vue %1</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;All files (*)</source>
+        <translation>Vidéos (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Registration of the camera of view %1</source>
+        <translation>Localisation de la caméra de la vue %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::JobIndicator</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
+    <message>
+        <source>Cancel the running job</source>
+        <translation>Annuler la tâche en cours</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Arrêt en cours…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::JointDialog</name>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Known to, before</source>
+        <translation>Précision avant</translation>
+    </message>
+    <message>
+        <source>Known to, together</source>
+        <translation>Précision ensemble</translation>
+    </message>
+    <message>
+        <source>Moves by</source>
+        <translation>Déplacement</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Caméras</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marqueur</translation>
+    </message>
+    <message>
+        <source>Off by, mm</source>
+        <translation>Écart, mm</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marqueurs</translation>
+    </message>
+    <message>
+        <source>Register all cameras together</source>
+        <translation>Localiser toutes les caméras ensemble</translation>
+    </message>
+    <message>
+        <source>The cameras of layout %1 are fitted again at once, by the markers they were registered with: where they see the same markers, they agree better afterwards, and a marker that was measured wrongly is found.</source>
+        <translation>Les caméras du plan %1 sont réajustées d’un coup, d’après les marqueurs qui ont servi à les localiser&#xa0;: là où elles voient les mêmes marqueurs, elles s’accordent mieux ensuite, et un marqueur mal mesuré est repéré.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Error of the tape measure</source>
+        <translation>Erreur du mètre ruban</translation>
+    </message>
+    <message>
+        <source>The markers&apos; places were &amp;measured to</source>
+        <translation>Places des marqueurs &amp;mesurées à</translation>
+    </message>
+    <message>
+        <source>Fitting the cameras together…</source>
+        <translation>Ajustement commun des caméras…</translation>
+    </message>
+    <message>
+        <source>What is known together reckons with the markers&apos; places being measured to %1 mm, which a camera that is registered by itself takes as exact. Nothing is changed before you save; trials keep the registration they were analysed with.</source>
+        <translation>L’ajustement commun tient compte de ce que les places des marqueurs sont mesurées à %1 mm près, alors qu’une caméra localisée seule les prend comme exactes. Rien n’est modifié avant que vous enregistriez&#xa0;; les essais gardent la localisation avec laquelle ils ont été analysés.</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>measure it again</source>
+        <translation>mesurez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>concorde</translation>
+    </message>
+</context>
+<context>
+    <name>odo::KeysPage</name>
+    <message>
+        <source>&amp;Use this key</source>
+        <translation>&amp;Utiliser</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>S&amp;ans raccourci</translation>
+    </message>
+    <message>
+        <source>&amp;All as usual</source>
+        <translation>Tout par &amp;défaut</translation>
+    </message>
+    <message>
+        <source>Search for a command or a key</source>
+        <translation>Chercher une commande ou un raccourci</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>Commandes et leurs raccourcis</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Raccourci</translation>
+    </message>
+    <message>
+        <source>New key of the chosen command</source>
+        <translation>Nouveau raccourci de la commande choisie</translation>
+    </message>
+    <message>
+        <source>Choose a command to give it another key.</source>
+        <translation>Choisissez une commande pour lui donner un autre raccourci.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of “%2”, which would have none.</source>
+        <translation>%1 est le raccourci de «&#xa0;%2&#xa0;», qui n’en aurait plus.</translation>
+    </message>
+    <message>
+        <source>Press the new key in the field.</source>
+        <translation>Tapez le nouveau raccourci dans le champ.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LayoutDialog</name>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>Tableaux (*.csv *.txt);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Marker layout</source>
+        <translation>Plan de marqueurs</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Ce qui ne va pas</translation>
+    </message>
+    <message>
+        <source>Where the markers lie on the floor, measured with a tape: millimetres from the origin. X goes to the right, Y away from you, seen from above.</source>
+        <translation>Où se trouvent les marqueurs au sol, mesuré au mètre ruban&#xa0;: en millimètres depuis l’origine. Vu de dessus, X va vers la droite, Y s’éloigne de vous.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nom</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Libellé</translation>
+    </message>
+    <message>
+        <source>x, mm</source>
+        <translation>x, mm</translation>
+    </message>
+    <message>
+        <source>y, mm</source>
+        <translation>y, mm</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marqueurs</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>A&amp;jouter</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>A&amp;xes</translation>
+    </message>
+    <message>
+        <source>&amp;CSV</source>
+        <translation>&amp;CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Origin at the chosen marker</source>
+        <translation>&amp;Origine au marqueur choisi</translation>
+    </message>
+    <message>
+        <source>&amp;Quarter turn</source>
+        <translation>&amp;Quart de tour</translation>
+    </message>
+    <message>
+        <source>&amp;Half turn</source>
+        <translation>&amp;Demi-tour</translation>
+    </message>
+    <message>
+        <source>They were &amp;centimetres</source>
+        <translation>C’étaient des &amp;centimètres</translation>
+    </message>
+    <message>
+        <source>They were &amp;metres</source>
+        <translation>C’étaient des &amp;mètres</translation>
+    </message>
+    <message>
+        <source>They were &amp;inches</source>
+        <translation>C’étaient des &amp;pouces</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importer…</translation>
+    </message>
+    <message>
+        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <translation>Places des marqueurs (label,x_mm,y_mm)</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xporter…</translation>
+    </message>
+    <message>
+        <source>Places of the markers</source>
+        <translation>Places des marqueurs</translation>
+    </message>
+    <message>
+        <source>The layout has no name.</source>
+        <translation>Le plan n’a pas de nom.</translation>
+    </message>
+    <message>
+        <source>There is a layout of that name: cameras may stand on it, so it is not overwritten. Give another name.</source>
+        <translation>Il existe un plan de ce nom&#xa0;: des caméras peuvent en dépendre, il n’est donc pas écrasé. Donnez un autre nom.</translation>
+    </message>
+    <message>
+        <source>A marker has no label.</source>
+        <translation>Un marqueur n’a pas de libellé.</translation>
+    </message>
+    <message>
+        <source>Two markers are called %1.</source>
+        <translation>Deux marqueurs s’appellent %1.</translation>
+    </message>
+    <message>
+        <source>The place of %1 is not a number.</source>
+        <translation>La place de %1 n’est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>Four markers are needed, there are %1.</source>
+        <translation>Il faut quatre marqueurs, il y en a %1.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 lie at one place.</source>
+        <translation>%1 et %2 sont au même endroit.</translation>
+    </message>
+    <message>
+        <source>The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.</source>
+        <translation>Les marqueurs sont presque alignés&#xa0;: ils ne disent pas où se trouve la caméra. Écartez-en un de la ligne.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LayoutDrawing</name>
+    <message>
+        <source>Markers from above</source>
+        <translation>Marqueurs vus de dessus</translation>
+    </message>
+    <message>
+        <source>grid 0.5 m</source>
+        <translation>grille de 0.5 m</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LengthPage</name>
+    <message>
+        <source>Take what lies &amp;near a click</source>
+        <translation>Prendre ce qui est &amp;près d’un clic</translation>
+    </message>
+    <message>
+        <source>Picture with both ends; arrow keys move the chosen one, Space snaps it</source>
+        <translation>Image avec les deux extrémités&#xa0;; les flèches déplacent celle choisie, Espace l’ajuste</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Measured length</source>
+        <translation>Longueur mesurée</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnue</translation>
+    </message>
+    <message>
+        <source>True length</source>
+        <translation>Longueur vraie</translation>
+    </message>
+    <message>
+        <source>Unit of the true length</source>
+        <translation>Unité de la longueur vraie</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>lies on the floor</source>
+        <translation>posé au sol</translation>
+    </message>
+    <message>
+        <source>&amp;True length</source>
+        <translation>&amp;Longueur vraie</translation>
+    </message>
+    <message>
+        <source>H&amp;eight</source>
+        <translation>&amp;Hauteur</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Extrémité</translation>
+    </message>
+    <message>
+        <source>Seen as</source>
+        <translation>Vu comme</translation>
+    </message>
+    <message>
+        <source>On the floor, mm</source>
+        <translation>Au sol, mm</translation>
+    </message>
+    <message>
+        <source>Ends of the length</source>
+        <translation>Extrémités de la longueur</translation>
+    </message>
+    <message>
+        <source>Both ends</source>
+        <translation>Les deux extrémités</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Ce que c’est</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Mesuré</translation>
+    </message>
+    <message>
+        <source>Lay something of known length anywhere on the floor, a metre stick or two markers of known distance, and click both its ends. By keys: the arrows move an end (Ctrl: fast, Shift: a pixel), Space snaps it.</source>
+        <translation>Posez n’importe où au sol un objet de longueur connue, une règle d’un mètre ou deux marqueurs dont la distance est connue, et cliquez sur ses deux extrémités. Au clavier&#xa0;: les flèches déplacent une extrémité (Ctrl&#xa0;: vite, Maj&#xa0;: un pixel), Espace l’ajuste.</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 mm</source>
+        <translation>%1 ± %2 mm</translation>
+    </message>
+    <message>
+        <source>inside the expected error</source>
+        <translation>dans l’erreur attendue</translation>
+    </message>
+    <message>
+        <source>outside the expected error</source>
+        <translation>hors de l’erreur attendue</translation>
+    </message>
+    <message>
+        <source> Give its true length to see whether that is right.</source>
+        <translation> Donnez sa longueur vraie pour voir si c’est juste.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>beyond the horizon</source>
+        <translation>au-delà de l’horizon</translation>
+    </message>
+    <message>
+        <source>not put yet</source>
+        <translation>pas encore placée</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LengthWizard</name>
+    <message>
+        <source>Check a known length</source>
+        <translation>Vérifier une longueur connue</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Terminer</translation>
+    </message>
+    <message>
+        <source>Picture or video of the length</source>
+        <translation>Photo ou vidéo de la longueur</translation>
+    </message>
+    <message>
+        <source>The camera and its picture</source>
+        <translation>La caméra et son image</translation>
+    </message>
+    <message>
+        <source>Both ends of the length</source>
+        <translation>Les deux extrémités de la longueur</translation>
+    </message>
+    <message>
+        <source>Lay something of known length on the floor, away from the markers, and see whether the camera measures it as well as it promises. Nothing is changed by it.</source>
+        <translation>Posez au sol un objet de longueur connue, loin des marqueurs, et voyez si la caméra le mesure aussi bien qu’elle le promet. Cela ne modifie rien.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>C&amp;améra</translation>
+    </message>
+    <message>
+        <source>Where the length is seen</source>
+        <translation>Où l’on voit la longueur</translation>
+    </message>
+    <message>
+        <source>Getting the picture…</source>
+        <translation>Lecture de l’image…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensPicturesPage</name>
+    <message>
+        <source>Move it to the left of the picture</source>
+        <translation>Déplacez-la vers la gauche de l’image</translation>
+    </message>
+    <message>
+        <source>Move it to the right of the picture</source>
+        <translation>Déplacez-la vers la droite de l’image</translation>
+    </message>
+    <message>
+        <source>Move it up</source>
+        <translation>Déplacez-la vers le haut</translation>
+    </message>
+    <message>
+        <source>Move it down</source>
+        <translation>Déplacez-la vers le bas</translation>
+    </message>
+    <message>
+        <source>Closer to the camera</source>
+        <translation>Plus près de la caméra</translation>
+    </message>
+    <message>
+        <source>Farther from the camera</source>
+        <translation>Plus loin de la caméra</translation>
+    </message>
+    <message>
+        <source>Tilt it: the left side away from the camera</source>
+        <translation>Inclinez-la&#xa0;: le côté gauche à l’opposé de la caméra</translation>
+    </message>
+    <message>
+        <source>Tilt it: the right side away from the camera</source>
+        <translation>Inclinez-la&#xa0;: le côté droit à l’opposé de la caméra</translation>
+    </message>
+    <message>
+        <source>Tilt it: the upper side away from the camera</source>
+        <translation>Inclinez-la&#xa0;: le haut à l’opposé de la caméra</translation>
+    </message>
+    <message>
+        <source>Tilt it: the lower side away from the camera</source>
+        <translation>Inclinez-la&#xa0;: le bas à l’opposé de la caméra</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>Tenez-la immobile</translation>
+    </message>
+    <message>
+        <source>&amp;Take a picture now</source>
+        <translation>&amp;Prendre une photo</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Que faire</translation>
+    </message>
+    <message>
+        <source>No picture from the camera</source>
+        <translation>Aucune image de la caméra</translation>
+    </message>
+    <message>
+        <source>Pictures that do not count</source>
+        <translation>Photos non prises en compte</translation>
+    </message>
+    <message>
+        <source>What the pictures cover</source>
+        <translation>Ce que couvrent les photos</translation>
+    </message>
+    <message>
+        <source>Not counted</source>
+        <translation>Non prises en compte</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera…</source>
+        <translation>En attente de la caméra…</translation>
+    </message>
+    <message>
+        <source>Looking for the board…</source>
+        <translation>Recherche de la mire…</translation>
+    </message>
+    <message>
+        <source>Hold the board before the camera</source>
+        <translation>Tenez la mire devant la caméra</translation>
+    </message>
+    <message>
+        <source>Looking for the board</source>
+        <translation>Recherche de la mire</translation>
+    </message>
+    <message>
+        <source>A picture is taken by itself whenever the board is still, sharp and in a new place.</source>
+        <translation>Une photo se prend d’elle-même chaque fois que la mire est immobile, nette et à une nouvelle place.</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>Prise</translation>
+    </message>
+    <message>
+        <source>Now the dashed outline shows where the board would help most.</source>
+        <translation>Le contour en tirets montre maintenant où la mire serait le plus utile.</translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <translation>encore %1</translation>
+    </message>
+    <message>
+        <source>No picture counts</source>
+        <translation>Aucune photo ne compte</translation>
+    </message>
+    <message>
+        <source>The reasons stand at the right. Add others by dropping them here.</source>
+        <translation>Les raisons sont indiquées à droite. Ajoutez-en d’autres en les déposant ici.</translation>
+    </message>
+    <message>
+        <source>Looked at all</source>
+        <translation>Toutes examinées</translation>
+    </message>
+    <message>
+        <source>They are enough.</source>
+        <translation>C’est assez.</translation>
+    </message>
+    <message>
+        <source>More pictures can be dropped here; the bars show what is missing.</source>
+        <translation>D’autres photos peuvent être déposées ici&#xa0;; les barres montrent ce qui manque.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensResultPage</name>
+    <message>
+        <source>ordinary</source>
+        <translation>ordinaire</translation>
+    </message>
+    <message>
+        <source>wide (rational)</source>
+        <translation>grand-angle (rationnel)</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>fisheye</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 px</source>
+        <translation>%1 ± %2 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Calcul</translation>
+    </message>
+    <message>
+        <source>Lens model chosen by itself</source>
+        <translation>Modèle choisi automatiquement</translation>
+    </message>
+    <message>
+        <source>Ordinary lens</source>
+        <translation>Objectif ordinaire</translation>
+    </message>
+    <message>
+        <source>Wide lens (rational model)</source>
+        <translation>Grand-angle (modèle rationnel)</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>Fisheye</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>Modèle d’objectif</translation>
+    </message>
+    <message>
+        <source>Choose a bar to see its picture.</source>
+        <translation>Choisissez une barre pour voir sa photo.</translation>
+    </message>
+    <message>
+        <source>Stands here once the lens is known.</source>
+        <translation>S’affiche ici dès que l’objectif est connu.</translation>
+    </message>
+    <message>
+        <source>Picture and &amp;residuals</source>
+        <translation>Photo et rés&amp;idus</translation>
+    </message>
+    <message>
+        <source>&amp;Straightened</source>
+        <translation>Re&amp;dressée</translation>
+    </message>
+    <message>
+        <source>Error by picture</source>
+        <translation>Erreur par photo</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objectif</translation>
+    </message>
+    <message>
+        <source>What is known of the lens</source>
+        <translation>Ce que l’on sait de l’objectif</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>Calcul…</translation>
+    </message>
+    <message>
+        <source>straight edges must be straight</source>
+        <translation>les bords droits doivent être droits</translation>
+    </message>
+    <message>
+        <source>Storing the lens and its pictures…</source>
+        <translation>Enregistrement de l’objectif et de ses photos…</translation>
+    </message>
+    <message>
+        <source>The lens was not stored. %1</source>
+        <translation>L’objectif n’a pas été enregistré. %1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Photos</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>Erreur sur la mire</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>Erreur de validation</translation>
+    </message>
+    <message>
+        <source>needs six pictures</source>
+        <translation>exige six photos</translation>
+    </message>
+    <message>
+        <source>Corners left out</source>
+        <translation>Coins exclus</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>Distance focale</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Centre x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Centre y</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensSourcePage</name>
+    <message>
+        <source>Be&amp;fore the camera: hold the board, pictures are taken by themselves</source>
+        <translation>De&amp;vant la caméra&#xa0;: tenez la mire, les photos se prennent d’elles-mêmes</translation>
+    </message>
+    <message>
+        <source>From &amp;pictures or a video that you have taken</source>
+        <translation>D’après des &amp;photos ou une vidéo que vous avez prises</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Prin&amp;t a board…</source>
+        <translation>&amp;Imprimer une mire…</translation>
+    </message>
+    <message>
+        <source>A flat board of squares, seen from many sides, tells how the lens draws. Checkerboard or ChArUco, of any size: which it is, is found out. Measure one square on the paper; it decides every later length. The lens must not be refocused or zoomed afterwards.</source>
+        <translation>Une mire plane de carrés, vue de plusieurs côtés, dit comment l’objectif dessine. Damier ou ChArUco, de toute taille&#xa0;: le type est reconnu. Mesurez un carré sur le papier&#xa0;; il détermine toutes les longueurs ensuite. La mise au point et le zoom ne doivent plus changer après.</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Caméra</translation>
+    </message>
+    <message>
+        <source>Side of a &amp;square, measured</source>
+        <translation>Côté d’un carré, &amp;mesuré</translation>
+    </message>
+    <message>
+        <source>Where the pictures of the board come from</source>
+        <translation>D’où viennent les photos de la mire</translation>
+    </message>
+    <message>
+        <source>Pictures and videos of the board</source>
+        <translation>Photos et vidéos de la mire</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>A&amp;jouter…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>Re&amp;tirer</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Files can also be dropped here.</source>
+        <translation>Des fichiers peuvent aussi être déposés ici.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensWizard</name>
+    <message>
+        <source>Calibrate camera</source>
+        <translation>Étalonner une caméra</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>The camera and the board</source>
+        <translation>La caméra et la mire</translation>
+    </message>
+    <message>
+        <source>Pictures of the board</source>
+        <translation>Photos de la mire</translation>
+    </message>
+    <message>
+        <source>The lens</source>
+        <translation>L’objectif</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LessonBar</name>
+    <message>
+        <source>Ne&amp;xt</source>
+        <translation>Suiva&amp;nt</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the lesson</source>
+        <translation>&amp;Quitter la leçon</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Leçon</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>étape %1 sur %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>&amp;Finish</source>
+        <translation>&amp;Terminer</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Suivant</translation>
+    </message>
+    <message>
+        <source>&amp;Skip</source>
+        <translation>Passe&amp;r</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveBoard</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>Carte vue de dessus</translation>
+    </message>
+    <message>
+        <source>How cameras, map and disk do</source>
+        <translation>L’état des caméras, de la carte et du disque</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Caméra %1</translation>
+    </message>
+    <message>
+        <source>Live picture of %1</source>
+        <translation>Image en direct de %1</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>non localisée</translation>
+    </message>
+    <message>
+        <source>Opening the camera…</source>
+        <translation>Ouverture de la caméra…</translation>
+    </message>
+    <message>
+        <source>live, sent to %1</source>
+        <translation>en direct, envoyé à %1</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>en direct</translation>
+    </message>
+    <message>
+        <source>Waiting for the first picture…</source>
+        <translation>En attente de la première image…</translation>
+    </message>
+    <message>
+        <source>No picture now</source>
+        <translation>Pas d’image en ce moment</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 images/s</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveCameraBox</name>
+    <message>
+        <source>Camera that is connected</source>
+        <translation>Caméra connectée</translation>
+    </message>
+    <message>
+        <source>%1, %2×%3</source>
+        <translation>%1, %2×%3</translation>
+    </message>
+    <message>
+        <source>Looking for cameras…</source>
+        <translation>Recherche des caméras…</translation>
+    </message>
+    <message>
+        <source>No camera is connected</source>
+        <translation>Aucune caméra n’est connectée</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveMap</name>
+    <message>
+        <source>Map of the floor with the robots as they drive</source>
+        <translation>Carte du sol avec les robots qui roulent</translation>
+    </message>
+    <message>
+        <source>No camera is registered to the floor, so that no place on it can be told</source>
+        <translation>Aucune caméra n’est localisée par rapport au sol&#xa0;: aucune place n’y peut être donnée</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MainWindow</name>
+    <message>
+        <source>no project is open</source>
+        <translation>aucun projet n’est ouvert</translation>
+    </message>
+    <message>
+        <source>open the project that it belongs to</source>
+        <translation>ouvrez le projet auquel cela appartient</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>Pr&amp;eferences…</source>
+        <translation>Pré&amp;férences…</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;ide</translation>
+    </message>
+    <message>
+        <source>The pages follow when the project is opened again, for a recording goes on.</source>
+        <translation>Les pages suivront à la réouverture du projet, car un enregistrement est en cours.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MapArea</name>
+    <message>
+        <source>0 to %1 apart</source>
+        <translation>écart de 0 à %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkActions</name>
+    <message>
+        <source>&amp;Star</source>
+        <translation>É&amp;toile</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>&amp;Archiver</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Empty the bin…</source>
+        <translation>&amp;Vider la corbeille…</translation>
+    </message>
+    <message>
+        <source>star %1</source>
+        <translation>étoile mise à %1</translation>
+    </message>
+    <message>
+        <source>take the star off %1</source>
+        <translation>étoile retirée à %1</translation>
+    </message>
+    <message>
+        <source>star %1 trials</source>
+        <translation>étoile mise à %1 essais</translation>
+    </message>
+    <message>
+        <source>take the star off %1 trials</source>
+        <translation>étoile retirée à %1 essais</translation>
+    </message>
+    <message>
+        <source>archive %1</source>
+        <translation>archivage de %1</translation>
+    </message>
+    <message>
+        <source>take %1 out of the archive</source>
+        <translation>désarchivage de %1</translation>
+    </message>
+    <message>
+        <source>archive %1 trials</source>
+        <translation>archivage de %1 essais</translation>
+    </message>
+    <message>
+        <source>take %1 trials out of the archive</source>
+        <translation>désarchivage de %1 essais</translation>
+    </message>
+    <message>
+        <source>delete %1</source>
+        <translation>suppression de %1</translation>
+    </message>
+    <message>
+        <source>take %1 out of the bin</source>
+        <translation>restauration de %1 depuis la corbeille</translation>
+    </message>
+    <message>
+        <source>delete %1 trials</source>
+        <translation>suppression de %1 essais</translation>
+    </message>
+    <message>
+        <source>take %1 trials out of the bin</source>
+        <translation>restauration de %1 essais depuis la corbeille</translation>
+    </message>
+    <message>
+        <source>Take the &amp;star off</source>
+        <translation>Retirer l’é&amp;toile</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>Dés&amp;archiver</translation>
+    </message>
+    <message>
+        <source>&amp;Put back</source>
+        <translation>Re&amp;staurer</translation>
+    </message>
+    <message>
+        <source>Takes the selected trials out of the bin (Del)</source>
+        <translation>Sort les essais sélectionnés de la corbeille (Suppr)</translation>
+    </message>
+    <message>
+        <source>Puts the selected trials into the bin (Del); they can be put back</source>
+        <translation>Met les essais sélectionnés à la corbeille (Suppr)&#xa0;; ils peuvent être restaurés</translation>
+    </message>
+    <message>
+        <source>change the tags of %1</source>
+        <translation>modification des étiquettes de %1</translation>
+    </message>
+    <message>
+        <source>Empty the bin</source>
+        <translation>Vider la corbeille</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n trial(s) for good?</source>
+        <translation>
+            <numerusform>Supprimer définitivement %n essai&#xa0;?</numerusform>
+            <numerusform>Supprimer définitivement %n essais&#xa0;?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Their videos (%1), measurements and results are removed from the disk. This cannot be undone.</source>
+        <translation>Leurs vidéos (%1), leurs mesures et leurs résultats sont supprimés du disque. Cela ne peut pas être annulé.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove for good</source>
+        <translation>&amp;Supprimer définitivement</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkerCanvas</name>
+    <message>
+        <source>Picture with the markers; arrow keys move the chosen one</source>
+        <translation>Image avec les marqueurs&#xa0;; les flèches déplacent celui choisi</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkerPage</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>Re&amp;tirer</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marqueur</translation>
+    </message>
+    <message>
+        <source>Place, mm</source>
+        <translation>Place, mm</translation>
+    </message>
+    <message>
+        <source>Seen as</source>
+        <translation>Vu comme</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marqueurs</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>trouvé</translation>
+    </message>
+    <message>
+        <source>Choose a marker in the table and click where it is; what lies near the click is taken to the tenth of a pixel.</source>
+        <translation>Choisissez un marqueur dans le tableau et cliquez là où il est&#xa0;; ce qui est près du clic est repéré au dixième de pixel.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>non vu</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MessageBar</name>
+    <message>
+        <source>Close the message</source>
+        <translation>Fermer le message</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>Annulé. Rien n’a été modifié.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MetricModel</name>
+    <message>
+        <source>Figure</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ModeBar</name>
+    <message>
+        <source>Modes</source>
+        <translation>Modes</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MovedDialog</name>
+    <message>
+        <source>moved %1</source>
+        <translation>a bougé de %1</translation>
+    </message>
+    <message>
+        <source>marker moved %1</source>
+        <translation>marqueur déplacé de %1</translation>
+    </message>
+    <message>
+        <source>has not moved</source>
+        <translation>n’a pas bougé</translation>
+    </message>
+    <message>
+        <source>&amp;Check</source>
+        <translation>&amp;Vérifier</translation>
+    </message>
+    <message>
+        <source>&amp;Register again…</source>
+        <translation>&amp;Relocaliser…</translation>
+    </message>
+    <message>
+        <source>Check the cameras</source>
+        <translation>Vérifier les caméras</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>New picture</source>
+        <translation>Nouvelle image</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Registered cameras</source>
+        <translation>Caméras localisées</translation>
+    </message>
+    <message>
+        <source>A camera that was pushed measures wrongly and nothing shows it. Before the robots run, each camera&apos;s markers are looked for again in a new picture.</source>
+        <translation>Une caméra bousculée mesure faux sans que rien ne le montre. Avant que les robots roulent, les marqueurs de chaque caméra sont recherchés dans une nouvelle image.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Ce qui a été trouvé</translation>
+    </message>
+    <message>
+        <source>New picture of camera %1</source>
+        <translation>Nouvelle image de la caméra %1</translation>
+    </message>
+    <message>
+        <source>Its newest recording</source>
+        <translation>Son dernier enregistrement</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Non vérifiée</translation>
+    </message>
+    <message>
+        <source>A picture or video…</source>
+        <translation>Une photo ou une vidéo…</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>looking…</source>
+        <translation>recherche…</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>indéterminé</translation>
+    </message>
+    <message>
+        <source>Two markers at least must be seen. Nothing is moved or changed by the check.</source>
+        <translation>Il faut voir au moins deux marqueurs. La vérification ne déplace et ne modifie rien.</translation>
+    </message>
+    <message>
+        <source>&amp;Register %1 again…</source>
+        <translation>&amp;Relocaliser %1…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::NetworkPage</name>
+    <message>
+        <source>&amp;Send live positions on the network</source>
+        <translation>&amp;Envoyer les positions en direct sur le réseau</translation>
+    </message>
+    <message>
+        <source>%1: this machine only</source>
+        <translation>%1&#xa0;: cette machine seulement</translation>
+    </message>
+    <message>
+        <source>%1: not there now</source>
+        <translation>%1&#xa0;: absente en ce moment</translation>
+    </message>
+    <message>
+        <source>The places of the robots that Record follows, as packets of SSL-Vision, for controllers and programs of your own. No name of a team or a robot is in them.</source>
+        <translation>Les places des robots que suit «&#xa0;Filmer&#xa0;», en paquets SSL-Vision, pour des contrôleurs et vos propres programmes. Ils ne contiennent aucun nom d’équipe ni de robot.</translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation>&amp;Adresse</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>&amp;Port</translation>
+    </message>
+    <message>
+        <source>&amp;Interface</source>
+        <translation>&amp;Interface</translation>
+    </message>
+    <message>
+        <source>Nothing is sent.</source>
+        <translation>Rien n’est envoyé.</translation>
+    </message>
+    <message>
+        <source>This is no IPv4 address; write it like 224.5.23.2.</source>
+        <translation>Ce n’est pas une adresse IPv4&#xa0;; écrivez-la comme 224.5.23.2.</translation>
+    </message>
+    <message>
+        <source>They go to the one machine that has this address.</source>
+        <translation>Elles vont à la seule machine qui a cette adresse.</translation>
+    </message>
+    <message>
+        <source>They do not leave this machine.</source>
+        <translation>Elles ne quittent pas cette machine.</translation>
+    </message>
+    <message>
+        <source>Whoever is on that network can read where the robots are.</source>
+        <translation>Quiconque est sur ce réseau peut lire où sont les robots.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PathField</name>
+    <message>
+        <source>Browse…</source>
+        <translation>Parcourir…</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>Parcourir&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PickColourDialog</name>
+    <message>
+        <source>Robot&apos;s colour from a picture</source>
+        <translation>Couleur du robot d’après une image</translation>
+    </message>
+    <message>
+        <source>Another &amp;video…</source>
+        <translation>Autre &amp;vidéo…</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>&amp;Enregistrement</translation>
+    </message>
+    <message>
+        <source>&amp;Frame</source>
+        <translation>&amp;Image</translation>
+    </message>
+    <message>
+        <source>Choose a video in which the robot is seen.</source>
+        <translation>Choisissez une vidéo où l’on voit le robot.</translation>
+    </message>
+    <message>
+        <source>Take this colour</source>
+        <translation>Prendre cette couleur</translation>
+    </message>
+    <message>
+        <source>Video in which the robot is seen</source>
+        <translation>Vidéo où l’on voit le robot</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mov *.mkv *.avi *.m4v);;All files (*)</source>
+        <translation>Vidéos (*.mp4 *.mov *.mkv *.avi *.m4v);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s colour here: %1. It fills %2 % of the box.</source>
+        <translation>La couleur du robot ici&#xa0;: %1. Elle remplit %2&#xa0;% du cadre.</translation>
+    </message>
+    <message>
+        <source>Draw a box closely round the robot with the mouse; or with the arrow keys, which move the box, and with Shift make it larger or smaller.</source>
+        <translation>Tracez à la souris un cadre serré autour du robot&#xa0;; ou avec les flèches, qui déplacent le cadre et, avec Maj, l’agrandissent ou le réduisent.</translation>
+    </message>
+    <message>
+        <source>%1, camera %2</source>
+        <translation>%1, caméra %2</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureArea</name>
+    <message>
+        <source>No view</source>
+        <translation>Aucune vue</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>Cette caméra n’enregistrait pas à cet instant</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureBars</name>
+    <message>
+        <source>Error of each picture, with a threshold</source>
+        <translation>Erreur de chaque photo, avec un seuil</translation>
+    </message>
+    <message>
+        <source>%1: %2 px</source>
+        <translation>%1&#xa0;: %2 px</translation>
+    </message>
+    <message>
+        <source>pictures; above %1 px they do not count</source>
+        <translation>photos&#xa0;; au-delà de %1 px, elles ne comptent pas</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureChoice</name>
+    <message>
+        <source>In the camera&apos;s &amp;newest recording</source>
+        <translation>Dans le &amp;dernier enregistrement de la caméra</translation>
+    </message>
+    <message>
+        <source>In what a &amp;connected camera sees now</source>
+        <translation>Dans ce que voit maintenant une caméra c&amp;onnectée</translation>
+    </message>
+    <message>
+        <source>In a &amp;picture or video</source>
+        <translation>Dans une &amp;photo ou une vidéo</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PlannedCameraForm</name>
+    <message>
+        <source>Stands at x</source>
+        <translation>Placée en x</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Stands at y</source>
+        <translation>Placée en y</translation>
+    </message>
+    <message>
+        <source>Height of the camera</source>
+        <translation>Hauteur de la caméra</translation>
+    </message>
+    <message>
+        <source>Looks at x</source>
+        <translation>Regarde en x</translation>
+    </message>
+    <message>
+        <source>Looks at y</source>
+        <translation>Regarde en y</translation>
+    </message>
+    <message>
+        <source>Direction in which it looks</source>
+        <translation>Direction où elle regarde</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Champ de vision</translation>
+    </message>
+    <message>
+        <source>0° is along X, 90° along Y; turning it turns the point that it looks at about the camera</source>
+        <translation>0°&#xa0;: le long de X, 90°&#xa0;: le long de Y&#xa0;; la tourner fait tourner autour de la caméra le point qu’elle regarde</translation>
+    </message>
+    <message>
+        <source>Across the picture&apos;s width: a webcam has some 60° to 80°, a phone 65°</source>
+        <translation>Sur la largeur de l’image&#xa0;: une webcam a environ 60° à 80°, un téléphone 65°</translation>
+    </message>
+    <message>
+        <source>Size of its pictures</source>
+        <translation>Taille de ses images</translation>
+    </message>
+    <message>
+        <source>&amp;Stands at x, y</source>
+        <translation>Placée en &amp;x, y</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>Hau&amp;teur</translation>
+    </message>
+    <message>
+        <source>&amp;Looks at x, y</source>
+        <translation>Regarde e&amp;n x, y</translation>
+    </message>
+    <message>
+        <source>D&amp;irection</source>
+        <translation>D&amp;irection</translation>
+    </message>
+    <message>
+        <source>&amp;Field of view</source>
+        <translation>&amp;Champ de vision</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Préférences</translation>
+    </message>
+    <message>
+        <source>Kinds of preferences</source>
+        <translation>Catégories de préférences</translation>
+    </message>
+    <message>
+        <source>&amp;General</source>
+        <translation>&amp;Général</translation>
+    </message>
+    <message>
+        <source>&amp;Reports</source>
+        <translation>&amp;Rapports</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>Racc&amp;ourcis</translation>
+    </message>
+    <message>
+        <source>&amp;Network</source>
+        <translation>Ré&amp;seau</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ProfileChart</name>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Cap</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Vitesse angulaire</translation>
+    </message>
+    <message>
+        <source>Position X</source>
+        <translation>Position X</translation>
+    </message>
+    <message>
+        <source>Position Y</source>
+        <translation>Position Y</translation>
+    </message>
+    <message>
+        <source>Quantity that the chart shows</source>
+        <translation>Grandeur que montre le graphique</translation>
+    </message>
+    <message>
+        <source>smoothed ±95 %</source>
+        <translation>lissé ±95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>measured points</source>
+        <translation>points mesurés</translation>
+    </message>
+    <message>
+        <source>1 spike</source>
+        <translation>1 pic aberrant</translation>
+    </message>
+    <message>
+        <source>%1 spikes</source>
+        <translation>%1 pics aberrants</translation>
+    </message>
+    <message>
+        <source>along the path</source>
+        <translation>le long de la trajectoire</translation>
+    </message>
+    <message>
+        <source>of the motion, anticlockwise from X</source>
+        <translation>du mouvement, sens trigonométrique depuis X</translation>
+    </message>
+    <message>
+        <source>anticlockwise positive</source>
+        <translation>positif dans le sens trigonométrique</translation>
+    </message>
+    <message>
+        <source>Chart: %1 against time</source>
+        <translation>Graphique&#xa0;: %1 selon le temps</translation>
+    </message>
+    <message>
+        <source>Chart: %1 against the distance</source>
+        <translation>Graphique&#xa0;: %1 selon la distance</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RangeCard</name>
+    <message>
+        <source>Range</source>
+        <translation>Plage</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>A&amp;justement</translation>
+    </message>
+    <message>
+        <source>Figures of the range</source>
+        <translation>Grandeurs de la plage</translation>
+    </message>
+    <message>
+        <source>Robot whose range is shown</source>
+        <translation>Robot dont la plage est montrée</translation>
+    </message>
+    <message>
+        <source>What is fitted to the curve</source>
+        <translation>Ce qui est ajusté à la courbe</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>constante</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>parabola</source>
+        <translation>parabole</translation>
+    </message>
+    <message>
+        <source>Quantity that is fitted</source>
+        <translation>Grandeur ajustée</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RecordPage</name>
+    <message>
+        <source>No camera is connected</source>
+        <translation>Aucune caméra n’est connectée</translation>
+    </message>
+    <message>
+        <source>Connect a camera, or two, and look again. One that is connected and not found is a case for the set-up doctor.</source>
+        <translation>Connectez une caméra, ou deux, et recherchez de nouveau. Si une caméra connectée n’est pas trouvée, voyez le diagnostic de l’installation.</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Set-up doctor…</source>
+        <translation>Diagnostic…</translation>
+    </message>
+    <message>
+        <source>Choose &amp;cameras…</source>
+        <translation>Choisir les camé&amp;ras…</translation>
+    </message>
+    <message>
+        <source>Cameras…</source>
+        <translation>Caméras…</translation>
+    </message>
+    <message>
+        <source>Choose which connected device is which camera of the project</source>
+        <translation>Choisir quel appareil connecté est quelle caméra du projet</translation>
+    </message>
+    <message>
+        <source>Set-up &amp;doctor…</source>
+        <translation>&amp;Diagnostic de l’installation…</translation>
+    </message>
+    <message>
+        <source>Doctor…</source>
+        <translation>Diagnostic…</translation>
+    </message>
+    <message>
+        <source>Look for what makes cameras lose pictures, or measure wrongly, with advice</source>
+        <translation>Chercher ce qui fait perdre des images aux caméras, ou fausse leurs mesures, avec des conseils</translation>
+    </message>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 est mesuré.</translation>
+    </message>
+    <message>
+        <source>It is recorded, but could not be measured: %1</source>
+        <translation>Il est enregistré, mais n’a pas pu être mesuré&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 is recorded.</source>
+        <translation>%1 est enregistré.</translation>
+    </message>
+    <message>
+        <source>It could not be recorded: %1</source>
+        <translation>Il n’a pas pu être enregistré&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Give the trial a name</source>
+        <translation>Donnez un nom à l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RegistrationVerdict</name>
+    <message>
+        <source>Where the camera stands</source>
+        <translation>Où se trouve la caméra</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>It stands at x %1 m, y %2 m, %3 m above the floor.</source>
+        <translation>Elle se trouve à x %1 m, y %2 m, %3 m au-dessus du sol.</translation>
+    </message>
+    <message>
+        <source>The registration was not stored. %1</source>
+        <translation>La localisation n’a pas été enregistrée. %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportActions</name>
+    <message>
+        <source>The trial %1</source>
+        <translation>L’essai %1</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>R&amp;apport…</translation>
+    </message>
+    <message>
+        <source>The comparison of %1 and %2</source>
+        <translation>La comparaison de %1 et %2</translation>
+    </message>
+    <message>
+        <source>A class</source>
+        <translation>Une classe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s), a page each</source>
+        <translation>
+            <numerusform>%n essai, une page</numerusform>
+            <numerusform>%n essais, une page chacun</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>rapport</translation>
+    </message>
+    <message>
+        <source>there is no trial yet</source>
+        <translation>il n’y a pas encore d’essai</translation>
+    </message>
+    <message>
+        <source>import or record one first</source>
+        <translation>importez ou filmez d’abord un essai</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>PDF files (*.pdf)</source>
+        <translation>Fichiers PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>Le rapport est dans %1.</translation>
+    </message>
+    <message>
+        <source>The report is with the printer %1.</source>
+        <translation>Le rapport est à l’imprimante %1.</translation>
+    </message>
+    <message>
+        <source>Making the report</source>
+        <translation>Création du rapport</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportDialog</name>
+    <message>
+        <source>A page for each &amp;team</source>
+        <translation>Une page par é&amp;quipe</translation>
+    </message>
+    <message>
+        <source>A second page with the &amp;method</source>
+        <translation>Une seconde page avec la &amp;méthode</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>&amp;Enregistrer en PDF…</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Imprimer…</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>&amp;Classe</translation>
+    </message>
+    <message>
+        <source>&amp;Task</source>
+        <translation>É&amp;preuve</translation>
+    </message>
+    <message>
+        <source>The usual one</source>
+        <translation>La plus courante</translation>
+    </message>
+    <message>
+        <source>&amp;Figure</source>
+        <translation>&amp;Grandeur</translation>
+    </message>
+    <message>
+        <source>What tells most</source>
+        <translation>La plus parlante</translation>
+    </message>
+    <message>
+        <source>Report &amp;of</source>
+        <translation>Rappor&amp;t sur</translation>
+    </message>
+    <message>
+        <source>P&amp;aper</source>
+        <translation>P&amp;apier</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Lettre US</translation>
+    </message>
+    <message>
+        <source>School, &amp;logo and wording…</source>
+        <translation>Établissement, &amp;logo et texte…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>There is nothing to print yet.</source>
+        <translation>Il n’y a encore rien à imprimer.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation>
+            <numerusform>%n page</numerusform>
+            <numerusform>%n pages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The first %n page(s); the file has all of them.</source>
+        <translation>
+            <numerusform>La première page&#xa0;; le fichier les contient toutes.</numerusform>
+            <numerusform>Les %n premières pages&#xa0;; le fichier les contient toutes.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportPreview</name>
+    <message>
+        <source>Preview of the pages</source>
+        <translation>Aperçu des pages</translation>
+    </message>
+    <message>
+        <source>The pages are being painted…</source>
+        <translation>Dessin des pages en cours…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation>
+            <numerusform>%n page</numerusform>
+            <numerusform>%n pages</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportsPage</name>
+    <message>
+        <source>&amp;School</source>
+        <translation>É&amp;tablissement</translation>
+    </message>
+    <message>
+        <source>stands at the head of each page</source>
+        <translation>figure en tête de chaque page</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
+        <translation>Images (*.png *.jpg *.jpeg *.svg)</translation>
+    </message>
+    <message>
+        <source>&amp;Logo</source>
+        <translation>&amp;Logo</translation>
+    </message>
+    <message>
+        <source>How the logo looks</source>
+        <translation>Aperçu du logo</translation>
+    </message>
+    <message>
+        <source>&amp;At the foot</source>
+        <translation>Pied de p&amp;age</translation>
+    </message>
+    <message>
+        <source>for example: who answers questions</source>
+        <translation>par exemple&#xa0;: qui répond aux questions</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReprocessDialog</name>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>&amp;Remesurer</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Garder</translation>
+    </message>
+    <message>
+        <source>Measure trials again</source>
+        <translation>Remesurer des essais</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Après</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changement</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>Ce qui change</translation>
+    </message>
+    <message>
+        <source>What changes, in words</source>
+        <translation>Ce qui change, en mots</translation>
+    </message>
+    <message>
+        <source>What was seen in the videos stays as it is; where it lies on the floor is computed with the registrations in force now. Look at what changes, then keep it or not: the older analysis stays in the project too.</source>
+        <translation>Ce qui a été vu dans les vidéos reste tel quel&#xa0;; sa place au sol est calculée avec les localisations maintenant en vigueur. Voyez ce qui change, puis gardez-le ou non&#xa0;: l’analyse antérieure reste aussi dans le projet.</translation>
+    </message>
+    <message>
+        <source>&amp;Trial</source>
+        <translation>&amp;Essai</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>%1 (measured with an older registration)</source>
+        <translation>%1 (mesuré avec une localisation antérieure)</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Mesure en cours…</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Kept: the new analysis of %1 is the current one.</source>
+        <translation>Gardé&#xa0;: la nouvelle analyse de %1 est l’actuelle.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultPanel</name>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Robot whose result is shown</source>
+        <translation>Robot dont le résultat est montré</translation>
+    </message>
+    <message>
+        <source>robot “%1”</source>
+        <translation>robot «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReviewColumn</name>
+    <message>
+        <source>Trial</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Facts of the trial</source>
+        <translation>Données de l’essai</translation>
+    </message>
+    <message>
+        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and works out where it was and how fast.</source>
+        <translation>Cet essai n’a pas encore été suivi. Le suivi accompagne le robot dans les vidéos et détermine où il était et à quelle vitesse.</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>Suivre…</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReviewPage</name>
+    <message>
+        <source>No trials yet</source>
+        <translation>Pas encore d’essai</translation>
+    </message>
+    <message>
+        <source>A trial is one run of a robot. Bring in the videos that your cameras took of it, and it will be shown here.</source>
+        <translation>Un essai est un passage d’un robot. Importez les vidéos que vos caméras en ont prises, et il sera montré ici.</translation>
+    </message>
+    <message>
+        <source>Import trial from videos…</source>
+        <translation>Importer les vidéos d’un essai…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RevisionPicture</name>
+    <message>
+        <source>Picture that it was made from</source>
+        <translation>Photo d’où elle provient</translation>
+    </message>
+    <message>
+        <source>Reading the picture…</source>
+        <translation>Lecture de la photo…</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read.</source>
+        <translation>La photo ne peut pas être lue.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RevisionsDialog</name>
+    <message>
+        <source>&amp;Use this one</source>
+        <translation>&amp;Utiliser celle-ci</translation>
+    </message>
+    <message>
+        <source>&amp;Register with this lens</source>
+        <translation>&amp;Localiser avec cet objectif</translation>
+    </message>
+    <message>
+        <source>&amp;Measure trials again…</source>
+        <translation>&amp;Remesurer des essais…</translation>
+    </message>
+    <message>
+        <source>Calibrations and registrations</source>
+        <translation>Étalonnages et localisations</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Créé le</translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>D’après</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>En vigueur</translation>
+    </message>
+    <message>
+        <source>Revisions</source>
+        <translation>Révisions</translation>
+    </message>
+    <message>
+        <source>Puts the chosen revision in force for what is measured from now on; trials keep theirs</source>
+        <translation>Met la révision choisie en vigueur pour ce qui sera mesuré désormais&#xa0;; les essais gardent la leur</translation>
+    </message>
+    <message>
+        <source>Computes the registration in force anew from the same markers, with the lens in force</source>
+        <translation>Recalcule la localisation en vigueur d’après les mêmes marqueurs, avec l’objectif en vigueur</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>C&amp;améra</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>The camera is neither calibrated nor registered yet.</source>
+        <translation>La caméra n’est encore ni étalonnée ni localisée.</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Calibration %1</source>
+        <translation>Étalonnage %1</translation>
+    </message>
+    <message>
+        <source>Registration %1</source>
+        <translation>Localisation %1</translation>
+    </message>
+    <message>
+        <source>in force</source>
+        <translation>en vigueur</translation>
+    </message>
+    <message>
+        <source>No trial was measured with it.</source>
+        <translation>Aucun essai n’a été mesuré avec elle.</translation>
+    </message>
+    <message>
+        <source>Trials measured with it: %1.</source>
+        <translation>Essais mesurés avec elle&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is in force. The registrations keep the lens that they were made with: register the camera with this one.</source>
+        <translation>%1 est en vigueur. Les localisations gardent l’objectif avec lequel elles ont été faites&#xa0;: localisez la caméra avec celui-ci.</translation>
+    </message>
+    <message>
+        <source>%1 is in force. Trials keep theirs until they are measured again.</source>
+        <translation>%1 est en vigueur. Les essais gardent la leur jusqu’à ce qu’ils soient remesurés.</translation>
+    </message>
+    <message>
+        <source>Registration %1 is in force: the same markers, with this lens. %2</source>
+        <translation>La localisation %1 est en vigueur&#xa0;: les mêmes marqueurs, avec cet objectif. %2</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RobotDialog</name>
+    <message>
+        <source>Add robot</source>
+        <translation>Ajouter un robot</translation>
+    </message>
+    <message>
+        <source>Found from the views</source>
+        <translation>Déterminée d’après les vues</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Mesurée</translation>
+    </message>
+    <message>
+        <source>Changes while it runs (ramp)</source>
+        <translation>Change pendant le passage (rampe)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Height of the robot&apos;s top</source>
+        <translation>Hauteur du sommet du robot</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nom</translation>
+    </message>
+    <message>
+        <source>From a &amp;picture…</source>
+        <translation>D’après une &amp;image…</translation>
+    </message>
+    <message>
+        <source>&amp;Colour of its top</source>
+        <translation>&amp;Couleur du sommet</translation>
+    </message>
+    <message>
+        <source>In charts and maps; it is tracked by the colour of its top</source>
+        <translation>Dans les graphiques et les cartes&#xa0;; il est suivi par la couleur de son sommet</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn in</source>
+        <translation>&amp;Dessiné en</translation>
+    </message>
+    <message>
+        <source>&amp;Height of its top</source>
+        <translation>&amp;Hauteur du sommet</translation>
+    </message>
+    <message>
+        <source>Colour of the robot&apos;s top</source>
+        <translation>Couleur du sommet du robot</translation>
+    </message>
+    <message>
+        <source>Change robot</source>
+        <translation>Modifier le robot</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RobotsDialog</name>
+    <message>
+        <source>found from the views</source>
+        <translation>déterminée d’après les vues</translation>
+    </message>
+    <message>
+        <source>changes while it runs</source>
+        <translation>change pendant le passage</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>A&amp;jouter…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit…</source>
+        <translation>&amp;Modifier…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Robots</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Colour of its top</source>
+        <translation>Couleur du sommet</translation>
+    </message>
+    <message>
+        <source>Drawn in</source>
+        <translation>Dessiné en</translation>
+    </message>
+    <message>
+        <source>Height of its top</source>
+        <translation>Hauteur du sommet</translation>
+    </message>
+    <message>
+        <source>Length × width</source>
+        <translation>Longueur × largeur</translation>
+    </message>
+    <message>
+        <source>Another colour or height counts from the next tracking on; what was measured before stays as it is.</source>
+        <translation>Une autre couleur ou hauteur compte à partir du prochain suivi&#xa0;; ce qui a été mesuré avant reste tel quel.</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Ce qui a été fait</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>add robot %1</source>
+        <translation>ajout du robot %1</translation>
+    </message>
+    <message>
+        <source>change robot %1</source>
+        <translation>modification du robot %1</translation>
+    </message>
+    <message>
+        <source>delete robot %1</source>
+        <translation>suppression du robot %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunCard</name>
+    <message>
+        <source>Up now</source>
+        <translation>En piste</translation>
+    </message>
+    <message>
+        <source>Robots that drive</source>
+        <translation>Robots qui roulent</translation>
+    </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>&amp;Classe</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>É&amp;quipe</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>Épreu&amp;ve</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>R&amp;obots</translation>
+    </message>
+    <message>
+        <source>Trial &amp;name</source>
+        <translation>&amp;Nom de l’essai</translation>
+    </message>
+    <message>
+        <source>Be&amp;gins</source>
+        <translation>Dé&amp;but</translation>
+    </message>
+    <message>
+        <source>&amp;Laps</source>
+        <translation>To&amp;urs</translation>
+    </message>
+    <message>
+        <source>Laps until it ends</source>
+        <translation>Tours jusqu’à la fin</translation>
+    </message>
+    <message>
+        <source>Team that is up</source>
+        <translation>Équipe en piste</translation>
+    </message>
+    <message>
+        <source>How the recording begins</source>
+        <translation>Comment débute l’enregistrement</translation>
+    </message>
+    <message>
+        <source>no class</source>
+        <translation>aucune classe</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>no team</source>
+        <translation>aucune équipe</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>aussitôt</translation>
+    </message>
+    <message>
+        <source>after a countdown of %1 s</source>
+        <translation>après un compte à rebours de %1 s</translation>
+    </message>
+    <message>
+        <source>when the robot passes the start</source>
+        <translation>quand le robot franchit le départ</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunChooser</name>
+    <message>
+        <source>start gate</source>
+        <translation>porte de départ</translation>
+    </message>
+    <message>
+        <source>onset of motion</source>
+        <translation>début du mouvement</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>distance</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>à la main</translation>
+    </message>
+    <message>
+        <source>First run</source>
+        <translation>Premier passage</translation>
+    </message>
+    <message>
+        <source>Second run</source>
+        <translation>Second passage</translation>
+    </message>
+    <message>
+        <source>The moment that counts as the same</source>
+        <translation>L’instant pris comme commun</translation>
+    </message>
+    <message>
+        <source>Swap the two runs</source>
+        <translation>Échanger les deux passages</translation>
+    </message>
+    <message>
+        <source>Further runs</source>
+        <translation>Autres passages</translation>
+    </message>
+    <message>
+        <source>&amp;Shift</source>
+        <translation>&amp;Décalage</translation>
+    </message>
+    <message>
+        <source>Pla&amp;ce</source>
+        <translation>Endr&amp;oit</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>How much later the second run&apos;s moment lies</source>
+        <translation>De combien l’instant du second passage est plus tardif</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>where all have begun</source>
+        <translation>où tous ont commencé</translation>
+    </message>
+    <message>
+        <source>How far along the way the runs are taken to be at the same time</source>
+        <translation>À quelle distance sur le trajet les passages sont pris comme simultanés</translation>
+    </message>
+    <message>
+        <source>F&amp;irst</source>
+        <translation>Prem&amp;ier</translation>
+    </message>
+    <message>
+        <source>Seco&amp;nd</source>
+        <translation>Seco&amp;nd</translation>
+    </message>
+    <message>
+        <source>&amp;Align by</source>
+        <translation>Ali&amp;gner sur</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatique&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>There are no further runs</source>
+        <translation>Il n’y a pas d’autre passage</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunResultCard</name>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>&amp;Open in Review</source>
+        <translation>E&amp;xaminer</translation>
+    </message>
+    <message>
+        <source>The figures of a run stand here a moment after it has ended.</source>
+        <translation>Les grandeurs d’un passage s’affichent ici un instant après sa fin.</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Mesure en cours…</translation>
+    </message>
+    <message>
+        <source>Spikes flagged</source>
+        <translation>Pics aberrants signalés</translation>
+    </message>
+    <message>
+        <source>From live tracking. The final figures come from the recording, in a moment.</source>
+        <translation>D’après le suivi en direct. Les valeurs définitives viennent de l’enregistrement, dans un instant.</translation>
+    </message>
+    <message>
+        <source>Final, from every picture of the recording.</source>
+        <translation>Définitif, d’après toutes les images de l’enregistrement.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ScoringTable</name>
+    <message>
+        <source>Remo&amp;ve line</source>
+        <translation>Retirer la li&amp;gne</translation>
+    </message>
+    <message>
+        <source>Each line gives all of its points where the figure is at the one bound or better, none at the other or worse, and evenly between them. Points below zero are a penalty.</source>
+        <translation>Chaque ligne donne tous ses points si la grandeur atteint la première borne ou fait mieux, aucun à la seconde ou au-delà, et proportionnellement entre les deux. Des points négatifs sont une pénalité.</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>All points at</source>
+        <translation>Tous les points à</translation>
+    </message>
+    <message>
+        <source>None at</source>
+        <translation>Aucun à</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Lines of the scoring</source>
+        <translation>Lignes du barème</translation>
+    </message>
+    <message>
+        <source>What the lines mean</source>
+        <translation>Ce que signifient les lignes</translation>
+    </message>
+    <message>
+        <source>&amp;Add line</source>
+        <translation>A&amp;jouter une ligne</translation>
+    </message>
+    <message>
+        <source>Figure that counts</source>
+        <translation>Grandeur qui compte</translation>
+    </message>
+    <message>
+        <source>Without a line, runs of the task are not scored.</source>
+        <translation>Sans ligne, les passages de l’épreuve ne sont pas notés.</translation>
+    </message>
+    <message>
+        <source>In all %1 points.</source>
+        <translation>En tout %1 points.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SeriesKey</name>
+    <message>
+        <source>Key to the lines</source>
+        <translation>Légende des lignes</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SharedPointsPage</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>Re&amp;tirer</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>Picture of the camera to register; arrow keys move the chosen point</source>
+        <translation>Image de la caméra à localiser&#xa0;; les flèches déplacent le point choisi</translation>
+    </message>
+    <message>
+        <source>Picture of the registered camera; arrow keys move the chosen point</source>
+        <translation>Image de la caméra localisée&#xa0;; les flèches déplacent le point choisi</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>Seen in</source>
+        <translation>Vu dans</translation>
+    </message>
+    <message>
+        <source>On the floor, mm</source>
+        <translation>Au sol, mm</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Points of the floor</source>
+        <translation>Points du sol</translation>
+    </message>
+    <message>
+        <source>Camera %1, to be registered</source>
+        <translation>Caméra %1, à localiser</translation>
+    </message>
+    <message>
+        <source>Camera %1, registered</source>
+        <translation>Caméra %1, localisée</translation>
+    </message>
+    <message>
+        <source>P%1</source>
+        <comment>a point</comment>
+        <translation>P%1</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>caméra %1</translation>
+    </message>
+    <message>
+        <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
+        <translation>Cliquez sur un point du sol dans l’image de gauche, puis sur le même dans l’image de droite. Ce qui est près d’un clic est repéré au dixième de pixel&#xa0;; les flèches déplacent le point choisi, Espace l’ajuste.</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1&#xa0;; %2</translation>
+    </message>
+    <message>
+        <source>beyond the horizon</source>
+        <translation>au-delà de l’horizon</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>both pictures</source>
+        <translation>les deux images</translation>
+    </message>
+    <message>
+        <source>left only</source>
+        <translation>gauche seulement</translation>
+    </message>
+    <message>
+        <source>right only</source>
+        <translation>droite seulement</translation>
+    </message>
+    <message>
+        <source>not put yet</source>
+        <translation>pas encore placé</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeActions</name>
+    <message>
+        <source>&amp;Use sample</source>
+        <translation>&amp;Utiliser l’échantillon</translation>
+    </message>
+    <message>
+        <source>What was measured at this moment is right and is to be used, whatever speaks against it</source>
+        <translation>Ce qui a été mesuré à cet instant est juste et doit être utilisé, malgré tout ce qui s’y oppose</translation>
+    </message>
+    <message>
+        <source>Mark as &amp;spike</source>
+        <translation>&amp;Marquer comme pic</translation>
+    </message>
+    <message>
+        <source>What was measured at this moment is wrong and is not to be used</source>
+        <translation>Ce qui a été mesuré à cet instant est faux et ne doit pas être utilisé</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatique</translation>
+    </message>
+    <message>
+        <source>Takes back what was said by hand at this moment</source>
+        <translation>Annule ce qui a été dit à la main à cet instant</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeList</name>
+    <message>
+        <source>Spikes</source>
+        <translation>Pics aberrants</translation>
+    </message>
+    <message>
+        <source>Spikes with time and reason</source>
+        <translation>Pics aberrants, avec l’instant et la raison</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeModel</name>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>%1 flagged</source>
+        <translation>%1 signalés</translation>
+    </message>
+    <message>
+        <source>%1 restored</source>
+        <translation>%1 rétablis</translation>
+    </message>
+    <message>
+        <source>used, by hand</source>
+        <translation>utilisé, à la main</translation>
+    </message>
+    <message>
+        <source>%1 (restored by hand)</source>
+        <translation>%1 (rétabli à la main)</translation>
+    </message>
+    <message>
+        <source>Restored by hand</source>
+        <translation>Rétabli à la main</translation>
+    </message>
+    <message>
+        <source>Flagged, not used for the curve</source>
+        <translation>Signalé, non utilisé pour la courbe</translation>
+    </message>
+    <message>
+        <source>Flagged, still used for the curve</source>
+        <translation>Signalé, mais utilisé pour la courbe</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Raison</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StandingsModel</name>
+    <message>
+        <source>choose a task</source>
+        <translation>choisissez une épreuve</translation>
+    </message>
+    <message>
+        <source>three trials at different times tell</source>
+        <translation>il faut trois essais de dates différentes</translation>
+    </message>
+    <message>
+        <source>within the spread (%1)</source>
+        <translation>dans la dispersion (%1)</translation>
+    </message>
+    <message>
+        <source>better: %1</source>
+        <translation>mieux&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>worse: %1</source>
+        <translation>moins bien&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>one trial</source>
+        <translation>un essai</translation>
+    </message>
+    <message>
+        <source>One more than the teams that are better beyond doubt: their medians differ by more than 1.96 σ. Runs of different tasks are not ranked</source>
+        <translation>Un de plus que le nombre d’équipes sûrement meilleures&#xa0;: leurs médianes diffèrent de plus de 1.96 σ. Les passages d’épreuves différentes ne sont pas classés</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Rang</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Meilleur</translation>
+    </message>
+    <message>
+        <source>± from the spread of all teams&apos; trials</source>
+        <translation>± d’après la dispersion des essais de toutes les équipes</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Médiane</translation>
+    </message>
+    <message>
+        <source>Repeatability: standard deviation of one trial about the line of progress</source>
+        <translation>Répétabilité&#xa0;: écart-type d’un essai autour de la droite de progrès</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Dispersion</translation>
+    </message>
+    <message>
+        <source>Change through the term by a straight line; beyond the spread by Student&apos;s test, 95 %</source>
+        <translation>Évolution au fil du temps selon une droite&#xa0;; hors de la dispersion d’après le test de Student, 95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progrès</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StartCard</name>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>&amp;Record or stop</source>
+        <translation>Fil&amp;mer ou arrêter</translation>
+    </message>
+    <message>
+        <source>Time recorded</source>
+        <translation>Durée filmée</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Filmer</translation>
+    </message>
+    <message>
+        <source>Writing the last pictures…</source>
+        <translation>Écriture des dernières images…</translation>
+    </message>
+    <message>
+        <source>F9 records, F9 stops</source>
+        <translation>F9 filme, F9 arrête</translation>
+    </message>
+    <message>
+        <source>F9 records, F9 stops; %1</source>
+        <translation>F9 filme, F9 arrête&#xa0;; %1</translation>
+    </message>
+    <message>
+        <source>Call off</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>dans %1</translation>
+    </message>
+    <message>
+        <source>Get ready</source>
+        <translation>Tenez-vous prêts</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”; it is recorded from a second before</source>
+        <translation>En attente du robot à «&#xa0;%1&#xa0;»&#xa0;; il est filmé à partir d’une seconde avant</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StatusLine</name>
+    <message>
+        <source>No trial</source>
+        <translation>Aucun essai</translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>Pas encore suivi</translation>
+    </message>
+    <message>
+        <source>Analysis %1, Odograph %2</source>
+        <translation>Analyse %1, Odograph %2</translation>
+    </message>
+    <message>
+        <source>Units of lengths, speeds and times; to be chosen in the preferences</source>
+        <translation>Unités des longueurs, des vitesses et des temps&#xa0;; à choisir dans les préférences</translation>
+    </message>
+    <message>
+        <source>No project is open</source>
+        <translation>Aucun projet n’est ouvert</translation>
+    </message>
+    <message>
+        <source>Read only: nothing can be changed</source>
+        <translation>Lecture seule&#xa0;: rien ne peut être modifié</translation>
+    </message>
+    <message>
+        <source>All changes saved</source>
+        <translation>Toutes les modifications sont enregistrées</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StepDialog</name>
+    <message>
+        <source>&lt; &amp;Back</source>
+        <translation>&lt; &amp;Retour</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>étape %1 sur %2</translation>
+    </message>
+    <message>
+        <source>&amp;Next &gt;</source>
+        <translation>&amp;Suivant &gt;</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TargetDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Inner corners along the board</source>
+        <translation>Coins intérieurs dans la longueur de la mire</translation>
+    </message>
+    <message>
+        <source>Inner corners across the board</source>
+        <translation>Coins intérieurs dans la largeur de la mire</translation>
+    </message>
+    <message>
+        <source>Print targets</source>
+        <translation>Imprimer des cibles</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>&amp;Enregistrer en PDF…</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Imprimer…</translation>
+    </message>
+    <message>
+        <source>Checkerboard</source>
+        <translation>Damier</translation>
+    </message>
+    <message>
+        <source>ChArUco board</source>
+        <translation>Mire ChArUco</translation>
+    </message>
+    <message>
+        <source>Floor markers: tags</source>
+        <translation>Marqueurs au sol&#xa0;: tags</translation>
+    </message>
+    <message>
+        <source>Floor markers: rings</source>
+        <translation>Marqueurs au sol&#xa0;: anneaux</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Lettre US</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>&amp;Target</source>
+        <translation>&amp;Cible</translation>
+    </message>
+    <message>
+        <source>Pape&amp;r</source>
+        <translation>&amp;Papier</translation>
+    </message>
+    <message>
+        <source>&amp;Inner corners</source>
+        <translation>Coins intérieu&amp;rs</translation>
+    </message>
+    <message>
+        <source>S&amp;quare</source>
+        <translation>C&amp;arré</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Taille</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>&amp;Libellés</translation>
+    </message>
+    <message>
+        <source>What is printed</source>
+        <translation>Ce qui est imprimé</translation>
+    </message>
+    <message>
+        <source>One sheet. Afterwards measure a square on the paper: printers often shrink by 2 to 4 %.</source>
+        <translation>Une feuille. Mesurez ensuite un carré sur le papier&#xa0;: les imprimantes réduisent souvent de 2 à 4&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>One sheet for each marker. A tag&apos;s number is the place of its label in the layout.</source>
+        <translation>Une feuille par marqueur. Le numéro d’un tag est le rang de son libellé dans le plan.</translation>
+    </message>
+    <message>
+        <source>Save targets</source>
+        <translation>Enregistrer les cibles</translation>
+    </message>
+    <message>
+        <source>targets.pdf</source>
+        <translation>cibles.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Enregistré&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Sent to the printer.</source>
+        <translation>Envoyé à l’imprimante.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1&#xa0;: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TargetPreview</name>
+    <message>
+        <source>Preview of the sheets</source>
+        <translation>Aperçu des feuilles</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TaskCanvas</name>
+    <message>
+        <source>The task from above</source>
+        <translation>L’épreuve vue de dessus</translation>
+    </message>
+    <message>
+        <source>Drag a gate or one of its ends, a zone&apos;s edge or corner. Keys: Page Up and Down choose a gate or a zone, arrows move it (Shift: 100 mm, Ctrl: 1 mm), &lt; and &gt; turn it, + and − change its width</source>
+        <translation>Faites glisser une porte ou l’une de ses extrémités, le bord ou un sommet d’une zone. Au clavier&#xa0;: Page précédente et Page suivante choisissent une porte ou une zone, les flèches la déplacent (Maj&#xa0;: 100 mm, Ctrl&#xa0;: 1 mm), &lt; et &gt; la tournent, + et − changent sa largeur</translation>
+    </message>
+    <message>
+        <source>Zone %1, %2: %3 mm</source>
+        <translation>Zone %1, %2&#xa0;: %3 mm</translation>
+    </message>
+    <message>
+        <source>No gate or zone is chosen</source>
+        <translation>Aucune porte ni zone n’est choisie</translation>
+    </message>
+    <message>
+        <source>Gate %1 from %2, %3 to %4, %5</source>
+        <translation>Porte %1 de %2, %3 à %4, %5</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TaskEditor</name>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Épreuve</translation>
+    </message>
+    <message>
+        <source>&amp;Course</source>
+        <translation>&amp;Parcours</translation>
+    </message>
+    <message>
+        <source>&amp;Zones</source>
+        <translation>&amp;Zones</translation>
+    </message>
+    <message>
+        <source>Sco&amp;ring</source>
+        <translation>&amp;Barème</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Ce qui ne va pas</translation>
+    </message>
+    <message>
+        <source>Import &amp;file…</source>
+        <translation>Importer un &amp;fichier…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Take gates, path, limits and zones from a task file (JSON)</source>
+        <translation>Prendre portes, tracé, limites et zones dans un fichier d’épreuve (JSON)</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nom</translation>
+    </message>
+    <message>
+        <source>Speed limi&amp;t</source>
+        <translation>Limite de &amp;vitesse</translation>
+    </message>
+    <message>
+        <source>Acceleration l&amp;imit</source>
+        <translation>Limite d’a&amp;ccélération</translation>
+    </message>
+    <message>
+        <source>What no robot in the task can do: a measurement beyond it is a spike</source>
+        <translation>Ce qu’aucun robot de l’épreuve ne peut faire&#xa0;: une mesure au-delà est un pic aberrant</translation>
+    </message>
+    <message>
+        <source>Task file</source>
+        <translation>Fichier d’épreuve</translation>
+    </message>
+    <message>
+        <source>Tasks (*.json *.yaml *.yml);;All files (*)</source>
+        <translation>Épreuves (*.json *.yaml *.yml);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>The task has no name.</source>
+        <translation>L’épreuve n’a pas de nom.</translation>
+    </message>
+    <message>
+        <source>There is a task of that name. Give another name.</source>
+        <translation>Il existe une épreuve de ce nom. Donnez un autre nom.</translation>
+    </message>
+    <message>
+        <source>A gate has no name.</source>
+        <translation>Une porte n’a pas de nom.</translation>
+    </message>
+    <message>
+        <source>A zone has no name.</source>
+        <translation>Une zone n’a pas de nom.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TasksDialog</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Nouvelle</translation>
+    </message>
+    <message>
+        <source>&amp;Edit…</source>
+        <translation>&amp;Modifier…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy…</source>
+        <translation>&amp;Copier…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Renommer…</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>&amp;Archiver</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Measure them again</source>
+        <translation>R&amp;emesurer</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Épreuves</translation>
+    </message>
+    <message>
+        <source>What depends on the task</source>
+        <translation>Ce qui dépend de l’épreuve</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Ce qui a été fait</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Épreuve</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Used by</source>
+        <translation>Utilisée par</translation>
+    </message>
+    <message>
+        <source>An archived task is not offered any more; its trials, results and scores stay as they are</source>
+        <translation>Une épreuve archivée n’est plus proposée&#xa0;; ses essais, résultats et scores restent tels quels</translation>
+    </message>
+    <message numerus="yes">
+        <source>Show %n archived task(s)</source>
+        <translation>
+            <numerusform>Montrer %n épreuve archivée</numerusform>
+            <numerusform>Montrer %n épreuves archivées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n essai</numerusform>
+            <numerusform>%n essais</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>earlier results</source>
+        <translation>résultats antérieurs</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>%1, archived</source>
+        <translation>%1, archivée</translation>
+    </message>
+    <message>
+        <source>No task yet. New makes one from a template: its gates, path and scoring say what is to be driven, and how well it was.</source>
+        <translation>Pas encore d’épreuve. «&#xa0;Nouvelle&#xa0;» en crée une d’après un modèle&#xa0;: ses portes, son tracé et son barème disent ce qu’il faut parcourir, et avec quelle réussite.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The course as it was before it was changed: %n result(s) measured by it keep it.</source>
+        <translation>
+            <numerusform>Le parcours tel qu’il était avant sa modification&#xa0;: %n résultat mesuré sur lui le garde.</numerusform>
+            <numerusform>Le parcours tel qu’il était avant sa modification&#xa0;: %n résultats mesurés sur lui le gardent.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) have this task.</source>
+        <translation>
+            <numerusform>%n essai a cette épreuve.</numerusform>
+            <numerusform>%n essais ont cette épreuve.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No trial has this task.</source>
+        <translation>Aucun essai n’a cette épreuve.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</source>
+        <translation>
+            <numerusform>%n d’entre eux a été mesuré sur un autre parcours&#xa0;: ses temps aux portes et ses écarts au tracé sont de celui-là, et il n’a pas de score avant d’être remesuré.</numerusform>
+            <numerusform>%n d’entre eux ont été mesurés sur un autre parcours&#xa0;: leurs temps aux portes et leurs écarts au tracé sont de celui-là, et ils n’ont pas de score avant d’être remesurés.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It is scored by %n figure(s).</source>
+        <translation>
+            <numerusform>Elle est notée d’après %n grandeur.</numerusform>
+            <numerusform>Elle est notée d’après %n grandeurs.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is not scored.</source>
+        <translation>Elle n’est pas notée.</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>Dés&amp;archiver</translation>
+    </message>
+    <message>
+        <source>Trials have this task, or were measured by it: it stays, so that their figures say what they were measured by</source>
+        <translation>Des essais ont cette épreuve, ou ont été mesurés sur elle&#xa0;: elle reste, pour que leurs valeurs disent sur quoi elles ont été mesurées</translation>
+    </message>
+    <message>
+        <source>Deletes the task (Del); Ctrl+Z takes it back</source>
+        <translation>Supprime l’épreuve (Suppr)&#xa0;; Ctrl+Z l’annule</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</source>
+        <translation>
+            <numerusform>%n résultat mesuré sur ce parcours reste vrai&#xa0;: un parcours modifié est gardé pour lui comme version antérieure. Les essais passent au nouveau&#xa0;; leurs temps et leurs scores suivent dès qu’ils sont remesurés.</numerusform>
+            <numerusform>%n résultats mesurés sur ce parcours restent vrais&#xa0;: un parcours modifié est gardé pour eux comme version antérieure. Les essais passent au nouveau&#xa0;; leurs temps et leurs scores suivent dès qu’ils sont remesurés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>add task %1</source>
+        <translation>ajout de l’épreuve %1</translation>
+    </message>
+    <message>
+        <source>change task %1</source>
+        <translation>modification de l’épreuve %1</translation>
+    </message>
+    <message>
+        <source>Rename task</source>
+        <translation>Renommer l’épreuve</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nom&#xa0;:</translation>
+    </message>
+    <message>
+        <source>rename task %1 to %2</source>
+        <translation>épreuve %1 renommée en %2</translation>
+    </message>
+    <message>
+        <source>archive task %1</source>
+        <translation>archivage de l’épreuve %1</translation>
+    </message>
+    <message>
+        <source>take task %1 out of the archive</source>
+        <translation>désarchivage de l’épreuve %1</translation>
+    </message>
+    <message>
+        <source>delete task %1</source>
+        <translation>suppression de l’épreuve %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TeamDialog</name>
+    <message>
+        <source>Robots of the team</source>
+        <translation>Robots de l’équipe</translation>
+    </message>
+    <message>
+        <source>Team %1</source>
+        <translation>Équipe %1</translation>
+    </message>
+    <message>
+        <source>A name on each line</source>
+        <translation>Un nom par ligne</translation>
+    </message>
+    <message>
+        <source>Members of the team, one on each line</source>
+        <translation>Membres de l’équipe, un par ligne</translation>
+    </message>
+    <message>
+        <source>Record and importing propose these robots for the team&apos;s runs</source>
+        <translation>«&#xa0;Filmer&#xa0;» et l’importation proposent ces robots pour les passages de l’équipe</translation>
+    </message>
+    <message>
+        <source>&amp;Members</source>
+        <translation>&amp;Membres</translation>
+    </message>
+    <message>
+        <source>&amp;Robots</source>
+        <translation>&amp;Robots</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n member(s)</source>
+        <translation>
+            <numerusform>%n membre</numerusform>
+            <numerusform>%n membres</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::TeamsPanel</name>
+    <message>
+        <source>Teams</source>
+        <translation>Équipes</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>All classes</source>
+        <translation>Toutes les classes</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Épreuve</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>Toute épreuve</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>How the teams stand</source>
+        <translation>Classement des équipes</translation>
+    </message>
+    <message>
+        <source>%1 (archived)</source>
+        <translation>%1 (archivée)</translation>
+    </message>
+    <message>
+        <source>No team has a figure here</source>
+        <translation>Aucune équipe n’a de valeur ici</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n team(s)</source>
+        <translation>
+            <numerusform>%n équipe</numerusform>
+            <numerusform>%n équipes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>choose a task to rank them: runs of different tasks cannot be compared</source>
+        <translation>choisissez une épreuve pour les classer&#xa0;: les passages d’épreuves différentes ne peuvent pas être comparés</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) left out: measured by another course; measure them again</source>
+        <translation>
+            <numerusform>%n essai exclu&#xa0;: mesuré sur un autre parcours&#xa0;; remesurez-le</numerusform>
+            <numerusform>%n essais exclus&#xa0;: mesurés sur un autre parcours&#xa0;; remesurez-les</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::TemplateForm</name>
+    <message>
+        <source>Straight line</source>
+        <translation>Ligne droite</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Cercle</translation>
+    </message>
+    <message>
+        <source>Figure eight</source>
+        <translation>Huit</translation>
+    </message>
+    <message>
+        <source>Slalom</source>
+        <translation>Slalom</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>Te&amp;mplate</source>
+        <translation>&amp;Modèle</translation>
+    </message>
+    <message>
+        <source>Centre &amp;x</source>
+        <translation>Centre &amp;x</translation>
+    </message>
+    <message>
+        <source>Centre &amp;y</source>
+        <translation>Centre &amp;y</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Longueur</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>Lar&amp;geur</translation>
+    </message>
+    <message>
+        <source>The way it is driven: 0° along X, 90° along Y</source>
+        <translation>Le sens de marche&#xa0;: 0° le long de X, 90° le long de Y</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>&amp;Direction</translation>
+    </message>
+    <message>
+        <source>&amp;Poles</source>
+        <translation>Pi&amp;quets</translation>
+    </message>
+    <message>
+        <source>&amp;Gates&apos; width</source>
+        <translation>Largeur des p&amp;ortes</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Diam&amp;eter</source>
+        <translation>Diamè&amp;tre</translation>
+    </message>
+    <message>
+        <source>Start to finis&amp;h</source>
+        <translation>Du dép&amp;art à l’arrivée</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Hauteur</translation>
+    </message>
+    <message>
+        <source>S&amp;wing, side to side</source>
+        <translation>Amplit&amp;ude latérale</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TestbedPage</name>
+    <message>
+        <source>From above</source>
+        <translation>Vu de dessus</translation>
+    </message>
+    <message>
+        <source>expected &amp;accuracy</source>
+        <translation>précision a&amp;ttendue</translation>
+    </message>
+    <message>
+        <source>No cameras yet</source>
+        <translation>Pas encore de caméra</translation>
+    </message>
+    <message>
+        <source>A testbed is a floor with markers and the cameras that watch it. Begin with the lens of the first camera, or with the places of the markers.</source>
+        <translation>Un banc d’essai est un sol avec des marqueurs et les caméras qui le regardent. Commencez par l’objectif de la première caméra, ou par les places des marqueurs.</translation>
+    </message>
+    <message>
+        <source>Tas&amp;ks…</source>
+        <translation>Épreu&amp;ves…</translation>
+    </message>
+    <message>
+        <source>What is driven on this floor: gates, paths, limits, scoring</source>
+        <translation>Ce qui se parcourt sur ce sol&#xa0;: portes, tracés, limites, barème</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Caméras</translation>
+    </message>
+    <message>
+        <source>What is known of the camera</source>
+        <translation>Ce que l’on sait de la caméra</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Marker layouts</source>
+        <translation>Plans de marqueurs</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TestbedTools</name>
+    <message>
+        <source>&amp;Calibrate camera…</source>
+        <translation>É&amp;talonner une caméra…</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Étalonner…</translation>
+    </message>
+    <message>
+        <source>Measure a camera&apos;s lens from pictures of a board</source>
+        <translation>Mesurer l’objectif d’une caméra d’après des photos d’une mire</translation>
+    </message>
+    <message>
+        <source>&amp;Register camera…</source>
+        <translation>&amp;Localiser une caméra…</translation>
+    </message>
+    <message>
+        <source>Register…</source>
+        <translation>Localiser…</translation>
+    </message>
+    <message>
+        <source>Find where a camera stands from the floor markers</source>
+        <translation>Trouver où est une caméra d’après les marqueurs au sol</translation>
+    </message>
+    <message>
+        <source>Register t&amp;hrough another camera…</source>
+        <translation>Localiser par une a&amp;utre caméra…</translation>
+    </message>
+    <message>
+        <source>Through another…</source>
+        <translation>Par une autre…</translation>
+    </message>
+    <message>
+        <source>Find where a camera stands that sees no markers, from points of the floor that another camera sees as well</source>
+        <translation>Trouver où est une caméra qui ne voit pas de marqueurs, d’après des points du sol qu’une autre caméra voit aussi</translation>
+    </message>
+    <message>
+        <source>Register all cameras to&amp;gether…</source>
+        <translation>Localiser toutes les caméras en&amp;semble…</translation>
+    </message>
+    <message>
+        <source>All together…</source>
+        <translation>Toutes ensemble…</translation>
+    </message>
+    <message>
+        <source>Fit the cameras of the chosen layout at once, so that they agree, and find markers that were measured wrongly</source>
+        <translation>Ajuster d’un coup les caméras du plan choisi, pour qu’elles s’accordent, et repérer les marqueurs mal mesurés</translation>
+    </message>
+    <message>
+        <source>Import &amp;intrinsics…</source>
+        <translation>Importer des &amp;intrinsèques…</translation>
+    </message>
+    <message>
+        <source>Import lens…</source>
+        <translation>Importer objectif…</translation>
+    </message>
+    <message>
+        <source>Take a camera&apos;s lens from a ROS or OpenCV YAML file</source>
+        <translation>Prendre l’objectif d’une caméra dans un fichier YAML de ROS ou d’OpenCV</translation>
+    </message>
+    <message>
+        <source>New marker &amp;layout…</source>
+        <translation>Nouveau plan de &amp;marqueurs…</translation>
+    </message>
+    <message>
+        <source>New layout…</source>
+        <translation>Nouveau plan…</translation>
+    </message>
+    <message>
+        <source>Say where the markers lie, from the start or from the layout that is chosen</source>
+        <translation>Indiquer où se trouvent les marqueurs, depuis zéro ou d’après le plan choisi</translation>
+    </message>
+    <message>
+        <source>Import &amp;marker layout…</source>
+        <translation>Importer un pla&amp;n de marqueurs…</translation>
+    </message>
+    <message>
+        <source>Import layout…</source>
+        <translation>Importer plan…</translation>
+    </message>
+    <message>
+        <source>Take the places of the markers from a table</source>
+        <translation>Prendre les places des marqueurs dans un tableau</translation>
+    </message>
+    <message>
+        <source>Print &amp;targets…</source>
+        <translation>Imprimer des &amp;cibles…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimer…</translation>
+    </message>
+    <message>
+        <source>Boards for the lens and markers for the floor, to scale</source>
+        <translation>Mires pour l’objectif et marqueurs pour le sol, à l’échelle</translation>
+    </message>
+    <message>
+        <source>Camera %1 is calibrated. %2</source>
+        <translation>La caméra %1 est étalonnée. %2</translation>
+    </message>
+    <message>
+        <source>register camera %1</source>
+        <translation>localisation de la caméra %1</translation>
+    </message>
+    <message>
+        <source>Camera %1 is registered. %2</source>
+        <translation>La caméra %1 est localisée. %2</translation>
+    </message>
+    <message>
+        <source>Camera %1 is registered through camera %2. %3</source>
+        <translation>La caméra %1 est localisée par la caméra %2. %3</translation>
+    </message>
+    <message>
+        <source>The cameras of layout %1 are registered together. %2</source>
+        <translation>Les caméras du plan %1 sont localisées ensemble. %2</translation>
+    </message>
+    <message>
+        <source>Intrinsics of a camera</source>
+        <translation>Paramètres intrinsèques d’une caméra</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml);;All files (*)</source>
+        <translation>Étalonnages (*.yaml *.yml);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Import intrinsics</source>
+        <translation>Importer des paramètres intrinsèques</translation>
+    </message>
+    <message>
+        <source>Camera:</source>
+        <translation>Caméra&#xa0;:</translation>
+    </message>
+    <message>
+        <source>The lens of camera %1 was taken from %2.</source>
+        <translation>L’objectif de la caméra %1 a été repris de %2.</translation>
+    </message>
+    <message>
+        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <translation>Places des marqueurs (label,x_mm,y_mm)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>Tableaux (*.csv *.txt);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>add layout %1</source>
+        <translation>ajout du plan %1</translation>
+    </message>
+    <message>
+        <source>Layout %1 has %2 markers.</source>
+        <translation>Le plan %1 a %2 marqueurs.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ThroughSourcePage</name>
+    <message>
+        <source>Picture or video of the camera to register</source>
+        <translation>Photo ou vidéo de la caméra à localiser</translation>
+    </message>
+    <message>
+        <source>Picture or video of the registered camera</source>
+        <translation>Photo ou vidéo de la caméra localisée</translation>
+    </message>
+    <message>
+        <source>A camera cannot be registered through itself: choose two different ones.</source>
+        <translation>Une caméra ne peut pas être localisée par elle-même&#xa0;: choisissez deux caméras différentes.</translation>
+    </message>
+    <message>
+        <source>Camera to register</source>
+        <translation>Caméra à localiser</translation>
+    </message>
+    <message>
+        <source>Registered camera</source>
+        <translation>Caméra localisée</translation>
+    </message>
+    <message>
+        <source>A camera that sees no markers can be registered by points of the floor that a registered camera sees as well: corners of tiles, ends of tape, screws. Four are enough, six or more spread over the common part are better. Neither camera may be moved afterwards.</source>
+        <translation>Une caméra qui ne voit pas de marqueurs peut être localisée par des points du sol qu’une caméra localisée voit aussi&#xa0;: coins de carreaux, bouts d’adhésif, vis. Quatre suffisent, six ou plus répartis sur la partie commune valent mieux. Aucune des deux caméras ne doit être déplacée ensuite.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera to register</source>
+        <translation>C&amp;améra à localiser</translation>
+    </message>
+    <message>
+        <source>&amp;Through camera</source>
+        <translation>Par &amp;la caméra</translation>
+    </message>
+    <message>
+        <source>Its picture</source>
+        <translation>Son image</translation>
+    </message>
+    <message>
+        <source>The registered camera&apos;s picture</source>
+        <translation>L’image de la caméra localisée</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ThroughWizard</name>
+    <message>
+        <source>Register through another camera</source>
+        <translation>Localiser par une autre caméra</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Two cameras and their pictures</source>
+        <translation>Deux caméras et leurs images</translation>
+    </message>
+    <message>
+        <source>The same points in both pictures</source>
+        <translation>Les mêmes points dans les deux images</translation>
+    </message>
+    <message>
+        <source>Getting the pictures…</source>
+        <translation>Lecture des images…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TimeSlider</name>
+    <message>
+        <source>Time of the trial</source>
+        <translation>Temps de l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Timeline</name>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Lecture ou pause</translation>
+    </message>
+    <message>
+        <source>One frame &amp;back</source>
+        <translation>Image p&amp;récédente</translation>
+    </message>
+    <message>
+        <source>One frame &amp;forward</source>
+        <translation>Image suiva&amp;nte</translation>
+    </message>
+    <message>
+        <source>One second back</source>
+        <translation>Une seconde en arrière</translation>
+    </message>
+    <message>
+        <source>One second forward</source>
+        <translation>Une seconde en avant</translation>
+    </message>
+    <message>
+        <source>Play backwards, again: faster</source>
+        <translation>Lire en arrière, de nouveau&#xa0;: plus vite</translation>
+    </message>
+    <message>
+        <source>&amp;Stop; held, the two beside go by one frame</source>
+        <translation>&amp;Arrêter&#xa0;; maintenue, ses voisines vont image par image</translation>
+    </message>
+    <message>
+        <source>Play forwards, again: faster</source>
+        <translation>Lire en avant, de nouveau&#xa0;: plus vite</translation>
+    </message>
+    <message>
+        <source>To the first frame</source>
+        <translation>À la première image</translation>
+    </message>
+    <message>
+        <source>To the last frame</source>
+        <translation>À la dernière image</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>&amp;Boucle</translation>
+    </message>
+    <message>
+        <source>Range beg&amp;ins here</source>
+        <translation>&amp;Début de la plage ici</translation>
+    </message>
+    <message>
+        <source>Range &amp;ends here</source>
+        <translation>&amp;Fin de la plage ici</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the range</source>
+        <translation>&amp;Effacer la plage</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TimelineBar</name>
+    <message>
+        <source>Time line</source>
+        <translation>Ligne de temps</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>Vitesse de lecture</translation>
+    </message>
+    <message>
+        <source>To the first frame (Home)</source>
+        <translation>À la première image (Début)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Lecture (Espace)</translation>
+    </message>
+    <message>
+        <source>To the last frame (End)</source>
+        <translation>À la dernière image (Fin)</translation>
+    </message>
+    <message>
+        <source>no frames</source>
+        <translation>aucune image</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>image %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Pause (Espace)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrackDialog</name>
+    <message>
+        <source>Robots to follow</source>
+        <translation>Robots à suivre</translation>
+    </message>
+    <message>
+        <source>Track %1</source>
+        <translation>Suivre %1</translation>
+    </message>
+    <message>
+        <source>Kalman/RTS, noise from the data (best)</source>
+        <translation>Kalman/RTS, bruit d’après les données (le mieux)</translation>
+    </message>
+    <message>
+        <source>Savitzky–Golay</source>
+        <translation>Savitzky–Golay</translation>
+    </message>
+    <message>
+        <source>Differences as in Tracker</source>
+        <translation>Différences comme dans Tracker</translation>
+    </message>
+    <message>
+        <source>None: raw differences</source>
+        <translation>Aucun&#xa0;: différences brutes</translation>
+    </message>
+    <message>
+        <source>&amp;Robots</source>
+        <translation>&amp;Robots</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothing</source>
+        <translation>&amp;Lissage</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Suivre</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TransferActions</name>
+    <message>
+        <source>&amp;Pack into one file…</source>
+        <translation>&amp;Empaqueter en un fichier…</translation>
+    </message>
+    <message>
+        <source>&amp;Unpack a packed project…</source>
+        <translation>Dépaque&amp;ter un projet…</translation>
+    </message>
+    <message>
+        <source>Find &amp;lost videos…</source>
+        <translation>Retrouver les vidéos &amp;perdues…</translation>
+    </message>
+    <message>
+        <source>Pack the project with its videos</source>
+        <translation>Empaqueter le projet avec ses vidéos</translation>
+    </message>
+    <message>
+        <source>Packed projects (*%1)</source>
+        <translation>Projets empaquetés (*%1)</translation>
+    </message>
+    <message>
+        <source>Packing the project</source>
+        <translation>Empaquetage du projet</translation>
+    </message>
+    <message>
+        <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
+        <translation>Le projet est empaqueté dans %1. Ailleurs, on le dépaquète par «&#xa0;Dépaqueter un projet&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Note: %1.</source>
+        <translation>Remarque&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Unpack a packed project</source>
+        <translation>Dépaqueter un projet</translation>
+    </message>
+    <message>
+        <source>Packed projects (*%1);;All files (*)</source>
+        <translation>Projets empaquetés (*%1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Where shall the project be unpacked?</source>
+        <translation>Où dépaqueter le projet&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Unpacking the project</source>
+        <translation>Dépaquetage du projet</translation>
+    </message>
+    <message>
+        <source>In which folder, or below, may the lost videos lie?</source>
+        <translation>Dans quel dossier, ou sous lequel, peuvent être les vidéos perdues&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Looking for lost videos</source>
+        <translation>Recherche des vidéos perdues</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lost videos were found, by their content.</source>
+        <translation>Vidéos perdues retrouvées, d’après leur contenu&#xa0;: %1 sur %2.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrendChart</name>
+    <message>
+        <source>Progress of the team</source>
+        <translation>Progrès de l’équipe</translation>
+    </message>
+    <message>
+        <source>%1: %2 trials, progress: %3</source>
+        <translation>%1&#xa0;: %2 essais, progrès&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>No team is selected</source>
+        <translation>Aucune équipe n’est sélectionnée</translation>
+    </message>
+    <message>
+        <source>Select a team to see its trials through the term.</source>
+        <translation>Sélectionnez une équipe pour voir ses essais au fil du temps.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialActions</name>
+    <message>
+        <source>Trial %1</source>
+        <translation>Essai %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2 of %3 frames, spikes flagged: %4</source>
+        <translation>%1 dans %2 images sur %3, pics aberrants signalés&#xa0;: %4</translation>
+    </message>
+    <message>
+        <source>%1 is tracked: %2.</source>
+        <translation>%1 est suivi&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is imported.</source>
+        <translation>%1 est importé.</translation>
+    </message>
+    <message>
+        <source>&amp;Import trial from videos…</source>
+        <translation>&amp;Importer les vidéos d’un essai…</translation>
+    </message>
+    <message>
+        <source>Import finished tra&amp;cks…</source>
+        <translation>Importer des tra&amp;jectoires…</translation>
+    </message>
+    <message>
+        <source>&amp;Track…</source>
+        <translation>&amp;Suivre…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporter…</translation>
+    </message>
+    <message>
+        <source>Export &amp;video…</source>
+        <translation>Exporter la &amp;vidéo…</translation>
+    </message>
+    <message>
+        <source>Add &amp;robot…</source>
+        <translation>Ajouter un &amp;robot…</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>Importation de %1</translation>
+    </message>
+    <message>
+        <source>Tracking %1</source>
+        <translation>Suivi de %1</translation>
+    </message>
+    <message>
+        <source>the sample</source>
+        <translation>l’échantillon</translation>
+    </message>
+    <message>
+        <source>this project can only be read</source>
+        <translation>ce projet ne peut qu’être lu</translation>
+    </message>
+    <message>
+        <source>save a copy and work on that</source>
+        <translation>enregistrez une copie et travaillez sur celle-ci</translation>
+    </message>
+    <message>
+        <source>Measuring %1 again</source>
+        <translation>Nouvelle mesure de %1</translation>
+    </message>
+    <message>
+        <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
+        <translation>L’échantillon à %1 de %2 n’est pas utilisé. Annuler revient en arrière.</translation>
+    </message>
+    <message>
+        <source>The sample at %1 of %2 is used. Undo takes it back.</source>
+        <translation>L’échantillon à %1 de %2 est utilisé. Annuler revient en arrière.</translation>
+    </message>
+    <message>
+        <source>Video of %1</source>
+        <translation>Vidéo de %1</translation>
+    </message>
+    <message>
+        <source>MP4 videos (*.mp4)</source>
+        <translation>Vidéos MP4 (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Making the video of %1</source>
+        <translation>Création de la vidéo de %1</translation>
+    </message>
+    <message>
+        <source>The video of %1 is there: %2</source>
+        <translation>La vidéo de %1 est prête&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>add robot %1</source>
+        <translation>ajout du robot %1</translation>
+    </message>
+    <message>
+        <source>Robot %1 is known now.</source>
+        <translation>Le robot %1 est maintenant connu.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialBatch</name>
+    <message>
+        <source>many trials</source>
+        <translation>plusieurs essais</translation>
+    </message>
+    <message>
+        <source>another job is running</source>
+        <translation>une autre tâche est en cours</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>attendez qu’elle soit finie, ou annulez-la</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialChooser</name>
+    <message>
+        <source>&amp;Previous trial</source>
+        <translation>Essai &amp;précédent</translation>
+    </message>
+    <message>
+        <source>&amp;Next trial</source>
+        <translation>Essai s&amp;uivant</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Essai</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialDetail</name>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Épreuve</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>none: the track was imported</source>
+        <translation>aucune&#xa0;: la trajectoire a été importée</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Score</translation>
+    </message>
+    <message>
+        <source>none: it was measured by another course than its task has now; measure it again</source>
+        <translation>aucun&#xa0;: il a été mesuré sur un autre parcours que celui de son épreuve&#xa0;; remesurez-le</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>none yet: open it and choose Track</source>
+        <translation>pas encore&#xa0;: ouvrez-le et choisissez «&#xa0;Suivre&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Open in Review</source>
+        <translation>Examiner</translation>
+    </message>
+    <message>
+        <source>Facts of the trial</source>
+        <translation>Données de l’essai</translation>
+    </message>
+    <message>
+        <source>Notes of the trial</source>
+        <translation>Notes de l’essai</translation>
+    </message>
+    <message>
+        <source>What was changed on the robot? What should be remembered?</source>
+        <translation>Qu’est-ce qui a été changé sur le robot&#xa0;? Que faut-il retenir&#xa0;?</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>&amp;Notes</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>No trials yet</source>
+        <translation>Pas encore d’essai</translation>
+    </message>
+    <message>
+        <source>No trial selected</source>
+        <translation>Aucun essai sélectionné</translation>
+    </message>
+    <message>
+        <source>write notes of %1</source>
+        <translation>rédaction des notes de %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialFilterBar</name>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Any class</source>
+        <translation>Toute classe</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Any team</source>
+        <translation>Toute équipe</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Épreuve</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>Toute épreuve</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Any robot</source>
+        <translation>Tout robot</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Any date</source>
+        <translation>Toute date</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Aujourd’hui</translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation>7 derniers jours</translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation>30 derniers jours</translation>
+    </message>
+    <message>
+        <source>Last 12 months</source>
+        <translation>12 derniers mois</translation>
+    </message>
+    <message>
+        <source>Between…</source>
+        <translation>Entre…</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archive</translation>
+    </message>
+    <message>
+        <source>Bin</source>
+        <translation>Corbeille</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Du</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Au</translation>
+    </message>
+    <message>
+        <source>Starred</source>
+        <translation>Avec étoile</translation>
+    </message>
+    <message>
+        <source>Only starred trials</source>
+        <translation>Essais avec étoile seulement</translation>
+    </message>
+    <message>
+        <source>Show starred trials only</source>
+        <translation>Ne montrer que les essais avec étoile</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialModel</name>
+    <message>
+        <source>not tracked</source>
+        <translation>non suivi</translation>
+    </message>
+    <message>
+        <source>measure again</source>
+        <translation>à remesurer</translation>
+    </message>
+    <message>
+        <source>starred</source>
+        <translation>avec étoile</translation>
+    </message>
+    <message>
+        <source>not starred</source>
+        <translation>sans étoile</translation>
+    </message>
+    <message>
+        <source>Tags, separated by commas: double-click or F2 changes them</source>
+        <translation>Étiquettes, séparées par des virgules&#xa0;: un double-clic ou F2 les modifie</translation>
+    </message>
+    <message>
+        <source>Star (Ctrl+D)</source>
+        <translation>Étoile (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Étoile</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Épreuve</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Robots</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>Vitesse max.</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Score</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Étiquettes</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TroubleBar</name>
+    <message>
+        <source>What is the matter</source>
+        <translation>Ce qui ne va pas</translation>
+    </message>
+    <message>
+        <source>Put it right</source>
+        <translation>Corriger</translation>
+    </message>
+</context>
+<context>
+    <name>odo::UndoActions</name>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>Annulé&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Made again: %1.</source>
+        <translation>Rétabli&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Annuler&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Rétablir&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>annuler</translation>
+    </message>
+    <message>
+        <source>a job is running on the project</source>
+        <translation>une tâche est en cours sur le projet</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>attendez qu’elle soit finie, ou annulez-la</translation>
+    </message>
+</context>
+<context>
+    <name>odo::VideoDialog</name>
+    <message>
+        <source>As it was driven</source>
+        <translation>Vitesse réelle</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/2</source>
+        <translation>Ralenti, 1/2</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/4</source>
+        <translation>Ralenti, 1/4</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/10</source>
+        <translation>Ralenti, 1/10</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>One video with the pictures of all cameras, the map and the speed, to be shown or sent: whoever gets it needs no Odograph.</source>
+        <translation>Une vidéo avec les images de toutes les caméras, la carte et la vitesse, à montrer ou à envoyer&#xa0;: qui la reçoit n’a pas besoin d’Odograph.</translation>
+    </message>
+    <message>
+        <source>&amp;Speed</source>
+        <translation>&amp;Vitesse</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>Ta&amp;ille</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thème</translation>
+    </message>
+    <message>
+        <source>Choose a place…</source>
+        <translation>Choisir un emplacement…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ViewActions</name>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Disposition par &amp;défaut</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>Pl&amp;ein écran</translation>
+    </message>
+    <message>
+        <source>Colours of the &amp;desktop</source>
+        <translation>Couleurs du &amp;bureau</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Clair</translation>
+    </message>
+    <message>
+        <source>Da&amp;rk</source>
+        <translation>&amp;Sombre</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ViewSteps</name>
+    <message>
+        <source>From the motion or a flash</source>
+        <translation>D’après le mouvement ou un éclair</translation>
+    </message>
+    <message>
+        <source>Begun together</source>
+        <translation>Commencées ensemble</translation>
+    </message>
+    <message>
+        <source>By hand: begun later by</source>
+        <translation>À la main&#xa0;: commencée plus tard de</translation>
+    </message>
+    <message>
+        <source>How view %1 gets in step with the first</source>
+        <translation>Comment la vue %1 est synchronisée avec la première</translation>
+    </message>
+    <message>
+        <source>A flash: switch the room lights on and off once while all cameras record</source>
+        <translation>Un éclair&#xa0;: allumez et éteignez une fois la lumière de la pièce pendant que toutes les caméras filment</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>How much later view %1 began</source>
+        <translation>De combien la vue %1 a commencé plus tard</translation>
+    </message>
+    <message>
+        <source>Below zero: it began earlier than the first view</source>
+        <translation>Inférieur à zéro&#xa0;: elle a commencé plus tôt que la première vue</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vue %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WelcomePage</name>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+    <message>
+        <source>Measures how a mobile robot moved, from the videos of ordinary cameras.</source>
+        <translation>Mesure comment un robot mobile s’est déplacé, à partir des vidéos de caméras ordinaires.</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Projets récents</translation>
+    </message>
+    <message>
+        <source>not found any more</source>
+        <translation>introuvable</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Workspace</name>
+    <message>
+        <source>another job is running</source>
+        <translation>une autre tâche est en cours</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>attendez qu’elle soit finie, ou annulez-la</translation>
+    </message>
+    <message>
+        <source>cannot open another project</source>
+        <translation>impossible d’ouvrir un autre projet</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message>
+        <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
+        <translation>%1&#xa0;: %2. Ici, il ne peut qu’être consulté&#xa0;; pour le modifier, fermez-le là-bas et rouvrez-le ici.</translation>
+    </message>
+    <message>
+        <source>Completing a recording that was cut off</source>
+        <translation>Achèvement d’un enregistrement interrompu</translation>
+    </message>
+    <message>
+        <source>Making the hashes of new recordings</source>
+        <translation>Calcul des empreintes des nouveaux enregistrements</translation>
+    </message>
+    <message>
+        <source>cannot make another project</source>
+        <translation>impossible de créer un autre projet</translation>
+    </message>
+    <message>
+        <source>no project is open</source>
+        <translation>aucun projet n’est ouvert</translation>
+    </message>
+    <message>
+        <source>open or make a project first</source>
+        <translation>ouvrez ou créez d’abord un projet</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ZoneTable</name>
+    <message>
+        <source>stay inside</source>
+        <translation>rester dedans</translation>
+    </message>
+    <message>
+        <source>keep out</source>
+        <translation>rester dehors</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve zone</source>
+        <translation>&amp;Retirer la zone</translation>
+    </message>
+    <message>
+        <source>Zone</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Règle</translation>
+    </message>
+    <message>
+        <source>Corners: x y; x y; … in mm</source>
+        <translation>Sommets&#xa0;: x y; x y; … en mm</translation>
+    </message>
+    <message>
+        <source>Zones of the floor</source>
+        <translation>Zones du sol</translation>
+    </message>
+    <message>
+        <source>Add zone to sta&amp;y in</source>
+        <translation>Zone où re&amp;ster</translation>
+    </message>
+    <message>
+        <source>Add zone to &amp;keep out of</source>
+        <translation>Ajouter une zone à évi&amp;ter</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s centre must stay in a zone, or keep out of it. Each is judged by itself; how often, how long and how far it was broken can be scored. Drag corners and edges on the map.</source>
+        <translation>Le centre du robot doit rester dans une zone, ou en dehors. Chacune est jugée séparément&#xa0;; combien de fois, combien de temps et de combien elle a été enfreinte peut compter au barème. Faites glisser sommets et bords sur la carte.</translation>
+    </message>
+    <message>
+        <source>Rule of the zone</source>
+        <translation>Règle de la zone</translation>
+    </message>
+    <message>
+        <source>Zone %1</source>
+        <translation>Zone %1</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,8577 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ko" sourcelanguage="en">
+<context>
+    <name>AccuracyLayer</name>
+    <message>
+        <source>expected ±, hatched: not seen</source>
+        <translation>예상 ±, 빗금: 보이지 않음</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>AnalysisWords</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>begun %1 earlier</source>
+        <translation>%1 먼저 시작</translation>
+    </message>
+    <message>
+        <source>begun %1 later</source>
+        <translation>%1 늦게 시작</translation>
+    </message>
+    <message>
+        <source>Kalman/RTS, noise from the data</source>
+        <translation>칼만/RTS, 잡음은 데이터에서 추정</translation>
+    </message>
+    <message>
+        <source>Savitzky–Golay, cubic, 11 points</source>
+        <translation>Savitzky–Golay, 3차, 11점</translation>
+    </message>
+    <message>
+        <source>differences as in Tracker</source>
+        <translation>Tracker와 같은 차분</translation>
+    </message>
+    <message>
+        <source>none: raw differences</source>
+        <translation>없음: 원시 차분</translation>
+    </message>
+    <message>
+        <source>%1, as told by hand</source>
+        <translation>%1, 직접 지정</translation>
+    </message>
+    <message>
+        <source>in step to %1, found from the motion; %2</source>
+        <translation>동기 오차 %1, 움직임으로 구함; %2</translation>
+    </message>
+    <message>
+        <source>in step to %1, found from a flash of light; %2</source>
+        <translation>동기 오차 %1, 빛의 번쩍임으로 구함; %2</translation>
+    </message>
+    <message>
+        <source>in step to %1, by the cameras&apos; time stamps; %2</source>
+        <translation>동기 오차 %1, 카메라 타임스탬프로 구함; %2</translation>
+    </message>
+    <message>
+        <source>taken as begun together</source>
+        <translation>동시에 시작한 것으로 봄</translation>
+    </message>
+    <message>
+        <source>, its clock %1 ppm fast</source>
+        <translation>, 시계가 %1 ppm 빠름</translation>
+    </message>
+    <message>
+        <source>, its clock %1 ppm slow</source>
+        <translation>, 시계가 %1 ppm 느림</translation>
+    </message>
+</context>
+<context>
+    <name>AnnotatedPicture</name>
+    <message>
+        <source>slow motion %1×</source>
+        <translation>슬로 모션 %1×</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>이 카메라는 이때 녹화하고 있지 않았습니다</translation>
+    </message>
+    <message>
+        <source>This picture cannot be decoded</source>
+        <translation>이 영상을 디코딩할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ClassReport</name>
+    <message>
+        <source>Rank: one more than the number of teams that are better beyond doubt (medians apart by more than 1.96 σ); teams of one rank cannot be told apart.</source>
+        <translation>순위: 확실히 더 나은 팀(중앙값 차이가 1.96 σ 초과)의 수에 1을 더한 값입니다. 순위가 같은 팀끼리는 우열을 가릴 수 없습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) left out: measured by another course; measure them again.</source>
+        <translation>
+            <numerusform>시행 %n개 제외: 다른 코스로 측정됨. 다시 측정하십시오.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Page %1 of %2 · Odograph %3</source>
+        <translation>%1/%2쪽 · Odograph %3</translation>
+    </message>
+    <message>
+        <source>Odograph %1</source>
+        <translation>Odograph %1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>과제: %1</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>지표: %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 ~ %2</translation>
+    </message>
+    <message>
+        <source>Teams</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>전체 %1개 중</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>최고</translation>
+    </message>
+    <message>
+        <source>Median of all runs</source>
+        <translation>모든 주행의 중앙값</translation>
+    </message>
+    <message>
+        <source>Middle half of the runs</source>
+        <translation>주행의 가운데 절반</translation>
+    </message>
+    <message>
+        <source>The teams</source>
+        <translation>팀별 결과</translation>
+    </message>
+    <message>
+        <source>each run is a dot; the line is the median of the team</source>
+        <translation>점 하나가 주행 하나, 선은 팀의 중앙값</translation>
+    </message>
+    <message>
+        <source>#</source>
+        <translation>#</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>중앙값</translation>
+    </message>
+    <message>
+        <source>Through the term</source>
+        <translation>학기 중 변화</translation>
+    </message>
+    <message>
+        <source>Its trials</source>
+        <translation>팀의 시행</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>날짜</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>Class: %1</source>
+        <translation>학급: %1</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>순위</translation>
+    </message>
+    <message numerus="yes">
+        <source>of %n team(s)</source>
+        <translation>
+            <numerusform>전체 %n팀 중</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>class median %1</source>
+        <translation>학급 중앙값 %1</translation>
+    </message>
+    <message>
+        <source>Spread of one run</source>
+        <translation>주행 하나의 산포</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonExplanation</name>
+    <message>
+        <source>There is no difference.</source>
+        <translation>차이가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Both are exact, so that any difference is one.</source>
+        <translation>둘 다 정확한 값이므로 어떤 차이도 실제 차이입니다.</translation>
+    </message>
+    <message>
+        <source>It is %1 σ, more than 1.96: were there no difference, chance would give as much in less than 5 of 100 cases.</source>
+        <translation>%1 σ로 1.96보다 큽니다. 실제로 차이가 없다면 우연히 이만큼 벌어지는 경우는 100번 중 5번 미만입니다.</translation>
+    </message>
+    <message>
+        <source>It is %1 σ, not more than 1.96: within the error, so that no difference can be claimed.</source>
+        <translation>%1 σ로 1.96을 넘지 않습니다. 오차 이내이므로 차이가 있다고 할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>along the task&apos;s reference path</source>
+        <translation>과제의 기준 경로를 따라</translation>
+    </message>
+    <message>
+        <source>along the way of %1</source>
+        <translation>%1의 경로를 따라</translation>
+    </message>
+    <message>
+        <source>time 0: each passes the start gate</source>
+        <translation>시각 0: 각 주행이 출발 게이트를 지나는 때</translation>
+    </message>
+    <message>
+        <source>time 0: each begins to move</source>
+        <translation>시각 0: 각 주행이 움직이기 시작하는 때</translation>
+    </message>
+    <message>
+        <source>time 0: each first comes to the same place of the way</source>
+        <translation>시각 0: 각 주행이 경로의 같은 위치에 처음 이르는 때</translation>
+    </message>
+    <message>
+        <source>time 0: told by hand, to a frame</source>
+        <translation>시각 0: 프레임 단위로 직접 지정</translation>
+    </message>
+    <message>
+        <source>both by the same registrations and for the same solid: what the calibration adds is common, and only its difference counts</source>
+        <translation>둘 다 같은 정합과 같은 입체로 측정됨: 보정에서 오는 오차는 공통이므로 그 차이만 셈에 넣음</translation>
+    </message>
+    <message>
+        <source>not by the same registrations, or not for the same solid: what the calibration adds counts for both in full</source>
+        <translation>정합이나 입체가 서로 다름: 보정에서 오는 오차를 양쪽 모두 온전히 셈에 넣음</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>%1: %2 less %3</source>
+        <translation>%1: %2 − %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>only one of the two has it</source>
+        <translation>둘 중 하나에만 있음</translation>
+    </message>
+    <message>
+        <source>the figure of %1 less that of %2</source>
+        <translation>%1의 지표에서 %2의 지표를 뺀 값</translation>
+    </message>
+    <message>
+        <source>Each: %1</source>
+        <translation>각각: %1</translation>
+    </message>
+    <message>
+        <source>√(σ₁² + σ₂²), both as independent; where the runs share their calibration, its error of scale leaves only its part of the difference</source>
+        <translation>√(σ₁² + σ₂²), 둘을 서로 독립으로 봄; 두 주행이 보정을 공유하면 그 축척 오차는 차이에 해당하는 몫만 남음</translation>
+    </message>
+    <message>
+        <source>not seen at an end</source>
+        <translation>한쪽 끝이 보이지 않음</translation>
+    </message>
+    <message>
+        <source>Sector %1 to %2: %3 less %4</source>
+        <translation>구간 %1 ~ %2: %3 − %4</translation>
+    </message>
+    <message>
+        <source>begin</source>
+        <translation>시작</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>끝</translation>
+    </message>
+    <message>
+        <source>The time from the first arrival at the one gate to the first arrival at the next, of each run, by its place along the common path; waiting counts.</source>
+        <translation>각 주행이 한 게이트에 처음 이른 때부터 다음 게이트에 처음 이른 때까지의 시간으로, 공통 경로상의 위치로 구합니다. 기다린 시간도 들어갑니다.</translation>
+    </message>
+    <message>
+        <source>of each arrival: σ of the place along the path over the speed; displacements at two gates count as independent</source>
+        <translation>각 도달 시각의 오차: 경로 방향 위치의 σ를 속력으로 나눈 값; 두 게이트에서의 위치 오차는 서로 독립으로 봄</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 of the way</source>
+        <translation>경로의 %1에서 %2까지</translation>
+    </message>
+    <message>
+        <source>Δt of %1 against %2 at %3</source>
+        <translation>%3에서 %2에 대한 %1의 Δt</translation>
+    </message>
+    <message>
+        <source>The time of the first arrival at this place of the common path, each from its own time 0: that of %1 less that of %2. Above 0 it is later.</source>
+        <translation>공통 경로의 이 위치에 처음 이른 시각을 각자의 시각 0부터 재어, %1의 값에서 %2의 값을 뺀 것입니다. 0보다 크면 더 늦은 것입니다.</translation>
+    </message>
+    <message>
+        <source>of both arrivals: σ of the place along the path over the speed, and of both times 0</source>
+        <translation>두 도달 시각의 오차(경로 방향 위치의 σ를 속력으로 나눈 값)와 두 시각 0의 오차</translation>
+    </message>
+    <message>
+        <source>Speed of %1 at %2</source>
+        <translation>%2에서 %1의 속력</translation>
+    </message>
+    <message>
+        <source>|v| of the smoothed curve where the run first comes to this place of the common path, between frames interpolated</source>
+        <translation>주행이 공통 경로의 이 위치에 처음 이른 때 평활화된 곡선의 |v|, 프레임 사이는 보간</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <translation>그 지점에서 평활화된 속도의 σ, 보정의 축척 오차 포함</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonReport</name>
+    <message>
+        <source>± one σ; grey, ≈: within the error</source>
+        <translation>± 1 σ; 회색, ≈: 오차 이내</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>왼쪽</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>오른쪽</translation>
+    </message>
+    <message>
+        <source>right − left</source>
+        <translation>오른쪽 − 왼쪽</translation>
+    </message>
+    <message>
+        <source>along the task’s path</source>
+        <translation>과제의 경로를 따라</translation>
+    </message>
+    <message>
+        <source>along the way of the left run</source>
+        <translation>왼쪽 주행의 경로를 따라</translation>
+    </message>
+    <message>
+        <source>aligned by the start gate, %1</source>
+        <translation>출발 게이트로 정렬, %1</translation>
+    </message>
+    <message>
+        <source>aligned by the onset of motion, %1</source>
+        <translation>움직임 시작으로 정렬, %1</translation>
+    </message>
+    <message>
+        <source>aligned by a place that both pass, %1</source>
+        <translation>둘 다 지나는 위치로 정렬, %1</translation>
+    </message>
+    <message>
+        <source>aligned by hand, %1</source>
+        <translation>직접 정렬, %1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>과제: %1</translation>
+    </message>
+    <message>
+        <source>%1: analysed %2, Odograph %3</source>
+        <translation>%1: %2 분석, Odograph %3</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its error cancels as far as they do.</source>
+        <translation>두 주행이 보정을 공유합니다. 공유하는 만큼 보정 오차가 상쇄됩니다.</translation>
+    </message>
+    <message>
+        <source>The runs do not share their calibration: the errors of both count.</source>
+        <translation>두 주행이 보정을 공유하지 않습니다. 양쪽의 오차를 모두 셈에 넣습니다.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Speed along the way, %1</source>
+        <translation>경로상의 속력, %1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>±95 % 띠와 함께</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>시간차, s</translation>
+    </message>
+    <message>
+        <source>above 0: the right run is later; grey: within the error</source>
+        <translation>0보다 크면 오른쪽 주행이 늦음; 회색: 오차 이내</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>구간, s</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>지표</translation>
+    </message>
+</context>
+<context>
+    <name>Explanation</name>
+    <message>
+        <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>
+        <translation>그 지점에서 평활화된 곡선의 오차와 보정의 축척 오차</translation>
+    </message>
+    <message>
+        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
+        <translation>움직이기 시작한 때부터 마지막으로 멈춘 때까지입니다. 속력이 20 mm/s보다 크고 속력의 3 σ보다도 큰 상태가 3프레임 이상 이어지면 움직이는 것으로 봅니다. 두 프레임 사이의 시각은 보간합니다.</translation>
+    </message>
+    <message>
+        <source>of both moments: σ of the speed over its steepness there</source>
+        <translation>두 시각의 오차: 속력의 σ를 그 지점에서 속력 곡선의 기울기로 나눈 값</translation>
+    </message>
+    <message>
+        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged counts as straight.</source>
+        <translation>움직이는 동안의 ∫|v|dt를 평활화된 속력에 사다리꼴 공식을 적용하여 구합니다. 이어지지 않은 빈 곳은 직선으로 칩니다.</translation>
+    </message>
+    <message>
+        <source>of the ends&apos; positions, of errors across the path where it turns, and the calibration&apos;s error of scale</source>
+        <translation>양 끝 위치의 오차, 경로가 꺾이는 곳에서 경로에 수직인 방향의 오차, 보정의 축척 오차</translation>
+    </message>
+    <message>
+        <source>path length / time</source>
+        <translation>이동 거리 / 시간</translation>
+    </message>
+    <message>
+        <source>of both, taken as independent</source>
+        <translation>둘의 오차, 서로 독립으로 봄</translation>
+    </message>
+    <message>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest, so that a badly known point does not win by its error.</source>
+        <translation>평활화된 곡선에서 |v| − 2σ가 가장 큰 곳의 속력 |v|입니다. 부정확한 점이 오차 때문에 최댓값이 되는 일을 막습니다.</translation>
+    </message>
+    <message>
+        <source>√(mean of |v|²) while it moves</source>
+        <translation>움직이는 동안 √(|v|²의 평균)</translation>
+    </message>
+    <message>
+        <source>the bound for errors that all go together, and the calibration&apos;s error of scale</source>
+        <translation>모든 오차가 같은 방향으로 겹칠 때의 상한과 보정의 축척 오차</translation>
+    </message>
+    <message>
+        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
+        <translation>평활화된 곡선에서 |a| − 2σ가 가장 큰 곳의 가속도 |a|입니다.</translation>
+    </message>
+    <message>
+        <source>√(mean of |a|²) while it moves</source>
+        <translation>움직이는 동안 √(|a|²의 평균)</translation>
+    </message>
+    <message>
+        <source>distance from the first to the last place of the motion / path length</source>
+        <translation>움직임의 처음 위치와 마지막 위치 사이의 거리 / 이동 거리</translation>
+    </message>
+    <message>
+        <source>of the ends&apos; positions</source>
+        <translation>양 끝 위치의 오차</translation>
+    </message>
+    <message>
+        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
+        <translation>움직인 시간, 곧 속력이 20 mm/s보다 크고 속력의 3 σ보다도 큰 시간입니다.</translation>
+    </message>
+    <message>
+        <source>of each start and stop: σ of the speed over its steepness</source>
+        <translation>각 출발과 정지의 오차: 속력의 σ를 속력 곡선의 기울기로 나눈 값</translation>
+    </message>
+    <message>
+        <source>The pauses between the onset of motion and the last stop, counted.</source>
+        <translation>움직이기 시작한 때부터 마지막으로 멈춘 때까지 멈춘 횟수입니다.</translation>
+    </message>
+    <message>
+        <source>time − time in motion</source>
+        <translation>시간 − 움직인 시간</translation>
+    </message>
+    <message>
+        <source>of each start and stop</source>
+        <translation>각 출발과 정지의 오차</translation>
+    </message>
+    <message>
+        <source>The speed that half of the time in motion stays below.</source>
+        <translation>움직인 시간의 절반 동안 속력이 이 값보다 작습니다.</translation>
+    </message>
+    <message>
+        <source>of the stretches within 1.5 σ of it, each by its mean</source>
+        <translation>이 값에서 1.5 σ 이내인 부분들의 오차, 각 부분은 평균으로 계산</translation>
+    </message>
+    <message>
+        <source>The speed that 95 % of the time in motion stays below.</source>
+        <translation>움직인 시간의 95 % 동안 속력이 이 값보다 작습니다.</translation>
+    </message>
+    <message>
+        <source>The acceleration that 95 % of the time in motion stays below.</source>
+        <translation>움직인 시간의 95 % 동안 가속도가 이 값보다 작습니다.</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, either way, where it less 2σ is largest.</source>
+        <translation>평활화된 곡선의 (vx·ay − vy·ax)/|v|²로, 방향에 관계없이 크기에서 2σ를 뺀 값이 가장 큰 곳의 값입니다.</translation>
+    </message>
+    <message>
+        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, 1차 근사</translation>
+    </message>
+    <message>
+        <source>The circle with the least squared distances from the places of the motion.</source>
+        <translation>움직인 위치들까지 거리의 제곱합이 가장 작은 원입니다.</translation>
+    </message>
+    <message>
+        <source>of the distances&apos; scatter, neighbours counted as fewer by 1 + 2Σρ, and the calibration&apos;s error of scale</source>
+        <translation>거리의 흩어짐(이웃한 점의 상관을 고려하여 점의 수를 1 + 2Σρ로 나눔)과 보정의 축척 오차</translation>
+    </message>
+    <message>
+        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
+        <translation>출발 게이트를 지난 때부터 도착 게이트를 지난 때까지이며, 각 시각은 프레임 사이를 보간합니다.</translation>
+    </message>
+    <message>
+        <source>of both passages: σ of the position across the gate over the speed</source>
+        <translation>두 통과 시각의 오차: 게이트에 수직인 방향 위치의 σ를 속력으로 나눈 값</translation>
+    </message>
+    <message>
+        <source>Complete laps or runs, counted by the passages of the gates.</source>
+        <translation>게이트 통과로 센 완주한 랩 또는 주행의 수입니다.</translation>
+    </message>
+    <message>
+        <source>The shortest lap.</source>
+        <translation>가장 짧은 랩입니다.</translation>
+    </message>
+    <message>
+        <source>of its two passages; the calibration&apos;s error of a gate passed twice cancels</source>
+        <translation>두 통과 시각의 오차; 같은 게이트를 두 번 지나면 보정 오차는 상쇄됨</translation>
+    </message>
+    <message>
+        <source>The mean of the laps&apos; times.</source>
+        <translation>랩 시간의 평균입니다.</translation>
+    </message>
+    <message>
+        <source>of the first and the last passage, over the number of laps</source>
+        <translation>처음과 마지막 통과 시각의 오차를 랩 수로 나눈 값</translation>
+    </message>
+    <message>
+        <source>The mean distance from the reference path, over the way.</source>
+        <translation>기준 경로에서 떨어진 거리를 경로에 걸쳐 평균한 값입니다.</translation>
+    </message>
+    <message>
+        <source>of the position across the path, and of its noise, which has no sign there</source>
+        <translation>경로에 수직인 방향 위치의 오차와, 거리에는 부호가 없어 평균에 남는 잡음의 영향</translation>
+    </message>
+    <message>
+        <source>√(mean of the squared distance from the reference path), over the way</source>
+        <translation>√(기준 경로에서 떨어진 거리의 제곱 평균), 경로 전체</translation>
+    </message>
+    <message>
+        <source>of the position across the path</source>
+        <translation>경로에 수직인 방향 위치의 오차</translation>
+    </message>
+    <message>
+        <source>The largest distance from the reference path.</source>
+        <translation>기준 경로에서 가장 멀리 떨어진 거리입니다.</translation>
+    </message>
+    <message>
+        <source>of the position across the path, there</source>
+        <translation>그 지점에서 경로에 수직인 방향 위치의 오차</translation>
+    </message>
+    <message>
+        <source>The mean of the distance from the reference path, to the left positive.</source>
+        <translation>기준 경로에서 떨어진 거리를 왼쪽을 양으로 하여 평균한 값입니다.</translation>
+    </message>
+    <message>
+        <source>of the position across the path, mostly the calibration&apos;s</source>
+        <translation>경로에 수직인 방향 위치의 오차, 대부분 보정에서 옴</translation>
+    </message>
+    <message>
+        <source>The share of the reference path that was followed.</source>
+        <translation>기준 경로 가운데 따라간 비율입니다.</translation>
+    </message>
+    <message>
+        <source>How often the robot&apos;s centre left a zone to stay in, or came into one to keep out of. It counts where it is beyond the edge by more than three σ of the track&apos;s own noise.</source>
+        <translation>로봇의 중심이 벗어나면 안 되는 구역을 나가거나 들어가면 안 되는 구역에 들어간 횟수입니다. 궤적 자체 잡음의 3 σ보다 더 경계를 넘었을 때 셉니다.</translation>
+    </message>
+    <message>
+        <source>The time in which the robot&apos;s centre was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <translation>로봇의 중심이 구역의 경계를 넘어 있던 시간이며 프레임 사이를 보간합니다. 두 구역을 동시에 어기면 두 번 셉니다.</translation>
+    </message>
+    <message>
+        <source>of each moment at an edge: σ of the position across it over the speed; and what the time differs by when the calibration puts the track nearer or further</source>
+        <translation>경계를 지난 각 시각의 오차: 경계에 수직인 방향 위치의 σ를 속력으로 나눈 값; 그리고 보정에 따라 궤적이 더 가깝거나 멀게 놓일 때 생기는 시간의 차이</translation>
+    </message>
+    <message>
+        <source>How far the robot&apos;s centre was beyond the edge of a zone at most.</source>
+        <translation>로봇의 중심이 구역의 경계를 가장 멀리 넘은 거리입니다.</translation>
+    </message>
+    <message>
+        <source>of the position across the edge, there</source>
+        <translation>그 지점에서 경계에 수직인 방향 위치의 오차</translation>
+    </message>
+    <message>
+        <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
+        <translation>칼만 필터와 RTS 평활기로 평활화, 잡음은 최대 가능도로 추정(Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</translation>
+    </message>
+    <message>
+        <source>smoothed by a cubic through eleven points (Savitzky and Golay 1964)</source>
+        <translation>11점에 맞춘 3차식으로 평활화(Savitzky and Golay 1964)</translation>
+    </message>
+    <message>
+        <source>differences as in Tracker, positions not smoothed</source>
+        <translation>Tracker와 같은 차분, 위치는 평활화하지 않음</translation>
+    </message>
+    <message>
+        <source>raw differences (Park 2018, eq. 6 to 8), nothing smoothed</source>
+        <translation>원시 차분(Park 2018, 식 6~8), 평활화 없음</translation>
+    </message>
+    <message>
+        <source>robot %1 high (estimated)</source>
+        <translation>로봇 높이 %1(추정)</translation>
+    </message>
+    <message>
+        <source>robot %1 high</source>
+        <translation>로봇 높이 %1</translation>
+    </message>
+    <message>
+        <source>analysis %1 by Odograph %2</source>
+        <translation>분석 %1, Odograph %2</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <translation>그 지점에서 평활화된 속도의 σ, 보정의 축척 오차 포함</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>속력</translation>
+    </message>
+    <message>
+        <source>|v| = √(vx² + vy²) of the smoothed curve at this frame</source>
+        <translation>이 프레임에서 평활화된 곡선의 |v| = √(vx² + vy²)</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>가속도</translation>
+    </message>
+    <message>
+        <source>a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands</source>
+        <translation>이 프레임에서 평활화된 곡선의 a·v/|v|: 경로 방향이므로 감속하면 음수; 멈춰 있을 때는 |a|</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed acceleration there, with the calibration&apos;s error of scale</source>
+        <translation>그 지점에서 평활화된 가속도의 σ, 보정의 축척 오차 포함</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>진행 방향</translation>
+    </message>
+    <message>
+        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn</source>
+        <translation>이 프레임에서 평활화된 곡선의 atan2(vy, vx), X축에서 반시계 방향, 한 바퀴만큼의 건너뜀 없이 이음</translation>
+    </message>
+    <message>
+        <source>σ of the velocity across the motion over the speed</source>
+        <translation>움직임에 수직인 방향 속도의 σ를 속력으로 나눈 값</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>선회율</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame</source>
+        <translation>이 프레임에서 평활화된 곡선의 (vx·ay − vy·ax)/|v|²</translation>
+    </message>
+    <message>
+        <source>Position X</source>
+        <translation>위치 X</translation>
+    </message>
+    <message>
+        <source>Position Y</source>
+        <translation>위치 Y</translation>
+    </message>
+    <message>
+        <source>the smoothed curve at this frame</source>
+        <translation>이 프레임에서 평활화된 곡선</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed position, with the calibration&apos;s part</source>
+        <translation>평활화된 위치의 σ, 보정에서 오는 몫 포함</translation>
+    </message>
+    <message>
+        <source>at this frame no view found the robot: the curve goes across</source>
+        <translation>이 프레임에서는 어느 뷰에서도 로봇을 찾지 못하여 곡선이 건너질러 이어짐</translation>
+    </message>
+    <message>
+        <source>measured there: %1, %2 ±%3</source>
+        <translation>그 지점의 측정값: %1, %2 ±%3</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>뷰: %1</translation>
+    </message>
+    <message>
+        <source>it is flagged and not used: the curve comes from its neighbours</source>
+        <translation>표시된 샘플이므로 쓰지 않음: 곡선은 이웃 샘플에서 구함</translation>
+    </message>
+    <message>
+        <source>Jump: the place is beyond what the motion before and after allows for (χ² of two degrees of freedom, 99.9 %).</source>
+        <translation>건너뜀: 앞뒤의 움직임으로 가능한 범위를 벗어난 위치입니다(자유도 2의 χ², 99.9 %).</translation>
+    </message>
+    <message>
+        <source>Limit: to get there it had to be faster than the limit of the task or of the analysis.</source>
+        <translation>한계: 그 위치에 가려면 과제나 분석의 한계보다 빨라야 했습니다.</translation>
+    </message>
+    <message>
+        <source>Limit: to get there it had to accelerate harder than the limit of the task or of the analysis.</source>
+        <translation>한계: 그 위치에 가려면 과제나 분석의 한계보다 크게 가속해야 했습니다.</translation>
+    </message>
+    <message>
+        <source>Views disagree: their places differ by more than their errors and their usual disagreement explain (χ², 99.9 %).</source>
+        <translation>뷰 간 불일치: 뷰마다 구한 위치의 차이가 오차와 평소의 불일치로 설명되는 것보다 큽니다(χ², 99.9 %).</translation>
+    </message>
+    <message>
+        <source>Low score: the tracker was not sure of what it saw.</source>
+        <translation>낮은 신뢰도: 추적기가 본 것을 확신하지 못했습니다.</translation>
+    </message>
+    <message>
+        <source>Lost: no view found the robot.</source>
+        <translation>놓침: 어느 뷰에서도 로봇을 찾지 못했습니다.</translation>
+    </message>
+    <message>
+        <source>Repeated picture: the camera gave the same picture twice, so its time is not known.</source>
+        <translation>반복된 영상: 카메라가 같은 영상을 두 번 보내 그 시각을 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Bridged: the curve goes across without a measurement.</source>
+        <translation>이어 붙임: 측정값 없이 곡선이 건너질러 이어집니다.</translation>
+    </message>
+    <message>
+        <source>By hand: a person judged it, over the analysis.</source>
+        <translation>직접 판정: 사람이 분석 결과를 바꾸어 판정했습니다.</translation>
+    </message>
+    <message>
+        <source>How it is computed</source>
+        <translation>계산 방법</translation>
+    </message>
+    <message>
+        <source>What ± contains (one standard deviation)</source>
+        <translation>±에 포함된 것(1 표준 편차)</translation>
+    </message>
+    <message>
+        <source>What went into it</source>
+        <translation>계산에 쓴 것</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>출처</translation>
+    </message>
+    <message>
+        <source>trial %1, robot %2</source>
+        <translation>시행 %1, 로봇 %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples used</source>
+        <translation>샘플 %2개 중 %1개 사용</translation>
+    </message>
+    <message>
+        <source>views: %1</source>
+        <translation>뷰: %1</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3, %4 beyond the edge at most</source>
+        <translation>%1: %2부터 %3까지, 경계를 최대 %4 넘음</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1(%2)</translation>
+    </message>
+    <message>
+        <source>Spike at %1</source>
+        <translation>%1의 이상점</translation>
+    </message>
+    <message>
+        <source>The sample is kept, but not used for the curve.</source>
+        <translation>샘플을 보존하지만 곡선에는 쓰지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The sample is used for the curve nevertheless: what is wrong with it was left out, or a person restored it.</source>
+        <translation>그래도 샘플을 곡선에 씁니다. 잘못된 부분을 빼고 쓰거나, 사람이 복원한 것입니다.</translation>
+    </message>
+    <message>
+        <source>the views are %1 apart there</source>
+        <translation>그 지점에서 뷰 사이의 차이가 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExplanationDialog</name>
+    <message>
+        <source>How was this computed?</source>
+        <translation>어떻게 계산했습니까?</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>복사(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>FactExplanations</name>
+    <message>
+        <source>The offset at which the tracks of the robot on the floor, as the two views see it, coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in half frames and refined by Gauss–Newton. The clocks&apos; rate is taken where it is beyond three σ.</source>
+        <translation>두 뷰에서 본 로봇의 바닥 궤적이 일치하는 오프셋입니다. r(t) = p₁(t) − p₂((t − 오프셋)(1 + 시계 비율))의 최소 제곱으로 구하며, 둘 사이에 일정한 이동과 작은 축척을 허용하고, 반 프레임 간격으로 찾은 뒤 가우스–뉴턴법으로 정밀화합니다. 시계 비율은 3 σ를 넘을 때만 반영합니다.</translation>
+    </message>
+    <message>
+        <source>from the curvature of the sum of squares and the residual, which is taken as correlated over half a second</source>
+        <translation>제곱합의 곡률과 잔차에서 구하며, 잔차는 0.5초 동안 상관이 있다고 봄</translation>
+    </message>
+    <message>
+        <source>The offset at which the jumps of light that both views saw fall together, taken where no other offset comes within a factor of 150 of its likelihood: the pairs&apos; weighted mean.</source>
+        <translation>두 뷰가 모두 본 밝기의 급변이 서로 겹치는 오프셋입니다. 다른 어떤 오프셋의 가능도도 이것의 150분의 1을 넘지 못할 때만 채택하며, 쌍들의 가중 평균입니다.</translation>
+    </message>
+    <message>
+        <source>of the pairs, of their scatter, and a tenth of a frame interval for each view, for its shutter</source>
+        <translation>쌍들의 오차와 흩어짐, 그리고 셔터를 고려하여 뷰마다 프레임 간격의 10분의 1</translation>
+    </message>
+    <message>
+        <source>Each camera&apos;s time stamps, related to this computer&apos;s clock by readings of the camera&apos;s while it recorded.</source>
+        <translation>각 카메라의 타임스탬프이며, 녹화하는 동안 카메라 시계를 읽어 이 컴퓨터의 시계와 맞춘 것입니다.</translation>
+    </message>
+    <message>
+        <source>of both relations of the clocks</source>
+        <translation>두 시계 관계의 오차</translation>
+    </message>
+    <message>
+        <source>Times at the gates</source>
+        <translation>게이트 통과 시각</translation>
+    </message>
+    <message>
+        <source>When the robot&apos;s centre crosses the gate&apos;s line between its ends, the way the gate is passed: between two frames the smoothed position is the cubic through both places and velocities. It has passed when it was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
+        <translation>로봇의 중심이 게이트 양 끝 사이의 선을 통과 방향으로 지나는 때입니다. 두 프레임 사이에서 평활화된 위치는 양쪽의 위치와 속도를 잇는 3차식입니다. 궤적 자체 잡음의 3 σ만큼 선 앞에 있다가 그만큼 선을 넘으면 통과한 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>σ of the position across the gate over the speed across it, with the calibration&apos;s part</source>
+        <translation>게이트에 수직인 방향 위치의 σ를 그 방향의 속력으로 나눈 값, 보정에서 오는 몫 포함</translation>
+    </message>
+    <message>
+        <source>From one passing of the start to the finish, or of the one gate to the next; of each split its first passing counts.</source>
+        <translation>출발 통과에서 도착 통과까지, 게이트가 하나이면 그 게이트의 다음 통과까지입니다. 중간 게이트는 각각 처음 통과한 것만 셉니다.</translation>
+    </message>
+    <message>
+        <source>of both passages; the calibration&apos;s error of a gate that is passed twice at one speed cancels</source>
+        <translation>두 통과 시각의 오차; 같은 게이트를 같은 속력으로 두 번 지나면 보정 오차는 상쇄됨</translation>
+    </message>
+    <message>
+        <source>to %1: %2</source>
+        <translation>%1까지: %2</translation>
+    </message>
+    <message>
+        <source>View %1 in step with the first</source>
+        <translation>뷰 %1과 첫째 뷰의 동기</translation>
+    </message>
+    <message>
+        <source>video %1, %2 frames</source>
+        <translation>동영상 %1, %2프레임</translation>
+    </message>
+    <message>
+        <source>Height of robot %1</source>
+        <translation>로봇 %1의 높이</translation>
+    </message>
+    <message>
+        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes the outlines in all views are, by weighted least squares at some forty times of the run; where no such solid explains them, the height at which all views put the robot at the same place.</source>
+        <translation>모든 뷰의 윤곽을 실루엣으로 갖는 입체(바닥 위, 또는 로봇 윗면의 판인 상자나 원기둥)이며, 주행 중 약 40개 시각에서 가중 최소 제곱으로 구합니다. 그런 입체로 설명되지 않으면 모든 뷰가 로봇을 같은 위치에 놓는 높이입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>FirstLesson</name>
+    <message>
+        <source>Play a run</source>
+        <translation>주행 재생하기</translation>
+    </message>
+    <message>
+        <source>Two cameras watched a robot drive. Press Space: both videos, the map and the curves play in step. Space again stops.</source>
+        <translation>카메라 두 대로 로봇의 주행을 촬영했습니다. Space를 누르십시오. 두 동영상과 지도와 곡선이 함께 재생됩니다. Space를 다시 누르면 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Read a figure</source>
+        <translation>지표 읽기</translation>
+    </message>
+    <message>
+        <source>Click into the speed curve. The bubble tells the speed at that moment and its ±: how far off it may be. The band around the curve is where the truth lies in 95 of 100 cases.</source>
+        <translation>속력 곡선을 클릭하십시오. 말풍선에 그 순간의 속력과 ±, 곧 얼마나 틀릴 수 있는지가 나옵니다. 곡선 둘레의 띠는 100번 중 95번 참값이 들어 있는 곳입니다.</translation>
+    </message>
+    <message>
+        <source>Look at what was flagged</source>
+        <translation>표시된 것 살펴보기</translation>
+    </message>
+    <message>
+        <source>Go through the trials with Ctrl+Page Up and Ctrl+Page Down to one whose list of spikes, at the right, is not empty. A spike is a moment at which what was measured cannot be true; the list says why.</source>
+        <translation>Ctrl+Page Up과 Ctrl+Page Down으로 시행을 넘기며 오른쪽 이상점 목록이 비어 있지 않은 것을 찾으십시오. 이상점은 측정값이 참일 수 없는 순간이며, 목록에 그 까닭이 나옵니다.</translation>
+    </message>
+    <message>
+        <source>Overrule it</source>
+        <translation>판정 바꾸기</translation>
+    </message>
+    <message>
+        <source>Click a spike in the list and look at the videos: was the robot really there? Press U to use the sample all the same. Nothing that was measured is ever lost.</source>
+        <translation>목록에서 이상점을 클릭하고 동영상을 보십시오. 로봇이 정말 그곳에 있었습니까? U를 누르면 그 샘플을 그래도 사용합니다. 측정한 것은 하나도 사라지지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>되돌리기</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z. Whatever you change is saved at once, and can be taken back.</source>
+        <translation>Ctrl+Z를 누르십시오. 바꾼 것은 모두 바로 저장되며 되돌릴 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Compare two runs</source>
+        <translation>두 주행 비교하기</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+4. Choose two runs above the pictures: where was one faster, and is that more than the error? What is grey is not.</source>
+        <translation>Ctrl+4를 누르십시오. 영상 위에서 두 주행을 선택하십시오. 어디에서 한쪽이 더 빨랐고, 그 차이가 오차보다 큽니까? 회색은 그렇지 않다는 뜻입니다.</translation>
+    </message>
+    <message>
+        <source>Find it again</source>
+        <translation>다시 찾기</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+5. History holds the whole year: type a team&apos;s name to search, open a run with Enter, and see under Teams who made progress.</source>
+        <translation>Ctrl+5를 누르십시오. 이력에는 한 해 전체가 들어 있습니다. 팀 이름을 입력하여 찾고, Enter로 주행을 열고, ‘팀’에서 누가 향상했는지 보십시오.</translation>
+    </message>
+    <message>
+        <source>That was it</source>
+        <translation>첫 수업을 마쳤습니다</translation>
+    </message>
+    <message>
+        <source>With your own robots: make a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or bring in videos (Ctrl+I). F1 explains each page.</source>
+        <translation>자신의 로봇으로: 프로젝트를 만들고(Ctrl+N), 테스트베드에서 바닥을 설정한 다음(Ctrl+1), 녹화하거나(Ctrl+2) 동영상을 가져오십시오(Ctrl+I). F1을 누르면 각 페이지의 설명이 나옵니다.</translation>
+    </message>
+</context>
+<context>
+    <name>HealthWatch</name>
+    <message>
+        <source>The project can only be read</source>
+        <translation>프로젝트를 읽기만 할 수 있음</translation>
+    </message>
+    <message>
+        <source>Opening the cameras…</source>
+        <translation>카메라를 여는 중…</translation>
+    </message>
+    <message>
+        <source>No camera runs</source>
+        <translation>작동 중인 카메라 없음</translation>
+    </message>
+    <message>
+        <source>No camera sends pictures</source>
+        <translation>영상을 보내는 카메라 없음</translation>
+    </message>
+    <message>
+        <source>This project can only be read: nothing can be recorded into it.</source>
+        <translation>이 프로젝트는 읽기만 할 수 있어 녹화할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Register &amp;it in Testbed</source>
+        <translation>테스트베드에서 정합(&amp;I)</translation>
+    </message>
+</context>
+<context>
+    <name>HelpDialogs</name>
+    <message>
+        <source>Keys</source>
+        <translation>단축키</translation>
+    </message>
+    <message>
+        <source>List of keys</source>
+        <translation>단축키 목록</translation>
+    </message>
+    <message>
+        <source>About Odograph</source>
+        <translation>Odograph 정보</translation>
+    </message>
+    <message>
+        <source>Odograph %1</source>
+        <translation>Odograph %1</translation>
+    </message>
+    <message>
+        <source>Measures how a mobile robot moved, from the videos of ordinary cameras.
+
+Free software under the GNU General Public License, version 3 or later, without any warranty.
+
+The method follows S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018.</source>
+        <translation>일반 카메라의 동영상으로 이동 로봇이 어떻게 움직였는지 측정합니다.
+
+GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소프트웨어이며, 어떠한 보증도 하지 않습니다.
+
+방법은 S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018을 따릅니다.</translation>
+    </message>
+</context>
+<context>
+    <name>MapPainting</name>
+    <message>
+        <source>grid %1 %2</source>
+        <translation>격자 %1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>Modes</name>
+    <message>
+        <source>Testbed</source>
+        <translation>테스트베드</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>녹화</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>검토</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>비교</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>이력</translation>
+    </message>
+</context>
+<context>
+    <name>OwnChanges</name>
+    <message>
+        <source>nothing was changed here</source>
+        <translation>여기서 변경한 것이 없습니다</translation>
+    </message>
+    <message>
+        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <translation>이전에 변경한 것은 창의 편집 메뉴에서 되돌리십시오</translation>
+    </message>
+    <message>
+        <source>Done: %1. Ctrl+Z takes it back.</source>
+        <translation>완료: %1. Ctrl+Z로 되돌릴 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>실행 취소</translation>
+    </message>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>실행 취소함: %1.</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>다시 실행</translation>
+    </message>
+    <message>
+        <source>Made again: %1.</source>
+        <translation>다시 실행함: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>PageMenus</name>
+    <message>
+        <source>&amp;View</source>
+        <translation>보기(&amp;V)</translation>
+    </message>
+    <message>
+        <source>T&amp;rial</source>
+        <translation>시행(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Spikes</source>
+        <translation>이상점(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;History</source>
+        <translation>이력(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Re&amp;cord</source>
+        <translation>녹화(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>재생(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>도구(&amp;T)</translation>
+    </message>
+</context>
+<context>
+    <name>RangeFacts</name>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>%1부터 %2까지</translation>
+    </message>
+    <message>
+        <source>What the calibration adds to an angle is not known and not in it.</source>
+        <translation>보정이 각도에 더하는 오차는 알 수 없어 포함하지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s error of place is in it.</source>
+        <translation>보정의 위치 오차를 포함합니다.</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s error of scale is in it.</source>
+        <translation>보정의 축척 오차를 포함합니다.</translation>
+    </message>
+    <message>
+        <source>Neighbours of a smoothed curve share their error, so it is averaged out by time and not by frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
+        <translation>평활화된 곡선에서 이웃한 값은 오차를 공유하므로 오차는 프레임 수가 아니라 시간으로 평균됩니다. 위치의 스펙트럼을 r/(1 + (ω/ω₀)⁶), ω₀ = √2 σv/σx로 봅니다.</translation>
+    </message>
+    <message>
+        <source>Of the smoothed curve, each value for half the time to both neighbours: its mean, the median (half of the time stays below it), the least and the most beyond doubt (by the value plus or minus 2σ), and the spread √(mean of the squared distance from the mean).</source>
+        <translation>평활화된 곡선의 각 값이 양쪽 이웃까지 시간의 절반씩을 대표합니다. 평균, 중앙값(시간의 절반 동안 이보다 작음), 확실한 최솟값과 최댓값(값에 2σ를 더하거나 뺀 것으로 판단), 산포 √(평균과의 차이의 제곱 평균)를 구합니다.</translation>
+    </message>
+    <message>
+        <source>no value here</source>
+        <translation>여기에는 값이 없음</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1(%2)</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>평균</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>중앙값</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>최소</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>최대</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>산포</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>점 %n개</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not its shape: χ² is %1 times what the errors explain</source>
+        <translation>이 모양이 아님: χ²가 오차로 설명되는 값의 %1배</translation>
+    </message>
+    <message>
+        <source>fits; the stated errors are too large: χ² is %1 of what they let expect</source>
+        <translation>맞음; 표시된 오차가 너무 큼: χ²가 기대되는 값의 %1배</translation>
+    </message>
+    <message>
+        <source>fits: χ² is %1 of what the errors let expect</source>
+        <translation>맞음: χ²가 오차로 기대되는 값의 %1배</translation>
+    </message>
+    <message>
+        <source>Fit of %1</source>
+        <translation>%1 피팅</translation>
+    </message>
+    <message>
+        <source>The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, over what the errors let expect of it: the number of points less what the coefficients take up.</source>
+        <translation>%1에 대하여 Σ(잔차/σ)²가 가장 작은, t − t₀의 다항식이며 t₀ = %2입니다. χ²는 이 합을 오차로 기대되는 값, 곧 점의 수에서 계수가 차지하는 수를 뺀 값으로 나눈 것입니다.</translation>
+    </message>
+    <message>
+        <source>the measured places that are used</source>
+        <translation>사용한 측정 위치</translation>
+    </message>
+    <message>
+        <source>the smoothed curve</source>
+        <translation>평활화된 곡선</translation>
+    </message>
+    <message>
+        <source>The larger of two: that of the measurements, widened by 1 + 2Σρ of the residuals where they hang together (here ×%1), and that of the smoothed curve, which knows what of their errors lasts.</source>
+        <translation>둘 중 큰 값: 측정값의 오차를 잔차가 서로 상관된 만큼 1 + 2Σρ로 넓힌 것(여기서는 ×%1)과, 측정 오차 가운데 오래 남는 부분까지 반영한 평활화된 곡선의 오차.</translation>
+    </message>
+    <message>
+        <source>That the shape is the true one is taken for granted; χ² far above 1 says that it is not. Below 1 it comes of a smoother that allows for more motion than there is.</source>
+        <translation>이 모양이 참이라고 전제합니다. χ²가 1보다 훨씬 크면 그렇지 않다는 뜻입니다. 1보다 작은 것은 평활기가 실제보다 많은 움직임을 허용하기 때문입니다.</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>점 %1개</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>시간</translation>
+    </message>
+    <message>
+        <source>%1 to %2: %3</source>
+        <translation>%1 ~ %2: %3</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>이동 거리</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>피팅</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>값</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>%1에서</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>기울기</translation>
+    </message>
+    <message>
+        <source>slope there</source>
+        <translation>그 점의 기울기</translation>
+    </message>
+    <message>
+        <source>times t²</source>
+        <translation>t²의 계수</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>잔차</translation>
+    </message>
+    <message>
+        <source>%1 (RMS)</source>
+        <translation>%1(RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>RecordHealth</name>
+    <message>
+        <source>trouble</source>
+        <translation>장애</translation>
+    </message>
+    <message>
+        <source>slow</source>
+        <translation>느림</translation>
+    </message>
+    <message>
+        <source>losses</source>
+        <translation>누락</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>양호</translation>
+    </message>
+    <message>
+        <source>, %1 ms</source>
+        <translation>, %1 ms</translation>
+    </message>
+    <message>
+        <source>; not registered</source>
+        <translation>; 정합 안 됨</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>카메라 %1</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>보이지 않음</translation>
+    </message>
+    <message>
+        <source>unseen</source>
+        <translation>안 보임</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, %3</source>
+        <translation>x %1, y %2, %3</translation>
+    </message>
+    <message>
+        <source>; one camera sees it</source>
+        <translation>; 카메라 한 대에서만 보임</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>보임</translation>
+    </message>
+    <message>
+        <source>fair</source>
+        <translation>보통</translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation>어긋남</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>동기</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>실시간</translation>
+    </message>
+    <message>
+        <source>%1 MB written</source>
+        <translation>%1 MB 기록됨</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>디스크</translation>
+    </message>
+    <message>
+        <source>Camera %1 is not registered to the floor: it is recorded, but cannot tell where a robot is.</source>
+        <translation>카메라 %1이(가) 바닥에 정합되지 않았습니다. 녹화는 되지만 로봇의 위치를 구할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Camera %1 was registered for pictures of %2×%3, which it does not send now: it is recorded, but cannot tell where a robot is.</source>
+        <translation>카메라 %1은(는) %2×%3 영상으로 정합했으나 지금 보내는 영상은 그렇지 않습니다. 녹화는 되지만 로봇의 위치를 구할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation>녹화: %1</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>카메라 %1: %2</translation>
+    </message>
+    <message>
+        <source>The disk is hardly fast enough: record to a faster one, or with fewer cameras.</source>
+        <translation>디스크 속도가 빠듯합니다. 더 빠른 디스크에 녹화하거나 카메라 수를 줄이십시오.</translation>
+    </message>
+    <message>
+        <source>The disk is nearly full: %1</source>
+        <translation>디스크가 거의 찼습니다: %1</translation>
+    </message>
+    <message>
+        <source>The cameras are not in step: set both to the same rate.</source>
+        <translation>카메라들의 동기가 맞지 않습니다. 둘 다 같은 프레임 속도로 설정하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>외 %n개</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>ReportChart</name>
+    <message>
+        <source>Speed, %1</source>
+        <translation>속력, %1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>경로 방향 가속도, %1</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>평활화, ±95 % 띠 포함; 점: 측정값</translation>
+    </message>
+    <message>
+        <source>No curve: the robot was not seen</source>
+        <translation>곡선 없음: 로봇이 보이지 않음</translation>
+    </message>
+</context>
+<context>
+    <name>ReportMethod</name>
+    <message>
+        <source>%1: %2 frames at %3/s</source>
+        <translation>%1: %2프레임, 초당 %3프레임</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n missing</source>
+        <translation>
+            <numerusform>%n프레임 누락</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>lens calibrated to %1 px</source>
+        <translation>렌즈 보정 오차 %1 px</translation>
+    </message>
+    <message>
+        <source>registered to the floor to %1 px, %2</source>
+        <translation>바닥 정합 오차 %1 px, %2</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>정합 안 됨</translation>
+    </message>
+    <message>
+        <source>%1 samples: %2 measured, %3 used, %4 flagged, %5 bridged; the views disagree by %6 on average</source>
+        <translation>샘플 %1개: 측정 %2, 사용 %3, 표시 %4, 이어 붙임 %5; 뷰 간 불일치 평균 %6</translation>
+    </message>
+    <message>
+        <source>t, s</source>
+        <translation>t, s</translation>
+    </message>
+    <message>
+        <source>x, %1</source>
+        <translation>x, %1</translation>
+    </message>
+    <message>
+        <source>y, %1</source>
+        <translation>y, %1</translation>
+    </message>
+    <message>
+        <source>speed, %1</source>
+        <translation>속력, %1</translation>
+    </message>
+    <message>
+        <source>± (σ)</source>
+        <translation>± (σ)</translation>
+    </message>
+    <message>
+        <source>acceleration, %1</source>
+        <translation>가속도, %1</translation>
+    </message>
+    <message>
+        <source>flags</source>
+        <translation>표시</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>측정한 것</translation>
+    </message>
+    <message>
+        <source>every sample, smoothed</source>
+        <translation>모든 샘플, 평활화됨</translation>
+    </message>
+    <message>
+        <source>one sample of %1, smoothed; all of them are in the exported file</source>
+        <translation>샘플 %1개마다 하나, 평활화됨; 전체는 내보낸 파일에 있음</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>smoother: %1</source>
+        <translation>평활기: %1</translation>
+    </message>
+    <message>
+        <source>analysed %1, Odograph %2</source>
+        <translation>%1 분석, Odograph %2</translation>
+    </message>
+    <message>
+        <source>%1: method</source>
+        <translation>%1: 방법</translation>
+    </message>
+    <message>
+        <source>How the figures were computed</source>
+        <translation>지표를 계산한 방법</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>±: %1.</source>
+        <translation>±: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ReportStills</name>
+    <message>
+        <source>no picture: the video is missing</source>
+        <translation>사진 없음: 동영상을 찾을 수 없음</translation>
+    </message>
+</context>
+<context>
+    <name>RobotColours</name>
+    <message>
+        <source>blue</source>
+        <translation>파랑</translation>
+    </message>
+    <message>
+        <source>vermilion</source>
+        <translation>주홍</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>초록</translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation>보라</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>주황</translation>
+    </message>
+    <message>
+        <source>sky blue</source>
+        <translation>하늘색</translation>
+    </message>
+    <message>
+        <source>by itself</source>
+        <translation>자동</translation>
+    </message>
+</context>
+<context>
+    <name>RunEvents</name>
+    <message>
+        <source>First seen, moving already</source>
+        <translation>이미 움직이는 채로 처음 보임</translation>
+    </message>
+    <message>
+        <source>Starts to move</source>
+        <translation>움직이기 시작</translation>
+    </message>
+    <message>
+        <source>Last seen, still moving</source>
+        <translation>움직이는 채로 마지막으로 보임</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>정지</translation>
+    </message>
+    <message>
+        <source>Top speed, %1</source>
+        <translation>최고 속력, %1</translation>
+    </message>
+    <message>
+        <source>Passes %1</source>
+        <translation>%1 통과</translation>
+    </message>
+    <message>
+        <source>Spike: %1</source>
+        <translation>이상점: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>(%n samples)</source>
+        <translation>
+            <numerusform>(샘플 %n개)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SceneDisagreement</name>
+    <message>
+        <source>Only one view at a time: nothing to compare</source>
+        <translation>한 번에 한 뷰뿐: 비교할 것이 없음</translation>
+    </message>
+    <message>
+        <source>RMS %1, median %2</source>
+        <translation>RMS %1, 중앙값 %2</translation>
+    </message>
+    <message>
+        <source>expected by the errors: %1</source>
+        <translation>오차로 기대되는 값: %1</translation>
+    </message>
+    <message>
+        <source>%1 – more than they explain</source>
+        <translation>%1 – 오차로 설명되는 것보다 큼</translation>
+    </message>
+    <message>
+        <source>Disagreement of the views</source>
+        <translation>뷰 간 불일치</translation>
+    </message>
+    <message>
+        <source>Each view alone puts the robot at a place on the floor. Shown is how far these places are apart in each frame in which two views or more saw it (of more than two, the largest distance); RMS is √(mean of the squares). Samples that are not used are left out.
+Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the views&apos; step σs.
+Much more than expected means that something is not as it was told: the views are not in step (then it grows with the speed), a camera has moved or is badly registered (then it depends on the place), or the robot&apos;s height is wrong (then it points to and from the cameras).</source>
+        <translation>각 뷰는 저마다 로봇을 바닥의 한 위치에 놓습니다. 두 뷰 이상이 로봇을 본 프레임마다 이 위치들이 얼마나 떨어져 있는지 나타냅니다(뷰가 셋 이상이면 가장 먼 거리). RMS는 √(제곱의 평균)입니다. 사용하지 않는 샘플은 뺍니다.
+기대되는 값은 √(tr A + tr B + (v·σs)²)이며, A와 B는 두 뷰의 공분산(픽셀과 보정), v는 속력, σs는 뷰의 동기 오차입니다.
+기대보다 훨씬 크면 무언가가 설정과 다르다는 뜻입니다. 뷰의 동기가 맞지 않거나(이때는 속력에 따라 커짐), 카메라가 이동했거나 정합이 나쁘거나(이때는 위치에 따라 다름), 로봇의 높이가 틀린 것입니다(이때는 카메라를 향하거나 등지는 방향으로 나타남).</translation>
+    </message>
+    <message>
+        <source>%1 frames seen by two views or more; largest %2; views in step to %3 ms</source>
+        <translation>두 뷰 이상에서 보인 프레임 %1개; 최대 %2; 뷰의 동기 오차 %3 ms</translation>
+    </message>
+</context>
+<context>
+    <name>ScoreText</name>
+    <message>
+        <source>%1: not measured, no points (%2)</source>
+        <translation>%1: 측정 안 됨, 점수 없음(%2)</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 points (%4)</source>
+        <translation>%1 %2: %3점(%4)</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 of %4 points (%5)</source>
+        <translation>%1 %2: %4점 중 %3점(%5)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2점</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>/ %1점</translation>
+    </message>
+    <message>
+        <source>the sum of the points of each line; a line gives points × (figure − none at) / (all at − none at), from 0 to all</source>
+        <translation>각 줄의 점수를 더한 것; 한 줄의 점수는 배점 × (지표 − 0점 기준) / (만점 기준 − 0점 기준)이며 0부터 만점까지</translation>
+    </message>
+    <message>
+        <source>of each line half of what its points differ by when its figure is one σ more or less; root of the sum of the squares</source>
+        <translation>줄마다 지표가 1 σ만큼 크거나 작을 때 점수 차이의 절반을 구하여 제곱합의 제곱근을 취한 값</translation>
+    </message>
+    <message>
+        <source>%1 points off at %2 or less, none off at %3 or more</source>
+        <translation>%2 이하이면 %1점 감점, %3 이상이면 감점 없음</translation>
+    </message>
+    <message>
+        <source>%1 points off at %2 or more, none off at %3 or less</source>
+        <translation>%2 이상이면 %1점 감점, %3 이하이면 감점 없음</translation>
+    </message>
+    <message>
+        <source>%1 points at %2 or less, none at %3 or more</source>
+        <translation>%2 이하이면 %1점, %3 이상이면 0점</translation>
+    </message>
+    <message>
+        <source>%1 points at %2 or more, none at %3 or less</source>
+        <translation>%2 이상이면 %1점, %3 이하이면 0점</translation>
+    </message>
+</context>
+<context>
+    <name>SnappedMarker</name>
+    <message>
+        <source>tag</source>
+        <translation>태그</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>고리</translation>
+    </message>
+    <message>
+        <source>dot</source>
+        <translation>점</translation>
+    </message>
+    <message>
+        <source>tape crossing</source>
+        <translation>테이프 교차점</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>모서리</translation>
+    </message>
+    <message>
+        <source>crossing fields</source>
+        <translation>바둑무늬 교차점</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>직접 지정</translation>
+    </message>
+</context>
+<context>
+    <name>TargetPainter</name>
+    <message>
+        <source>100 mm</source>
+        <translation>100 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Checkerboard, %1 × %2 inner corners, squares of %3</source>
+        <translation>체커보드, 안쪽 꼭짓점 %1 × %2, 정사각형 %3</translation>
+    </message>
+    <message>
+        <source>ChArUco board, %1 × %2 inner corners, squares of %3</source>
+        <translation>ChArUco 보드, 안쪽 꼭짓점 %1 × %2, 정사각형 %3</translation>
+    </message>
+    <message>
+        <source>Floor marker %1 (tag 36h11 number %2), %3</source>
+        <translation>바닥 마커 %1(태그 36h11 번호 %2), %3</translation>
+    </message>
+    <message>
+        <source>Floor marker %1 (ring), %2</source>
+        <translation>바닥 마커 %1(고리), %2</translation>
+    </message>
+    <message>
+        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and tell Odograph what you measured.</source>
+        <translation>100 %(실제 크기)로 인쇄하십시오. 단단한 판에 평평하게 붙이고 정사각형을 재어 그 값을 Odograph에 입력하십시오.</translation>
+    </message>
+    <message>
+        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s place is its middle, where the four lines at the edges point.</source>
+        <translation>100 %(실제 크기)로 인쇄하십시오. 평평하게 놓으십시오. 마커의 위치는 가장자리의 네 선이 가리키는 가운데입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>TestbedState</name>
+    <message>
+        <source>standard</source>
+        <translation>표준</translation>
+    </message>
+    <message>
+        <source>rational</source>
+        <translation>유리 함수</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>어안</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>영상</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>렌즈</translation>
+    </message>
+    <message>
+        <source>%1, f = %2 px</source>
+        <translation>%1, f = %2 px</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>출처</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>보드 오차</translation>
+    </message>
+    <message>
+        <source>%1 px in %2 pictures</source>
+        <translation>사진 %2장에서 %1 px</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>교차 검증 오차</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>On the floor</source>
+        <translation>바닥 정합</translation>
+    </message>
+    <message>
+        <source>registered %1</source>
+        <translation>%1 정합됨</translation>
+    </message>
+    <message>
+        <source>Last check</source>
+        <translation>마지막 점검</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>위치</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m, %3 m high</source>
+        <translation>x %1 m, y %2 m, 높이 %3 m</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>마커</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>주의</translation>
+    </message>
+    <message>
+        <source>not calibrated: taken as free of distortion</source>
+        <translation>보정 안 됨: 왜곡이 없다고 봄</translation>
+    </message>
+    <message>
+        <source>not registered: positions cannot be measured yet</source>
+        <translation>정합 안 됨: 아직 위치를 측정할 수 없음</translation>
+    </message>
+</context>
+<context>
+    <name>TrailPainting</name>
+    <message>
+        <source>0 to %1 %2</source>
+        <translation>0 ~ %1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>TrendPainting</name>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1(%2)</translation>
+    </message>
+</context>
+<context>
+    <name>TrialCurves</name>
+    <message>
+        <source>No curve yet: track the trial</source>
+        <translation>아직 곡선 없음: 시행을 추적하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>TrialExport</name>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>프로그램용 CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>스프레드시트용 CSV, 1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>스프레드시트용 CSV, 1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Tracker text (*.txt)</source>
+        <translation>Tracker 텍스트 (*.txt)</translation>
+    </message>
+    <message>
+        <source>TUM trajectory (*.tum)</source>
+        <translation>TUM 궤적 (*.tum)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>내보내기</translation>
+    </message>
+    <message>
+        <source>Robot:</source>
+        <translation>로봇:</translation>
+    </message>
+    <message>
+        <source>export of %1</source>
+        <translation>%1 내보내기</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>아직 추적하지 않았습니다</translation>
+    </message>
+    <message>
+        <source>track it first</source>
+        <translation>먼저 추적하십시오</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>%1 내보내기</translation>
+    </message>
+    <message>
+        <source>%1 was exported to %2.</source>
+        <translation>%1을(를) %2에 내보냈습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>TrialFacts</name>
+    <message>
+        <source>%1, %2 high (estimated)</source>
+        <translation>%1, 높이 %2(추정)</translation>
+    </message>
+    <message>
+        <source>%1, %2 high</source>
+        <translation>%1, 높이 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2×%3, %4 frames</source>
+        <translation>%1: %2×%3, %4프레임</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>뷰</translation>
+    </message>
+    <message>
+        <source>video missing</source>
+        <translation>동영상 없음</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>정합 안 됨</translation>
+    </message>
+    <message>
+        <source>In step</source>
+        <translation>동기</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>동기화 안 됨</translation>
+    </message>
+    <message>
+        <source>SHA-256 %1…</source>
+        <translation>SHA-256 %1…</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Gates</source>
+        <translation>게이트</translation>
+    </message>
+    <message>
+        <source>to %1 %2</source>
+        <translation>%1까지 %2</translation>
+    </message>
+    <message>
+        <source>Lap %1</source>
+        <translation>랩 %1</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>주행 %1</translation>
+    </message>
+    <message>
+        <source>off by %1 on average</source>
+        <translation>평균 %1 벗어남</translation>
+    </message>
+    <message>
+        <source>%1 (RMS)</source>
+        <translation>%1(RMS)</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>최대 %1</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>왼쪽으로 %1</translation>
+    </message>
+    <message>
+        <source>%1 of it completed</source>
+        <translation>%1 완주</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>지킴</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>measured by another course</source>
+        <translation>다른 코스로 측정함</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>점수</translation>
+    </message>
+    <message>
+        <source>none until it is measured again: the task has another course now</source>
+        <translation>다시 측정할 때까지 없음: 과제의 코스가 바뀌었음</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>날짜</translation>
+    </message>
+    <message>
+        <source>Testbed</source>
+        <translation>테스트베드</translation>
+    </message>
+    <message>
+        <source>markers “%1”</source>
+        <translation>마커 “%1”</translation>
+    </message>
+    <message>
+        <source>Imported</source>
+        <translation>가져옴</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>경로</translation>
+    </message>
+    <message>
+        <source>Distance from the path</source>
+        <translation>경로에서 떨어진 거리</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>구역</translation>
+    </message>
+    <message>
+        <source>Smoother</source>
+        <translation>평활기</translation>
+    </message>
+    <message>
+        <source>Analysed</source>
+        <translation>분석</translation>
+    </message>
+    <message>
+        <source>%1, Odograph %2</source>
+        <translation>%1, Odograph %2</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>참고</translation>
+    </message>
+</context>
+<context>
+    <name>TrialReport</name>
+    <message>
+        <source>class median %1</source>
+        <translation>학급 중앙값 %1</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>점수</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>위에서 본 주행</translation>
+    </message>
+    <message>
+        <source>coloured by speed</source>
+        <translation>색: 속력</translation>
+    </message>
+    <message>
+        <source>The cameras’ views</source>
+        <translation>카메라 뷰</translation>
+    </message>
+    <message>
+        <source>at %1, the top speed</source>
+        <translation>%1, 최고 속력일 때</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>%1일 때</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>주행 중 일어난 일</translation>
+    </message>
+    <message>
+        <source>It did not move</source>
+        <translation>움직이지 않음</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>중간 기록</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>주행 %1</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>%1까지</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>± one σ</source>
+        <translation>± 1 σ</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>참고 사항</translation>
+    </message>
+    <message>
+        <source>This trial has not been tracked yet: there are no figures.</source>
+        <translation>이 시행은 아직 추적하지 않았으므로 지표가 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>학급</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>과제</translation>
+    </message>
+</context>
+<context>
+    <name>WindowTitle</name>
+    <message>
+        <source>Team %1</source>
+        <translation>팀 %1</translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>odo::AccuracyDialog</name>
+    <message>
+        <source>may hang &amp;over the floor</source>
+        <translation>바닥 위에 매달 수 있음(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Plan a camera</source>
+        <translation>카메라 계획(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>제거(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Best place</source>
+        <translation>최적 위치(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Expected accuracy</source>
+        <translation>예상 정확도</translation>
+    </message>
+    <message>
+        <source>Expected accuracy in words</source>
+        <translation>예상 정확도(글)</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>문제점</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>Cameras that count</source>
+        <translation>계산에 넣는 카메라</translation>
+    </message>
+    <message>
+        <source>All ticked cameras together</source>
+        <translation>선택한 모든 카메라 함께</translation>
+    </message>
+    <message>
+        <source>The chosen camera alone</source>
+        <translation>선택한 카메라만</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>표시(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Height of the robo&amp;t</source>
+        <translation>로봇 높이(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>As under a ceiling; a tripod would stand in the robots&apos; way</source>
+        <translation>천장에 다는 경우처럼; 삼각대는 로봇의 길을 막습니다</translation>
+    </message>
+    <message>
+        <source>Puts the camera where, with the others that are ticked, the worst place of the floor is known best</source>
+        <translation>선택한 다른 카메라와 함께 볼 때 바닥에서 가장 부정확한 곳이 가장 정확해지는 위치에 카메라를 놓습니다</translation>
+    </message>
+    <message>
+        <source>Room beyond the &amp;markers</source>
+        <translation>마커 바깥 여유(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Planned camera</source>
+        <translation>계획한 카메라</translation>
+    </message>
+    <message>
+        <source>%1, registered %2</source>
+        <translation>%1, 정합 %2</translation>
+    </message>
+    <message>
+        <source>Planned %1</source>
+        <translation>계획 %1</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3.</source>
+        <translation>%1: %2; %3.</translation>
+    </message>
+    <message>
+        <source>Looking for the best place…</source>
+        <translation>최적 위치를 찾는 중…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Badge</name>
+    <message>
+        <source>not registered</source>
+        <translation>정합 안 됨</translation>
+    </message>
+    <message>
+        <source>moved %1</source>
+        <translation>%1 이동함</translation>
+    </message>
+    <message>
+        <source>marker moved %1</source>
+        <translation>마커 %1 이동함</translation>
+    </message>
+    <message>
+        <source>markers not found</source>
+        <translation>마커를 찾지 못함</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoardCanvas</name>
+    <message>
+        <source>Picture of the board</source>
+        <translation>보드 사진</translation>
+    </message>
+    <message>
+        <source>residuals, longest %1 px</source>
+        <translation>잔차, 최대 %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoardSearchWorker</name>
+    <message>
+        <source>picture %1</source>
+        <translation>사진 %1</translation>
+    </message>
+    <message>
+        <source>in none of its pictures is a board that is still, sharp and new</source>
+        <translation>정지해 있고 선명하며 새로운 자세의 보드가 담긴 사진이 없음</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoxCanvas</name>
+    <message>
+        <source>Picture; arrow keys move the box round the robot, with Shift they change its size</source>
+        <translation>영상; 화살표 키로 로봇을 둘러싼 상자를 옮기고 Shift와 함께 누르면 크기를 바꿉니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraChoiceDialog</name>
+    <message>
+        <source>Cameras to record with</source>
+        <translation>녹화에 쓸 카메라</translation>
+    </message>
+    <message>
+        <source>Device that is camera %1</source>
+        <translation>카메라 %1에 해당하는 장치</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>설정…</translation>
+    </message>
+    <message>
+        <source>Settings of camera %1</source>
+        <translation>카메라 %1 설정</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>카메라 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>다시 찾기(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Use these</source>
+        <translation>이대로 사용</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>사용 안 함</translation>
+    </message>
+    <message>
+        <source>in use by another program</source>
+        <translation>다른 프로그램에서 사용 중</translation>
+    </message>
+    <message>
+        <source>%1 (not connected)</source>
+        <translation>%1(연결 안 됨)</translation>
+    </message>
+    <message>
+        <source>Looking for cameras…</source>
+        <translation>카메라를 찾는 중…</translation>
+    </message>
+    <message>
+        <source>Choose at least one camera. With two, the place of a robot is known better, and while one cannot see it.</source>
+        <translation>카메라를 하나 이상 선택하십시오. 두 대를 쓰면 로봇의 위치를 더 정확히 알 수 있고, 한 대가 로봇을 보지 못하는 동안에도 알 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>One device cannot be two cameras.</source>
+        <translation>장치 하나를 카메라 두 대로 쓸 수 없습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraListModel</name>
+    <message>
+        <source>not calibrated</source>
+        <translation>보정 안 됨</translation>
+    </message>
+    <message>
+        <source>calibrated, ±%1 px</source>
+        <translation>보정됨, ±%1 px</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>정합 안 됨</translation>
+    </message>
+    <message>
+        <source>registered, %1</source>
+        <translation>정합됨, %1</translation>
+    </message>
+    <message>
+        <source>Calibrate the lens, then register the camera to the floor.</source>
+        <translation>렌즈를 보정한 다음 카메라를 바닥에 정합하십시오.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>렌즈</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>바닥</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>판정</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraView</name>
+    <message>
+        <source>in step to %1 ms</source>
+        <translation>동기 오차 %1 ms</translation>
+    </message>
+    <message>
+        <source>offset by hand</source>
+        <translation>오프셋 직접 지정</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>동기화 안 됨</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>카메라 %1</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>Picture of the camera</source>
+        <translation>카메라 영상</translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <translation>%1의 영상</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraWishesDialog</name>
+    <message>
+        <source>as the camera has it</source>
+        <translation>카메라 기본값</translation>
+    </message>
+    <message>
+        <source>frames/s</source>
+        <translation>fps</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Ask for each picture, so that all such cameras take theirs together</source>
+        <translation>프레임마다 촬영을 요청하여 해당 카메라들이 모두 동시에 찍게 합니다</translation>
+    </message>
+    <message>
+        <source>Settings of %1</source>
+        <translation>%1 설정</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>영상</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>프레임 속도</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>노출</translation>
+    </message>
+    <message>
+        <source>Software trigger</source>
+        <translation>소프트웨어 트리거</translation>
+    </message>
+    <message>
+        <source>&amp;Picture</source>
+        <translation>영상(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Rate</source>
+        <translation>프레임 속도(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Exposure</source>
+        <translation>노출(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Trigger</source>
+        <translation>트리거(&amp;T)</translation>
+    </message>
+    <message>
+        <source>What the camera cannot do is said when it is opened.</source>
+        <translation>카메라가 할 수 없는 것은 카메라를 열 때 알려 드립니다.</translation>
+    </message>
+    <message>
+        <source>Use these</source>
+        <translation>이대로 사용</translation>
+    </message>
+    <message>
+        <source>the best for tracking</source>
+        <translation>추적에 가장 적합</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChangeModel</name>
+    <message>
+        <source>made</source>
+        <translation>실행</translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation>실행 취소</translation>
+    </message>
+    <message>
+        <source>made again</source>
+        <translation>다시 실행</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>시각</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>구분</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>내용</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChangesDialog</name>
+    <message>
+        <source>Changes of the project</source>
+        <translation>프로젝트 변경 내역</translation>
+    </message>
+    <message>
+        <source>Nothing has been changed yet.</source>
+        <translation>아직 변경된 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>What was changed, in this window and by the command line, the newest first. Recordings, imports and tracking are told too; they cannot be undone.</source>
+        <translation>이 창과 명령줄에서 변경한 내용이며, 최근 것이 먼저 나옵니다. 녹화, 가져오기, 추적도 나오지만 실행을 취소할 수는 없습니다.</translation>
+    </message>
+    <message>
+        <source>Search the changes…</source>
+        <translation>변경 내역 검색…</translation>
+    </message>
+    <message>
+        <source>Search the changes</source>
+        <translation>변경 내역 검색</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>변경 내역</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChartPicture</name>
+    <message>
+        <source>&amp;Copy as a picture</source>
+        <translation>그림으로 복사(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Save as a picture…</source>
+        <translation>그림으로 저장(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>SVG pictures (*.svg)</source>
+        <translation>SVG 그림 (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG 그림 (*.png)</translation>
+    </message>
+    <message>
+        <source>Save as a picture</source>
+        <translation>그림으로 저장</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChartSpan</name>
+    <message>
+        <source>Charts: show &amp;less</source>
+        <translation>차트: 좁게 보기(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Charts: show &amp;more</source>
+        <translation>차트: 넓게 보기(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Charts: show &amp;all</source>
+        <translation>차트: 전체 보기(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Charts against the &amp;distance</source>
+        <translation>차트 가로축을 거리로(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CheckTools</name>
+    <message>
+        <source>&amp;Check the cameras…</source>
+        <translation>카메라 점검(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Moved?</source>
+        <translation>이동 점검</translation>
+    </message>
+    <message>
+        <source>Look whether each camera still stands where it was registered, before the robots run</source>
+        <translation>로봇이 주행하기 전에 각 카메라가 정합한 자리에 그대로 있는지 확인합니다</translation>
+    </message>
+    <message>
+        <source>Check a known &amp;length…</source>
+        <translation>길이 검증(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Length…</source>
+        <translation>길이…</translation>
+    </message>
+    <message>
+        <source>Measure something of known length in a camera&apos;s picture, and see whether the camera is as good as it promises</source>
+        <translation>길이를 아는 물체를 카메라 영상에서 재어 카메라가 표시된 만큼 정확한지 확인합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Expected accuracy…</source>
+        <translation>예상 정확도(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Accuracy…</source>
+        <translation>정확도…</translation>
+    </message>
+    <message>
+        <source>See how well each place of the floor will be known, also with cameras that are only planned</source>
+        <translation>바닥의 각 위치를 얼마나 정확히 알 수 있는지, 계획만 한 카메라까지 포함하여 봅니다</translation>
+    </message>
+    <message>
+        <source>&amp;Older calibrations…</source>
+        <translation>이전 보정(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Revisions…</source>
+        <translation>버전…</translation>
+    </message>
+    <message>
+        <source>See every calibration and registration of a camera, put an older one in force, measure trials again</source>
+        <translation>카메라의 모든 보정과 정합을 보고, 이전 것을 적용하고, 시행을 다시 측정합니다</translation>
+    </message>
+    <message>
+        <source>The cameras are checked: see their badges.</source>
+        <translation>카메라 점검을 마쳤습니다. 배지를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>Calibrations and trials are as they were chosen.</source>
+        <translation>보정과 시행이 선택한 대로 되었습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ClassActions</name>
+    <message>
+        <source>&amp;Tasks…</source>
+        <translation>과제(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>C&amp;lasses and teams…</source>
+        <translation>학급과 팀(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>R&amp;obots…</source>
+        <translation>로봇(&amp;O)…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ClassesDialog</name>
+    <message>
+        <source>&amp;New class…</source>
+        <translation>새 학급(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>이름 변경(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>보관(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Dele&amp;te</source>
+        <translation>삭제(&amp;T)</translation>
+    </message>
+    <message>
+        <source>New t&amp;eam…</source>
+        <translation>새 팀(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Move to</source>
+        <translation>옮기기(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Members and r&amp;obots…</source>
+        <translation>팀원과 로봇(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>삭제(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Import roster…</source>
+        <translation>명단 가져오기(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Classes and teams</source>
+        <translation>학급과 팀</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>작업 결과</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>학급</translation>
+    </message>
+    <message>
+        <source>An archived class is out of the way: History, Record and the standings show its teams and trials only where it is chosen there by name</source>
+        <translation>보관된 학급은 평소에 보이지 않습니다. 그 학급의 팀과 시행은 이력, 녹화, 순위표에서 그 학급을 직접 선택할 때만 나타납니다</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Pseudonym</source>
+        <translation>가명</translation>
+    </message>
+    <message>
+        <source>Members</source>
+        <translation>팀원</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Teams of the class</source>
+        <translation>학급의 팀</translation>
+    </message>
+    <message>
+        <source>Double-click or F2 changes a name or a pseudonym</source>
+        <translation>두 번 클릭하거나 F2를 누르면 이름이나 가명을 바꿀 수 있습니다</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (archived, %n team(s))</source>
+        <translation>
+            <numerusform>%1(보관됨, %n팀)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%n team(s))</source>
+        <translation>
+            <numerusform>%1(%n팀)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Teams without a class</source>
+        <translation>학급이 없는 팀</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>보관 해제(&amp;A)</translation>
+    </message>
+    <message>
+        <source>No class</source>
+        <translation>학급 없음</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>이름:</translation>
+    </message>
+    <message>
+        <source>New class</source>
+        <translation>새 학급</translation>
+    </message>
+    <message>
+        <source>add class %1</source>
+        <translation>학급 %1 추가</translation>
+    </message>
+    <message>
+        <source>Rename class</source>
+        <translation>학급 이름 변경</translation>
+    </message>
+    <message>
+        <source>rename class %1 to %2</source>
+        <translation>학급 이름 변경: %1 → %2</translation>
+    </message>
+    <message>
+        <source>take class %1 out of the archive</source>
+        <translation>학급 %1 보관 해제</translation>
+    </message>
+    <message>
+        <source>archive class %1</source>
+        <translation>학급 %1 보관</translation>
+    </message>
+    <message>
+        <source>delete class %1</source>
+        <translation>학급 %1 삭제</translation>
+    </message>
+    <message>
+        <source>New team</source>
+        <translation>새 팀</translation>
+    </message>
+    <message>
+        <source>add team %1</source>
+        <translation>팀 %1 추가</translation>
+    </message>
+    <message>
+        <source>take team %1 out of its class</source>
+        <translation>팀 %1을(를) 학급에서 빼기</translation>
+    </message>
+    <message>
+        <source>move team %1 to class %2</source>
+        <translation>팀 %1을(를) 학급 %2(으)로 옮기기</translation>
+    </message>
+    <message>
+        <source>delete team %1</source>
+        <translation>팀 %1 삭제</translation>
+    </message>
+    <message>
+        <source>change members and robots of team %1</source>
+        <translation>팀 %1의 팀원과 로봇 변경</translation>
+    </message>
+    <message>
+        <source>rename team %1 to %2</source>
+        <translation>팀 이름 변경: %1 → %2</translation>
+    </message>
+    <message>
+        <source>change the pseudonym of team %1</source>
+        <translation>팀 %1의 가명 변경</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CompareColumn</name>
+    <message>
+        <source>Time difference</source>
+        <translation>시간차</translation>
+    </message>
+    <message>
+        <source>Sectors</source>
+        <translation>구간</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>Run that is shown against the first</source>
+        <translation>첫째 주행과 견주어 표시할 주행</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>주행</translation>
+    </message>
+    <message>
+        <source>Times from gate to gate</source>
+        <translation>게이트 사이의 시간</translation>
+    </message>
+    <message>
+        <source>Figures of both runs</source>
+        <translation>두 주행의 지표</translation>
+    </message>
+    <message>
+        <source>s · drag the gates on the map</source>
+        <translation>s · 지도의 게이트를 끌어 옮기기</translation>
+    </message>
+    <message>
+        <source>grey: within the error</source>
+        <translation>회색: 오차 이내</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>대상</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>대상: %1</translation>
+    </message>
+    <message>
+        <source>Later at the end</source>
+        <translation>끝에서 늦음</translation>
+    </message>
+    <message>
+        <source>Earlier at the end</source>
+        <translation>끝에서 빠름</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>끝에서</translation>
+    </message>
+    <message>
+        <source>Later here</source>
+        <translation>여기서 늦음</translation>
+    </message>
+    <message>
+        <source>Earlier here</source>
+        <translation>여기서 빠름</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>여기서</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CompareDesk</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>평면 지도</translation>
+    </message>
+    <message>
+        <source>Map of the floor with the ways of the runs and the gates of the sectors</source>
+        <translation>주행 경로와 구간 게이트가 표시된 바닥 지도</translation>
+    </message>
+    <message>
+        <source>Drag a gate along the way; with the keys: Up and Down choose one, Left and Right move it</source>
+        <translation>게이트를 경로를 따라 끄십시오. 키보드: 위/아래로 게이트를 고르고 왼쪽/오른쪽으로 옮깁니다</translation>
+    </message>
+    <message>
+        <source>both runs</source>
+        <translation>두 주행</translation>
+    </message>
+    <message>
+        <source>Camera of the first run</source>
+        <translation>첫째 주행의 카메라</translation>
+    </message>
+    <message>
+        <source>Camera of the second run</source>
+        <translation>둘째 주행의 카메라</translation>
+    </message>
+    <message>
+        <source>dashed: the task&apos;s path</source>
+        <translation>점선: 과제의 경로</translation>
+    </message>
+    <message>
+        <source>along the first run&apos;s way</source>
+        <translation>첫째 주행의 경로 기준</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>첫째</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>둘째</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ComparePage</name>
+    <message>
+        <source>These runs cannot be compared</source>
+        <translation>이 주행들은 비교할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>%1. What helps: %2.</source>
+        <translation>%1. 해결 방법: %2.</translation>
+    </message>
+    <message>
+        <source>Two runs are needed</source>
+        <translation>주행이 두 개 필요합니다</translation>
+    </message>
+    <message>
+        <source>Comparing shows where one run is faster than another, and whether that is more than the error. Choose two trials that have been tracked, or bring in another one.</source>
+        <translation>비교는 한 주행이 다른 주행보다 어디에서 더 빠른지, 그리고 그 차이가 오차보다 큰지를 보여 줍니다. 추적을 마친 시행 두 개를 선택하거나 다른 시행을 가져오십시오.</translation>
+    </message>
+    <message>
+        <source>Import trial from videos…</source>
+        <translation>동영상에서 시행 가져오기…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CoveragePanel</name>
+    <message>
+        <source>Across</source>
+        <translation>좌우</translation>
+    </message>
+    <message>
+        <source>Up and down</source>
+        <translation>위아래</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>원근</translation>
+    </message>
+    <message>
+        <source>Tilted</source>
+        <translation>기울기</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>덮은 면적</translation>
+    </message>
+    <message>
+        <source>%1 pictures: enough. More do no harm.</source>
+        <translation>사진 %1장: 충분합니다. 더 있어도 괜찮습니다.</translation>
+    </message>
+    <message>
+        <source>1 picture; ten or more are wanted.</source>
+        <translation>사진 1장: 10장 이상 필요합니다.</translation>
+    </message>
+    <message>
+        <source>%1 pictures; ten or more are wanted.</source>
+        <translation>사진 %1장: 10장 이상 필요합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CrashNotice</name>
+    <message>
+        <source>Odograph ended unexpectedly</source>
+        <translation>Odograph가 예기치 않게 종료되었습니다</translation>
+    </message>
+    <message>
+        <source>The last time, Odograph ended by a fault of its own. What was saved is safe. A recording that was cut off is kept up to its last second as soon as its project is opened again.</source>
+        <translation>지난번에 Odograph가 자체 결함으로 종료되었습니다. 저장된 것은 안전합니다. 중간에 끊긴 녹화는 해당 프로젝트를 다시 열면 마지막 1초까지 보존됩니다.</translation>
+    </message>
+    <message>
+        <source>The last time, Odograph ended by a fault of its own. What was saved is safe.</source>
+        <translation>지난번에 Odograph가 자체 결함으로 종료되었습니다. 저장된 것은 안전합니다.</translation>
+    </message>
+    <message>
+        <source>Project:</source>
+        <translation>프로젝트:</translation>
+    </message>
+    <message>
+        <source>Report:</source>
+        <translation>보고서:</translation>
+    </message>
+    <message>
+        <source>&amp;Open the project</source>
+        <translation>프로젝트 열기(&amp;O)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DifferenceModel</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>begin</source>
+        <translation>시작</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>끝</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 ~ %2</translation>
+    </message>
+    <message>
+        <source>Only one of the two has it</source>
+        <translation>둘 중 하나에만 있음</translation>
+    </message>
+    <message>
+        <source>%1: beyond the error (95 %)</source>
+        <translation>%1: 오차 초과(95 %)</translation>
+    </message>
+    <message>
+        <source>%1: within the error (95 %), no difference can be claimed</source>
+        <translation>%1: 오차 이내(95 %), 차이가 있다고 할 수 없음</translation>
+    </message>
+    <message>
+        <source>beyond the error</source>
+        <translation>오차 초과</translation>
+    </message>
+    <message>
+        <source>within the error</source>
+        <translation>오차 이내</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>차이</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DistanceChart</name>
+    <message>
+        <source>Speed along the way</source>
+        <translation>경로상의 속력</translation>
+    </message>
+    <message>
+        <source>Time difference along the way</source>
+        <translation>경로상의 시간차</translation>
+    </message>
+    <message>
+        <source>%1 · smoothed ±95 %</source>
+        <translation>%1 · 평활화 ±95 %</translation>
+    </message>
+    <message>
+        <source>s · above 0: %2 is later than %1 · ±95 % · grey: within the error</source>
+        <translation>s · 0보다 크면 %2이(가) %1보다 늦음 · ±95 % · 회색: 오차 이내</translation>
+    </message>
+    <message>
+        <source>s · above 0: later than %1 · ±95 % · grey: within the error</source>
+        <translation>s · 0보다 크면 %1보다 늦음 · ±95 % · 회색: 오차 이내</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DockGrip</name>
+    <message>
+        <source>Drag to move, double click to float</source>
+        <translation>끌어서 옮기고, 두 번 클릭하면 떼어 냅니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DoctorDialog</name>
+    <message>
+        <source>good</source>
+        <translation>양호</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>의심</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>나쁨</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>알 수 없음</translation>
+    </message>
+    <message>
+        <source>Set-up doctor</source>
+        <translation>장비 진단</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>진단 결과</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>다시 진단(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>진단 중…</translation>
+    </message>
+    <message>
+        <source>. What to do: %1.</source>
+        <translation>. 조치: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that would disturb a recording.</source>
+        <translation>녹화에 지장을 줄 만한 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is one thing to look at.</source>
+        <translation>살펴볼 것이 하나 있습니다.</translation>
+    </message>
+    <message>
+        <source>There are %1 things to look at, the worst first.</source>
+        <translation>살펴볼 것이 %1가지 있습니다. 가장 심각한 것이 먼저 나옵니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FigureGrid</name>
+    <message>
+        <source>Figures</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>No result yet: track the trial</source>
+        <translation>아직 결과 없음: 시행을 추적하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FigureText</name>
+    <message>
+        <source>Time</source>
+        <translation>시간</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>이동 거리</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>최고 속력</translation>
+    </message>
+    <message>
+        <source>Mean speed</source>
+        <translation>평균 속력</translation>
+    </message>
+    <message>
+        <source>Speed (RMS)</source>
+        <translation>속력(RMS)</translation>
+    </message>
+    <message>
+        <source>Top acceleration</source>
+        <translation>최대 가속도</translation>
+    </message>
+    <message>
+        <source>Acceleration (RMS)</source>
+        <translation>가속도(RMS)</translation>
+    </message>
+    <message>
+        <source>Straightness</source>
+        <translation>직진성</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>정지 횟수</translation>
+    </message>
+    <message>
+        <source>Fastest turn</source>
+        <translation>최대 선회율</translation>
+    </message>
+    <message>
+        <source>Start to finish</source>
+        <translation>출발~도착 시간</translation>
+    </message>
+    <message>
+        <source>Laps</source>
+        <translation>랩 수</translation>
+    </message>
+    <message>
+        <source>Best lap</source>
+        <translation>최고 랩</translation>
+    </message>
+    <message>
+        <source>Mean lap</source>
+        <translation>평균 랩</translation>
+    </message>
+    <message>
+        <source>Off the path (mean)</source>
+        <translation>경로 이탈(평균)</translation>
+    </message>
+    <message>
+        <source>Off the path (RMS)</source>
+        <translation>경로 이탈(RMS)</translation>
+    </message>
+    <message>
+        <source>Off the path (most)</source>
+        <translation>경로 이탈(최대)</translation>
+    </message>
+    <message>
+        <source>Left of the path</source>
+        <translation>경로 왼쪽 치우침</translation>
+    </message>
+    <message>
+        <source>Path completed</source>
+        <translation>경로 완주율</translation>
+    </message>
+    <message>
+        <source>Zones broken</source>
+        <translation>구역 위반 횟수</translation>
+    </message>
+    <message>
+        <source>Time beyond zones</source>
+        <translation>구역 위반 시간</translation>
+    </message>
+    <message>
+        <source>Beyond zones (most)</source>
+        <translation>구역 위반(최대)</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>변위</translation>
+    </message>
+    <message>
+        <source>Time in motion</source>
+        <translation>움직인 시간</translation>
+    </message>
+    <message>
+        <source>Views disagree by</source>
+        <translation>뷰 간 불일치</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>점수</translation>
+    </message>
+    <message>
+        <source>Spikes</source>
+        <translation>이상점</translation>
+    </message>
+    <message>
+        <source>Limits broken</source>
+        <translation>한계 초과</translation>
+    </message>
+    <message>
+        <source>Gates passed</source>
+        <translation>게이트 통과</translation>
+    </message>
+    <message>
+        <source>Robot&apos;s height</source>
+        <translation>로봇 높이</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FileActions</name>
+    <message>
+        <source>&amp;New project…</source>
+        <translation>새 프로젝트(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Open project…</source>
+        <translation>프로젝트 열기(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open &amp;demo lesson…</source>
+        <translation>데모 수업 열기(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Save a &amp;copy as…</source>
+        <translation>사본 저장(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>끝내기(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>최근 프로젝트(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>목록 지우기(&amp;C)</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>새 프로젝트</translation>
+    </message>
+    <message>
+        <source>Project.odo</source>
+        <translation>프로젝트.odo</translation>
+    </message>
+    <message>
+        <source>Odograph projects (*.odo)</source>
+        <translation>Odograph 프로젝트 (*.odo)</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>프로젝트 열기</translation>
+    </message>
+    <message>
+        <source>Odograph projects (*.odo);;All files (*)</source>
+        <translation>Odograph 프로젝트 (*.odo);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>Where shall the demo lesson be made?</source>
+        <translation>데모 수업을 어디에 만들까요?</translation>
+    </message>
+    <message>
+        <source>Odograph demo</source>
+        <translation>Odograph 데모</translation>
+    </message>
+    <message>
+        <source>Making the demo lesson</source>
+        <translation>데모 수업 만드는 중</translation>
+    </message>
+    <message>
+        <source>Copy of %1</source>
+        <translation>%1의 사본</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>사본 저장</translation>
+    </message>
+    <message>
+        <source>Saving a copy</source>
+        <translation>사본 저장 중</translation>
+    </message>
+    <message>
+        <source>A copy was saved as %1. Its videos stay where they are.</source>
+        <translation>사본을 %1에 저장했습니다. 동영상은 있던 자리에 그대로 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FilmStrip</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>빼기(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>실행 취소(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Pictures that count</source>
+        <translation>계산에 넣는 사진</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorMap</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>평면 지도</translation>
+    </message>
+    <message>
+        <source>Map: &amp;views&apos; disagreement</source>
+        <translation>지도: 뷰 간 불일치(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Map of the floor with the robots&apos; trails</source>
+        <translation>로봇의 자취가 표시된 바닥 지도</translation>
+    </message>
+    <message>
+        <source>What colours the trails of the map</source>
+        <translation>지도 자취의 색 기준</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>속력</translation>
+    </message>
+    <message>
+        <source>Disagreement</source>
+        <translation>불일치</translation>
+    </message>
+    <message>
+        <source>Disagreement of the views: %1</source>
+        <translation>뷰 간 불일치: %1</translation>
+    </message>
+    <message>
+        <source>coloured by</source>
+        <translation>색 기준</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorSketch</name>
+    <message>
+        <source>Sketch of the testbed from above</source>
+        <translation>위에서 본 테스트베드 약도</translation>
+    </message>
+    <message>
+        <source>%1 markers, %2 cameras</source>
+        <translation>마커 %1개, 카메라 %2대</translation>
+    </message>
+    <message>
+        <source>%1, %2 m high</source>
+        <translation>%1, 높이 %2 m</translation>
+    </message>
+    <message>
+        <source>Markers and cameras are drawn here once there is a layout or a registered camera.</source>
+        <translation>마커 배치나 정합된 카메라가 생기면 여기에 마커와 카메라를 그립니다.</translation>
+    </message>
+    <message>
+        <source>grid 0.5 m</source>
+        <translation>격자 0.5 m</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorSourcePage</name>
+    <message>
+        <source>Picture or video of the markers</source>
+        <translation>마커의 사진 또는 동영상</translation>
+    </message>
+    <message>
+        <source>Markers whose places on the floor are known tell where the camera stands. Four are enough, a fifth checks them. Afterwards the camera must not be moved.</source>
+        <translation>바닥에서의 위치를 아는 마커로 카메라가 있는 곳을 구합니다. 네 개면 충분하고, 다섯째는 검증에 쓰입니다. 이후에는 카메라를 움직이면 안 됩니다.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>카메라(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Marker &amp;layout</source>
+        <translation>마커 배치(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Where the markers are seen</source>
+        <translation>마커가 보이는 곳</translation>
+    </message>
+    <message>
+        <source>Its lens is measured.</source>
+        <translation>렌즈를 측정했습니다.</translation>
+    </message>
+    <message>
+        <source>Its lens was not measured: it is taken as free of distortion, and its focal length is estimated from the markers where they tell it.</source>
+        <translation>렌즈를 측정하지 않았습니다. 왜곡이 없다고 보고, 초점 거리는 마커로 알 수 있으면 추정합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorWizard</name>
+    <message>
+        <source>Register camera to the floor</source>
+        <translation>카메라를 바닥에 정합</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>저장(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The camera and its markers</source>
+        <translation>카메라와 마커</translation>
+    </message>
+    <message>
+        <source>The markers in the picture</source>
+        <translation>사진 속의 마커</translation>
+    </message>
+    <message>
+        <source>Looking for the markers…</source>
+        <translation>마커를 찾는 중…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::GateTable</name>
+    <message>
+        <source>start</source>
+        <translation>출발</translation>
+    </message>
+    <message>
+        <source>finish</source>
+        <translation>도착</translation>
+    </message>
+    <message>
+        <source>start and finish</source>
+        <translation>출발·도착</translation>
+    </message>
+    <message>
+        <source>split</source>
+        <translation>중간</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>제거(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Other way</source>
+        <translation>반대 방향(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>게이트</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>역할</translation>
+    </message>
+    <message>
+        <source>x₁, mm</source>
+        <translation>x₁, mm</translation>
+    </message>
+    <message>
+        <source>y₁, mm</source>
+        <translation>y₁, mm</translation>
+    </message>
+    <message>
+        <source>x₂, mm</source>
+        <translation>x₂, mm</translation>
+    </message>
+    <message>
+        <source>y₂, mm</source>
+        <translation>y₂, mm</translation>
+    </message>
+    <message>
+        <source>Gates in the order in which they are passed</source>
+        <translation>통과하는 순서대로 나열한 게이트</translation>
+    </message>
+    <message>
+        <source>&amp;Add gate</source>
+        <translation>게이트 추가(&amp;A)</translation>
+    </message>
+    <message>
+        <source>The chosen gate is passed the other way</source>
+        <translation>선택한 게이트의 통과 방향을 뒤집습니다</translation>
+    </message>
+    <message>
+        <source>Role of the gate</source>
+        <translation>게이트의 역할</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>중간 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::GeneralPage</name>
+    <message>
+        <source>Odograph shows it when it is started again.</source>
+        <translation>Odograph를 다시 시작하면 적용됩니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>언어(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Units of results</source>
+        <translation>결과 단위(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Floors and targets are set up in millimetres, as they are printed. Exported files have the units that their format asks for.</source>
+        <translation>바닥과 타깃은 인쇄 치수대로 밀리미터로 설정합니다. 내보낸 파일은 그 형식에서 정한 단위를 씁니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>테마(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Colours of maps</source>
+        <translation>지도 색(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Both can be told apart by people who do not see red or green, and in a print without colours.</source>
+        <translation>둘 다 적색이나 녹색을 구별하지 못하는 사람도, 흑백 인쇄에서도 구별할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Units of results</source>
+        <translation>결과 단위</translation>
+    </message>
+    <message>
+        <source>Millimetres and metres: mm, m, m/s</source>
+        <translation>밀리미터와 미터: mm, m, m/s</translation>
+    </message>
+    <message>
+        <source>Centimetres: cm, cm/s</source>
+        <translation>센티미터: cm, cm/s</translation>
+    </message>
+    <message>
+        <source>Inches and feet: in, ft, ft/s</source>
+        <translation>인치와 피트: in, ft, ft/s</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>언어</translation>
+    </message>
+    <message>
+        <source>As the computer has it</source>
+        <translation>컴퓨터 설정대로</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>테마</translation>
+    </message>
+    <message>
+        <source>As the desktop has it</source>
+        <translation>데스크톱 설정대로</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>밝게</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>어둡게</translation>
+    </message>
+    <message>
+        <source>Colours of maps</source>
+        <translation>지도 색</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HelpActions</name>
+    <message>
+        <source>&amp;Help on this page</source>
+        <translation>이 페이지 도움말(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;First lesson</source>
+        <translation>첫 수업(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>단축키(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About Odograph</source>
+        <translation>Odograph 정보(&amp;A)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HelpPanel</name>
+    <message>
+        <source>Help</source>
+        <translation>도움말</translation>
+    </message>
+    <message>
+        <source>Close the help (F1)</source>
+        <translation>도움말 닫기(F1)</translation>
+    </message>
+    <message>
+        <source>Close the help</source>
+        <translation>도움말 닫기</translation>
+    </message>
+    <message>
+        <source>Help on this page</source>
+        <translation>이 페이지 도움말</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HistoryActions</name>
+    <message>
+        <source>Import &amp;roster…</source>
+        <translation>명단 가져오기(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Changes of the project…</source>
+        <translation>프로젝트 변경 내역(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Import a roster: a table with the columns class and team, perhaps pseudonym</source>
+        <translation>명단을 가져옵니다. 학급(class)과 팀(team) 열이 있는 표이며, 가명(pseudonym) 열은 없어도 됩니다</translation>
+    </message>
+    <message>
+        <source>CSV tables (*.csv)</source>
+        <translation>CSV 표 (*.csv)</translation>
+    </message>
+    <message>
+        <source>The roster is imported. Teams that are new: %1, changed: %2, as before: %3.</source>
+        <translation>명단을 가져왔습니다. 새 팀: %1, 변경된 팀: %2, 그대로인 팀: %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Export %n trial(s): choose a folder</source>
+        <translation>
+            <numerusform>시행 %n개 내보내기: 폴더 선택</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exported trials: %1 of %2.</source>
+        <translation>내보낸 시행: %2개 중 %1개.</translation>
+    </message>
+    <message>
+        <source>Exporting %1 (%2 of %3)</source>
+        <translation>%1 내보내는 중(%2/%3)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Videos of %n trial(s)</source>
+        <translation>
+            <numerusform>시행 %n개의 동영상</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Videos made: %1 of %2.</source>
+        <translation>만든 동영상: %2개 중 %1개.</translation>
+    </message>
+    <message>
+        <source>Making the video of %1 (%2 of %3)</source>
+        <translation>%1의 동영상 만드는 중(%2/%3)</translation>
+    </message>
+    <message>
+        <source>Trials measured again: %1 of %2.</source>
+        <translation>다시 측정한 시행: %2개 중 %1개.</translation>
+    </message>
+    <message>
+        <source>Measuring %1 again (%2 of %3)</source>
+        <translation>%1 다시 측정하는 중(%2/%3)</translation>
+    </message>
+    <message>
+        <source>Emptying the bin</source>
+        <translation>휴지통 비우는 중</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) removed for good.</source>
+        <translation>
+            <numerusform>시행 %n개를 완전히 삭제했습니다.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n trial(s) removed for good; the rest is still there.</source>
+        <translation>
+            <numerusform>시행 %n개 중 %1개를 완전히 삭제했습니다. 나머지는 그대로 있습니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 could not be deleted; delete it by hand.</source>
+        <translation>%1을(를) 삭제할 수 없습니다. 직접 삭제하십시오.</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>외 %1개</translation>
+    </message>
+    <message>
+        <source>mend what stands there, and choose these trials again</source>
+        <translation>위의 문제를 해결한 뒤 이 시행들을 다시 선택하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HistoryPage</name>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>비교(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Teams by &amp;pseudonym</source>
+        <translation>팀을 가명으로(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Tria&amp;ls</source>
+        <translation>시행(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Tea&amp;ms</source>
+        <translation>팀(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Trials or teams</source>
+        <translation>시행 또는 팀</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>다시 측정(&amp;M)</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>내보내기(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>보고서(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Export &amp;videos…</source>
+        <translation>동영상 내보내기(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Search trials, teams, tasks, tags, notes…</source>
+        <translation>시행, 팀, 과제, 태그, 메모 검색…</translation>
+    </message>
+    <message>
+        <source>Search the trials</source>
+        <translation>시행 검색</translation>
+    </message>
+    <message>
+        <source>Searc&amp;h</source>
+        <translation>검색(&amp;H)</translation>
+    </message>
+    <message>
+        <source>%1 (archived)</source>
+        <translation>%1(보관됨)</translation>
+    </message>
+    <message>
+        <source>Compare the selected trials</source>
+        <translation>선택한 시행을 비교합니다</translation>
+    </message>
+    <message>
+        <source>Select two trials or more (Ctrl or Shift and a click)</source>
+        <translation>시행을 두 개 이상 선택하십시오(Ctrl 또는 Shift를 누른 채 클릭)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>시행 %n개</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n trial(s)</source>
+        <translation>
+            <numerusform>시행 %n개 중 %1개</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportTracksDialog</name>
+    <message>
+        <source>Add &amp;robot</source>
+        <translation>로봇 추가(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Import finished tracks</source>
+        <translation>완성된 궤적 가져오기</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>Positions that another program has measured, or Odograph has exported: TUM, CSV or Tracker&apos;s text. They are measured as a run without video.</source>
+        <translation>다른 프로그램이 측정했거나 Odograph가 내보낸 위치: TUM, CSV 또는 Tracker 텍스트. 동영상이 없는 주행으로 측정합니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>이름(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Team</source>
+        <translation>팀(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>과제(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>궤적</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>가져오기</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>파일</translation>
+    </message>
+    <message>
+        <source>Robot of track %1</source>
+        <translation>궤적 %1의 로봇</translation>
+    </message>
+    <message>
+        <source>A name that is new makes a new robot</source>
+        <translation>새로운 이름을 쓰면 새 로봇이 생깁니다</translation>
+    </message>
+    <message>
+        <source>File of track %1</source>
+        <translation>궤적 %1의 파일</translation>
+    </message>
+    <message>
+        <source>Tracks (*.csv *.txt *.tum *.tsv);;All files (*)</source>
+        <translation>궤적 (*.csv *.txt *.tum *.tsv);;모든 파일 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportTrialDialog</name>
+    <message>
+        <source>Robots in the trial</source>
+        <translation>시행의 로봇</translation>
+    </message>
+    <message>
+        <source>Add &amp;view</source>
+        <translation>뷰 추가(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Camera&apos;s real &amp;rate</source>
+        <translation>실제 프레임 속도(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Import trial from videos</source>
+        <translation>동영상에서 시행 가져오기</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>이름(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>팀(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>과제(&amp;K)</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>로봇(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Videos</source>
+        <translation>동영상</translation>
+    </message>
+    <message>
+        <source>In &amp;step</source>
+        <translation>동기(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>가져오기</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>Video file</source>
+        <translation>동영상 파일</translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> fps</translation>
+    </message>
+    <message>
+        <source>Camera&apos;s real rate</source>
+        <translation>카메라의 실제 프레임 속도</translation>
+    </message>
+    <message>
+        <source>For slow motion: the file plays slower than the camera took it</source>
+        <translation>슬로 모션용: 파일이 촬영할 때보다 느리게 재생됩니다</translation>
+    </message>
+    <message>
+        <source>Camera of view %1</source>
+        <translation>뷰 %1의 카메라</translation>
+    </message>
+    <message>
+        <source>Video of view %1</source>
+        <translation>뷰 %1의 동영상</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;All files (*)</source>
+        <translation>동영상 (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>Registration of the camera of view %1</source>
+        <translation>뷰 %1 카메라의 정합</translation>
+    </message>
+</context>
+<context>
+    <name>odo::JobIndicator</name>
+    <message>
+        <source>Cancel</source>
+        <translation>취소</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>진행 상황</translation>
+    </message>
+    <message>
+        <source>Cancel the running job</source>
+        <translation>실행 중인 작업 취소</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>멈추는 중…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::JointDialog</name>
+    <message>
+        <source>Camera</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>Known to, before</source>
+        <translation>오차(이전)</translation>
+    </message>
+    <message>
+        <source>Known to, together</source>
+        <translation>오차(함께)</translation>
+    </message>
+    <message>
+        <source>Moves by</source>
+        <translation>이동량</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>마커</translation>
+    </message>
+    <message>
+        <source>Off by, mm</source>
+        <translation>어긋남, mm</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>마커</translation>
+    </message>
+    <message>
+        <source>Register all cameras together</source>
+        <translation>모든 카메라 함께 정합</translation>
+    </message>
+    <message>
+        <source>The cameras of layout %1 are fitted again at once, by the markers they were registered with: where they see the same markers, they agree better afterwards, and a marker that was measured wrongly is found.</source>
+        <translation>배치 %1의 카메라들을 정합에 쓴 마커로 한꺼번에 다시 맞춥니다. 같은 마커를 보는 카메라끼리 더 잘 일치하게 되고, 잘못 잰 마커도 찾아냅니다.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Error of the tape measure</source>
+        <translation>줄자의 오차</translation>
+    </message>
+    <message>
+        <source>The markers&apos; places were &amp;measured to</source>
+        <translation>마커 위치 측정 오차(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Fitting the cameras together…</source>
+        <translation>카메라들을 함께 맞추는 중…</translation>
+    </message>
+    <message>
+        <source>What is known together reckons with the markers&apos; places being measured to %1 mm, which a camera that is registered by itself takes as exact. Nothing is changed before you save; trials keep the registration they were analysed with.</source>
+        <translation>함께 구한 오차는 마커 위치를 %1 mm 오차로 쟀다고 보고 계산한 것이며, 카메라를 따로 정합할 때는 마커 위치가 정확하다고 봅니다. 저장하기 전에는 아무것도 바뀌지 않으며, 시행은 분석에 쓴 정합을 그대로 유지합니다.</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>measure it again</source>
+        <translation>다시 재십시오</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>맞음</translation>
+    </message>
+</context>
+<context>
+    <name>odo::KeysPage</name>
+    <message>
+        <source>&amp;Use this key</source>
+        <translation>이 키 사용(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>키 없음(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;All as usual</source>
+        <translation>모두 기본값으로(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Search for a command or a key</source>
+        <translation>명령 또는 키 검색</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>명령과 단축키</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>명령</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>키</translation>
+    </message>
+    <message>
+        <source>New key of the chosen command</source>
+        <translation>선택한 명령의 새 키</translation>
+    </message>
+    <message>
+        <source>Choose a command to give it another key.</source>
+        <translation>명령을 선택하여 다른 키를 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of “%2”, which would have none.</source>
+        <translation>%1은(는) “%2”의 키입니다. 사용하면 그 명령에는 키가 없어집니다.</translation>
+    </message>
+    <message>
+        <source>Press the new key in the field.</source>
+        <translation>입력란에서 새 키를 누르십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LayoutDialog</name>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>표 (*.csv *.txt);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>Marker layout</source>
+        <translation>마커 배치</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>바닥</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>문제점</translation>
+    </message>
+    <message>
+        <source>Where the markers lie on the floor, measured with a tape: millimetres from the origin. X goes to the right, Y away from you, seen from above.</source>
+        <translation>줄자로 잰 바닥의 마커 위치: 원점에서 잰 밀리미터 값입니다. 위에서 볼 때 X는 오른쪽, Y는 몸에서 멀어지는 쪽입니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>이름(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>취소</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>저장(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>이름표</translation>
+    </message>
+    <message>
+        <source>x, mm</source>
+        <translation>x, mm</translation>
+    </message>
+    <message>
+        <source>y, mm</source>
+        <translation>y, mm</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>마커</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>추가(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>제거(&amp;R)</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>축(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;CSV</source>
+        <translation>CSV(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Origin at the chosen marker</source>
+        <translation>선택한 마커를 원점으로(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Quarter turn</source>
+        <translation>90° 회전(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Half turn</source>
+        <translation>180° 회전(&amp;H)</translation>
+    </message>
+    <message>
+        <source>They were &amp;centimetres</source>
+        <translation>센티미터였음(&amp;C)</translation>
+    </message>
+    <message>
+        <source>They were &amp;metres</source>
+        <translation>미터였음(&amp;M)</translation>
+    </message>
+    <message>
+        <source>They were &amp;inches</source>
+        <translation>인치였음(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>가져오기(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <translation>마커 위치 (label,x_mm,y_mm)</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>내보내기(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Places of the markers</source>
+        <translation>마커 위치</translation>
+    </message>
+    <message>
+        <source>The layout has no name.</source>
+        <translation>배치의 이름이 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is a layout of that name: cameras may stand on it, so it is not overwritten. Give another name.</source>
+        <translation>같은 이름의 배치가 있습니다. 그 배치를 쓰는 카메라가 있을 수 있어 덮어쓰지 않습니다. 다른 이름을 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>A marker has no label.</source>
+        <translation>이름표가 없는 마커가 있습니다.</translation>
+    </message>
+    <message>
+        <source>Two markers are called %1.</source>
+        <translation>이름이 %1인 마커가 두 개입니다.</translation>
+    </message>
+    <message>
+        <source>The place of %1 is not a number.</source>
+        <translation>%1의 위치가 숫자가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Four markers are needed, there are %1.</source>
+        <translation>마커가 네 개 필요한데 %1개뿐입니다.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 lie at one place.</source>
+        <translation>%1과(와) %2이(가) 같은 위치에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.</source>
+        <translation>마커들이 거의 한 직선 위에 있어 카메라의 위치를 구할 수 없습니다. 하나를 옆으로 옮기십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LayoutDrawing</name>
+    <message>
+        <source>Markers from above</source>
+        <translation>위에서 본 마커</translation>
+    </message>
+    <message>
+        <source>grid 0.5 m</source>
+        <translation>격자 0.5 m</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LengthPage</name>
+    <message>
+        <source>Take what lies &amp;near a click</source>
+        <translation>클릭한 곳 근처의 표식에 맞춤(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Picture with both ends; arrow keys move the chosen one, Space snaps it</source>
+        <translation>양 끝이 보이는 사진; 화살표 키로 선택한 끝을 옮기고 Space로 표식에 맞춥니다</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>Measured length</source>
+        <translation>측정한 길이</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>알 수 없음</translation>
+    </message>
+    <message>
+        <source>True length</source>
+        <translation>실제 길이</translation>
+    </message>
+    <message>
+        <source>Unit of the true length</source>
+        <translation>실제 길이의 단위</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>lies on the floor</source>
+        <translation>바닥에 놓임</translation>
+    </message>
+    <message>
+        <source>&amp;True length</source>
+        <translation>실제 길이(&amp;T)</translation>
+    </message>
+    <message>
+        <source>H&amp;eight</source>
+        <translation>높이(&amp;E)</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>끝점</translation>
+    </message>
+    <message>
+        <source>Seen as</source>
+        <translation>인식한 것</translation>
+    </message>
+    <message>
+        <source>On the floor, mm</source>
+        <translation>바닥 위치, mm</translation>
+    </message>
+    <message>
+        <source>Ends of the length</source>
+        <translation>길이의 양 끝점</translation>
+    </message>
+    <message>
+        <source>Both ends</source>
+        <translation>양 끝점</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>잰 물체</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>측정 결과</translation>
+    </message>
+    <message>
+        <source>Lay something of known length anywhere on the floor, a metre stick or two markers of known distance, and click both its ends. By keys: the arrows move an end (Ctrl: fast, Shift: a pixel), Space snaps it.</source>
+        <translation>1 m 자나 간격을 아는 두 마커처럼 길이를 아는 것을 바닥 아무 데나 놓고 양 끝을 클릭하십시오. 키보드: 화살표로 끝점을 옮기고(Ctrl: 빠르게, Shift: 1픽셀), Space로 표식에 맞춥니다.</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 mm</source>
+        <translation>%1 ± %2 mm</translation>
+    </message>
+    <message>
+        <source>inside the expected error</source>
+        <translation>예상 오차 이내</translation>
+    </message>
+    <message>
+        <source>outside the expected error</source>
+        <translation>예상 오차 초과</translation>
+    </message>
+    <message>
+        <source> Give its true length to see whether that is right.</source>
+        <translation> 실제 길이를 입력하면 맞는지 확인할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>beyond the horizon</source>
+        <translation>지평선 너머</translation>
+    </message>
+    <message>
+        <source>not put yet</source>
+        <translation>아직 지정 안 됨</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LengthWizard</name>
+    <message>
+        <source>Check a known length</source>
+        <translation>길이 검증</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>완료(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Picture or video of the length</source>
+        <translation>길이를 잴 사진 또는 동영상</translation>
+    </message>
+    <message>
+        <source>The camera and its picture</source>
+        <translation>카메라와 사진</translation>
+    </message>
+    <message>
+        <source>Both ends of the length</source>
+        <translation>길이의 양 끝점</translation>
+    </message>
+    <message>
+        <source>Lay something of known length on the floor, away from the markers, and see whether the camera measures it as well as it promises. Nothing is changed by it.</source>
+        <translation>길이를 아는 것을 마커에서 떨어진 바닥에 놓고 카메라가 표시된 만큼 정확히 재는지 확인합니다. 이 검증으로 바뀌는 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>카메라(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Where the length is seen</source>
+        <translation>길이가 보이는 곳</translation>
+    </message>
+    <message>
+        <source>Getting the picture…</source>
+        <translation>사진을 가져오는 중…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensPicturesPage</name>
+    <message>
+        <source>Move it to the left of the picture</source>
+        <translation>화면 왼쪽으로 옮기십시오</translation>
+    </message>
+    <message>
+        <source>Move it to the right of the picture</source>
+        <translation>화면 오른쪽으로 옮기십시오</translation>
+    </message>
+    <message>
+        <source>Move it up</source>
+        <translation>위로 옮기십시오</translation>
+    </message>
+    <message>
+        <source>Move it down</source>
+        <translation>아래로 옮기십시오</translation>
+    </message>
+    <message>
+        <source>Closer to the camera</source>
+        <translation>카메라에 더 가까이</translation>
+    </message>
+    <message>
+        <source>Farther from the camera</source>
+        <translation>카메라에서 더 멀리</translation>
+    </message>
+    <message>
+        <source>Tilt it: the left side away from the camera</source>
+        <translation>기울이십시오: 왼쪽을 카메라에서 멀리</translation>
+    </message>
+    <message>
+        <source>Tilt it: the right side away from the camera</source>
+        <translation>기울이십시오: 오른쪽을 카메라에서 멀리</translation>
+    </message>
+    <message>
+        <source>Tilt it: the upper side away from the camera</source>
+        <translation>기울이십시오: 위쪽을 카메라에서 멀리</translation>
+    </message>
+    <message>
+        <source>Tilt it: the lower side away from the camera</source>
+        <translation>기울이십시오: 아래쪽을 카메라에서 멀리</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>움직이지 말고 들고 계십시오</translation>
+    </message>
+    <message>
+        <source>&amp;Take a picture now</source>
+        <translation>지금 사진 찍기(&amp;T)</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>할 일</translation>
+    </message>
+    <message>
+        <source>No picture from the camera</source>
+        <translation>카메라 영상이 없습니다</translation>
+    </message>
+    <message>
+        <source>Pictures that do not count</source>
+        <translation>계산에 넣지 않는 사진</translation>
+    </message>
+    <message>
+        <source>What the pictures cover</source>
+        <translation>사진이 덮은 범위</translation>
+    </message>
+    <message>
+        <source>Not counted</source>
+        <translation>제외됨</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera…</source>
+        <translation>카메라를 기다리는 중…</translation>
+    </message>
+    <message>
+        <source>Looking for the board…</source>
+        <translation>보드를 찾는 중…</translation>
+    </message>
+    <message>
+        <source>Hold the board before the camera</source>
+        <translation>보드를 카메라 앞에 드십시오</translation>
+    </message>
+    <message>
+        <source>Looking for the board</source>
+        <translation>보드를 찾는 중</translation>
+    </message>
+    <message>
+        <source>A picture is taken by itself whenever the board is still, sharp and in a new place.</source>
+        <translation>보드가 정지해 있고 선명하며 새로운 위치에 있을 때마다 저절로 사진을 찍습니다.</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>찍음</translation>
+    </message>
+    <message>
+        <source>Now the dashed outline shows where the board would help most.</source>
+        <translation>이제 점선 윤곽이 보드를 두면 가장 도움이 되는 곳을 나타냅니다.</translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <translation>%1장 남음</translation>
+    </message>
+    <message>
+        <source>No picture counts</source>
+        <translation>쓸 수 있는 사진이 없습니다</translation>
+    </message>
+    <message>
+        <source>The reasons stand at the right. Add others by dropping them here.</source>
+        <translation>이유는 오른쪽에 있습니다. 다른 사진을 여기에 끌어다 놓으십시오.</translation>
+    </message>
+    <message>
+        <source>Looked at all</source>
+        <translation>모두 살펴봄</translation>
+    </message>
+    <message>
+        <source>They are enough.</source>
+        <translation>충분합니다.</translation>
+    </message>
+    <message>
+        <source>More pictures can be dropped here; the bars show what is missing.</source>
+        <translation>사진을 여기에 더 끌어다 놓을 수 있습니다. 막대는 무엇이 모자라는지 나타냅니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensResultPage</name>
+    <message>
+        <source>ordinary</source>
+        <translation>일반</translation>
+    </message>
+    <message>
+        <source>wide (rational)</source>
+        <translation>광각(유리 함수)</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>어안</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 px</source>
+        <translation>%1 ± %2 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>계산 중</translation>
+    </message>
+    <message>
+        <source>Lens model chosen by itself</source>
+        <translation>렌즈 모델 자동 선택</translation>
+    </message>
+    <message>
+        <source>Ordinary lens</source>
+        <translation>일반 렌즈</translation>
+    </message>
+    <message>
+        <source>Wide lens (rational model)</source>
+        <translation>광각 렌즈(유리 함수 모델)</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>어안 렌즈</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>렌즈 모델</translation>
+    </message>
+    <message>
+        <source>Choose a bar to see its picture.</source>
+        <translation>막대를 선택하면 그 사진이 나옵니다.</translation>
+    </message>
+    <message>
+        <source>Stands here once the lens is known.</source>
+        <translation>렌즈를 알게 되면 여기에 나옵니다.</translation>
+    </message>
+    <message>
+        <source>Picture and &amp;residuals</source>
+        <translation>사진과 잔차(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Straightened</source>
+        <translation>왜곡 제거(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Error by picture</source>
+        <translation>사진별 오차</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>렌즈</translation>
+    </message>
+    <message>
+        <source>What is known of the lens</source>
+        <translation>렌즈 정보</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>계산 중…</translation>
+    </message>
+    <message>
+        <source>straight edges must be straight</source>
+        <translation>곧은 모서리는 곧게 보여야 합니다</translation>
+    </message>
+    <message>
+        <source>Storing the lens and its pictures…</source>
+        <translation>렌즈와 사진을 저장하는 중…</translation>
+    </message>
+    <message>
+        <source>The lens was not stored. %1</source>
+        <translation>렌즈를 저장하지 못했습니다. %1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>모델</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>사진</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2장 중 %1장</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>보드 오차</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>교차 검증 오차</translation>
+    </message>
+    <message>
+        <source>needs six pictures</source>
+        <translation>사진이 여섯 장 필요함</translation>
+    </message>
+    <message>
+        <source>Corners left out</source>
+        <translation>제외한 꼭짓점</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>초점 거리</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>중심 x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>중심 y</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensSourcePage</name>
+    <message>
+        <source>Be&amp;fore the camera: hold the board, pictures are taken by themselves</source>
+        <translation>카메라 앞에서: 보드를 들고 있으면 저절로 사진을 찍음(&amp;F)</translation>
+    </message>
+    <message>
+        <source>From &amp;pictures or a video that you have taken</source>
+        <translation>찍어 둔 사진이나 동영상에서(&amp;P)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Prin&amp;t a board…</source>
+        <translation>보드 인쇄(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>A flat board of squares, seen from many sides, tells how the lens draws. Checkerboard or ChArUco, of any size: which it is, is found out. Measure one square on the paper; it decides every later length. The lens must not be refocused or zoomed afterwards.</source>
+        <translation>정사각형이 그려진 평평한 보드를 여러 방향에서 보면 렌즈가 상을 맺는 방식을 알 수 있습니다. 체커보드든 ChArUco든 크기에 관계없이 종류는 자동으로 알아냅니다. 종이 위의 정사각형 하나를 재십시오. 이후의 모든 길이가 이 값으로 정해집니다. 그 뒤에는 렌즈의 초점이나 줌을 바꾸면 안 됩니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>카메라(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Side of a &amp;square, measured</source>
+        <translation>잰 정사각형 한 변(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Where the pictures of the board come from</source>
+        <translation>보드 사진을 얻을 곳</translation>
+    </message>
+    <message>
+        <source>Pictures and videos of the board</source>
+        <translation>보드의 사진과 동영상</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>추가(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>제거(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>Files can also be dropped here.</source>
+        <translation>파일을 여기에 끌어다 놓을 수도 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensWizard</name>
+    <message>
+        <source>Calibrate camera</source>
+        <translation>카메라 보정</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>저장(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The camera and the board</source>
+        <translation>카메라와 보드</translation>
+    </message>
+    <message>
+        <source>Pictures of the board</source>
+        <translation>보드 사진</translation>
+    </message>
+    <message>
+        <source>The lens</source>
+        <translation>렌즈</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LessonBar</name>
+    <message>
+        <source>Ne&amp;xt</source>
+        <translation>다음(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the lesson</source>
+        <translation>수업 나가기(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>수업</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>%1/%2단계</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>완료</translation>
+    </message>
+    <message>
+        <source>&amp;Finish</source>
+        <translation>마침(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>다음(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Skip</source>
+        <translation>건너뛰기(&amp;S)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveBoard</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>평면 지도</translation>
+    </message>
+    <message>
+        <source>How cameras, map and disk do</source>
+        <translation>카메라, 지도, 디스크의 상태</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>상태</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>카메라 %1</translation>
+    </message>
+    <message>
+        <source>Live picture of %1</source>
+        <translation>%1의 실시간 영상</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>정합 안 됨</translation>
+    </message>
+    <message>
+        <source>Opening the camera…</source>
+        <translation>카메라를 여는 중…</translation>
+    </message>
+    <message>
+        <source>live, sent to %1</source>
+        <translation>실시간, %1(으)로 전송</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>실시간</translation>
+    </message>
+    <message>
+        <source>Waiting for the first picture…</source>
+        <translation>첫 영상을 기다리는 중…</translation>
+    </message>
+    <message>
+        <source>No picture now</source>
+        <translation>지금은 영상 없음</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 fps</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveCameraBox</name>
+    <message>
+        <source>Camera that is connected</source>
+        <translation>연결된 카메라</translation>
+    </message>
+    <message>
+        <source>%1, %2×%3</source>
+        <translation>%1, %2×%3</translation>
+    </message>
+    <message>
+        <source>Looking for cameras…</source>
+        <translation>카메라를 찾는 중…</translation>
+    </message>
+    <message>
+        <source>No camera is connected</source>
+        <translation>연결된 카메라가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveMap</name>
+    <message>
+        <source>Map of the floor with the robots as they drive</source>
+        <translation>주행 중인 로봇이 표시된 바닥 지도</translation>
+    </message>
+    <message>
+        <source>No camera is registered to the floor, so that no place on it can be told</source>
+        <translation>바닥에 정합된 카메라가 없어 바닥의 위치를 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MainWindow</name>
+    <message>
+        <source>no project is open</source>
+        <translation>열린 프로젝트가 없습니다</translation>
+    </message>
+    <message>
+        <source>open the project that it belongs to</source>
+        <translation>해당 프로젝트를 여십시오</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>파일(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>편집(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Pr&amp;eferences…</source>
+        <translation>환경 설정(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>도움말(&amp;H)</translation>
+    </message>
+    <message>
+        <source>The pages follow when the project is opened again, for a recording goes on.</source>
+        <translation>녹화가 진행 중이므로 프로젝트를 다시 열 때 페이지에 반영됩니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MapArea</name>
+    <message>
+        <source>0 to %1 apart</source>
+        <translation>차이 0 ~ %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkActions</name>
+    <message>
+        <source>&amp;Star</source>
+        <translation>별표(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>보관(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>삭제(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Empty the bin…</source>
+        <translation>휴지통 비우기(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>star %1</source>
+        <translation>%1 별표 붙이기</translation>
+    </message>
+    <message>
+        <source>take the star off %1</source>
+        <translation>%1 별표 떼기</translation>
+    </message>
+    <message>
+        <source>star %1 trials</source>
+        <translation>시행 %1개 별표 붙이기</translation>
+    </message>
+    <message>
+        <source>take the star off %1 trials</source>
+        <translation>시행 %1개 별표 떼기</translation>
+    </message>
+    <message>
+        <source>archive %1</source>
+        <translation>%1 보관</translation>
+    </message>
+    <message>
+        <source>take %1 out of the archive</source>
+        <translation>%1 보관 해제</translation>
+    </message>
+    <message>
+        <source>archive %1 trials</source>
+        <translation>시행 %1개 보관</translation>
+    </message>
+    <message>
+        <source>take %1 trials out of the archive</source>
+        <translation>시행 %1개 보관 해제</translation>
+    </message>
+    <message>
+        <source>delete %1</source>
+        <translation>%1 삭제</translation>
+    </message>
+    <message>
+        <source>take %1 out of the bin</source>
+        <translation>%1 휴지통에서 복원</translation>
+    </message>
+    <message>
+        <source>delete %1 trials</source>
+        <translation>시행 %1개 삭제</translation>
+    </message>
+    <message>
+        <source>take %1 trials out of the bin</source>
+        <translation>시행 %1개 휴지통에서 복원</translation>
+    </message>
+    <message>
+        <source>Take the &amp;star off</source>
+        <translation>별표 떼기(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>보관 해제(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Put back</source>
+        <translation>복원(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Takes the selected trials out of the bin (Del)</source>
+        <translation>선택한 시행을 휴지통에서 꺼냅니다(Del)</translation>
+    </message>
+    <message>
+        <source>Puts the selected trials into the bin (Del); they can be put back</source>
+        <translation>선택한 시행을 휴지통에 넣습니다(Del). 복원할 수 있습니다</translation>
+    </message>
+    <message>
+        <source>change the tags of %1</source>
+        <translation>%1의 태그 변경</translation>
+    </message>
+    <message>
+        <source>Empty the bin</source>
+        <translation>휴지통 비우기</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n trial(s) for good?</source>
+        <translation>
+            <numerusform>시행 %n개를 완전히 삭제할까요?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Their videos (%1), measurements and results are removed from the disk. This cannot be undone.</source>
+        <translation>해당 동영상(%1)과 측정값과 결과가 디스크에서 삭제됩니다. 되돌릴 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove for good</source>
+        <translation>완전히 삭제(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkerCanvas</name>
+    <message>
+        <source>Picture with the markers; arrow keys move the chosen one</source>
+        <translation>마커가 보이는 사진; 화살표 키로 선택한 마커를 옮깁니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkerPage</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>빼기(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>실행 취소(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>마커</translation>
+    </message>
+    <message>
+        <source>Place, mm</source>
+        <translation>위치, mm</translation>
+    </message>
+    <message>
+        <source>Seen as</source>
+        <translation>인식한 것</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>오차</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>마커</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>찾음</translation>
+    </message>
+    <message>
+        <source>Choose a marker in the table and click where it is; what lies near the click is taken to the tenth of a pixel.</source>
+        <translation>표에서 마커를 선택하고 그 위치를 클릭하십시오. 클릭한 곳 근처의 표식에 10분의 1픽셀까지 맞춥니다.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>보이지 않음</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MessageBar</name>
+    <message>
+        <source>Close the message</source>
+        <translation>메시지 닫기</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>취소했습니다. 아무것도 바뀌지 않았습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MetricModel</name>
+    <message>
+        <source>Figure</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>값</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ModeBar</name>
+    <message>
+        <source>Modes</source>
+        <translation>모드</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MovedDialog</name>
+    <message>
+        <source>moved %1</source>
+        <translation>%1 이동함</translation>
+    </message>
+    <message>
+        <source>marker moved %1</source>
+        <translation>마커 %1 이동함</translation>
+    </message>
+    <message>
+        <source>has not moved</source>
+        <translation>이동하지 않음</translation>
+    </message>
+    <message>
+        <source>&amp;Check</source>
+        <translation>점검(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Register again…</source>
+        <translation>다시 정합(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Check the cameras</source>
+        <translation>카메라 점검</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>New picture</source>
+        <translation>새 사진</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>Registered cameras</source>
+        <translation>정합된 카메라</translation>
+    </message>
+    <message>
+        <source>A camera that was pushed measures wrongly and nothing shows it. Before the robots run, each camera&apos;s markers are looked for again in a new picture.</source>
+        <translation>부딪혀 밀린 카메라는 틀리게 측정하지만 겉으로는 드러나지 않습니다. 로봇이 주행하기 전에 새 사진에서 각 카메라의 마커를 다시 찾습니다.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>점검 결과</translation>
+    </message>
+    <message>
+        <source>New picture of camera %1</source>
+        <translation>카메라 %1의 새 사진</translation>
+    </message>
+    <message>
+        <source>Its newest recording</source>
+        <translation>최근 녹화</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>점검 안 함</translation>
+    </message>
+    <message>
+        <source>A picture or video…</source>
+        <translation>사진 또는 동영상…</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>looking…</source>
+        <translation>찾는 중…</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>판정 불가</translation>
+    </message>
+    <message>
+        <source>Two markers at least must be seen. Nothing is moved or changed by the check.</source>
+        <translation>마커가 두 개 이상 보여야 합니다. 점검으로 옮겨지거나 바뀌는 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Register %1 again…</source>
+        <translation>%1 다시 정합(&amp;R)…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::NetworkPage</name>
+    <message>
+        <source>&amp;Send live positions on the network</source>
+        <translation>실시간 위치를 네트워크로 보내기(&amp;S)</translation>
+    </message>
+    <message>
+        <source>%1: this machine only</source>
+        <translation>%1: 이 컴퓨터만</translation>
+    </message>
+    <message>
+        <source>%1: not there now</source>
+        <translation>%1: 지금은 없음</translation>
+    </message>
+    <message>
+        <source>The places of the robots that Record follows, as packets of SSL-Vision, for controllers and programs of your own. No name of a team or a robot is in them.</source>
+        <translation>녹화 화면에서 따라가는 로봇의 위치를 제어기나 자작 프로그램에서 쓰도록 SSL-Vision 패킷으로 보냅니다. 팀이나 로봇의 이름은 들어 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation>주소(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>포트(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Interface</source>
+        <translation>인터페이스(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Nothing is sent.</source>
+        <translation>아무것도 보내지 않습니다.</translation>
+    </message>
+    <message>
+        <source>This is no IPv4 address; write it like 224.5.23.2.</source>
+        <translation>IPv4 주소가 아닙니다. 224.5.23.2와 같이 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>They go to the one machine that has this address.</source>
+        <translation>이 주소를 가진 컴퓨터 한 대로만 보냅니다.</translation>
+    </message>
+    <message>
+        <source>They do not leave this machine.</source>
+        <translation>이 컴퓨터 밖으로 나가지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Whoever is on that network can read where the robots are.</source>
+        <translation>해당 네트워크에 있는 사람은 누구나 로봇의 위치를 읽을 수 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PathField</name>
+    <message>
+        <source>Browse…</source>
+        <translation>찾아보기…</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>찾아보기: %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PickColourDialog</name>
+    <message>
+        <source>Robot&apos;s colour from a picture</source>
+        <translation>사진에서 로봇 색 고르기</translation>
+    </message>
+    <message>
+        <source>Another &amp;video…</source>
+        <translation>다른 동영상(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>녹화(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Frame</source>
+        <translation>프레임(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Choose a video in which the robot is seen.</source>
+        <translation>로봇이 보이는 동영상을 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Take this colour</source>
+        <translation>이 색 사용</translation>
+    </message>
+    <message>
+        <source>Video in which the robot is seen</source>
+        <translation>로봇이 보이는 동영상</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mov *.mkv *.avi *.m4v);;All files (*)</source>
+        <translation>동영상 (*.mp4 *.mov *.mkv *.avi *.m4v);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1/%2</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s colour here: %1. It fills %2 % of the box.</source>
+        <translation>여기서 로봇의 색: %1. 상자의 %2 %를 차지합니다.</translation>
+    </message>
+    <message>
+        <source>Draw a box closely round the robot with the mouse; or with the arrow keys, which move the box, and with Shift make it larger or smaller.</source>
+        <translation>마우스로 로봇을 바짝 둘러싸는 상자를 그리십시오. 화살표 키로는 상자를 옮기고, Shift와 함께 누르면 크기를 바꿉니다.</translation>
+    </message>
+    <message>
+        <source>%1, camera %2</source>
+        <translation>%1, 카메라 %2</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureArea</name>
+    <message>
+        <source>No view</source>
+        <translation>뷰 없음</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>이 카메라는 이때 녹화하고 있지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureBars</name>
+    <message>
+        <source>Error of each picture, with a threshold</source>
+        <translation>사진별 오차와 기준값</translation>
+    </message>
+    <message>
+        <source>%1: %2 px</source>
+        <translation>%1: %2 px</translation>
+    </message>
+    <message>
+        <source>pictures; above %1 px they do not count</source>
+        <translation>사진; %1 px를 넘으면 계산에서 뺍니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureChoice</name>
+    <message>
+        <source>In the camera&apos;s &amp;newest recording</source>
+        <translation>카메라의 최근 녹화에서(&amp;N)</translation>
+    </message>
+    <message>
+        <source>In what a &amp;connected camera sees now</source>
+        <translation>연결된 카메라의 현재 영상에서(&amp;C)</translation>
+    </message>
+    <message>
+        <source>In a &amp;picture or video</source>
+        <translation>사진 또는 동영상에서(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PlannedCameraForm</name>
+    <message>
+        <source>Stands at x</source>
+        <translation>카메라 위치 x</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Stands at y</source>
+        <translation>카메라 위치 y</translation>
+    </message>
+    <message>
+        <source>Height of the camera</source>
+        <translation>카메라 높이</translation>
+    </message>
+    <message>
+        <source>Looks at x</source>
+        <translation>바라보는 곳 x</translation>
+    </message>
+    <message>
+        <source>Looks at y</source>
+        <translation>바라보는 곳 y</translation>
+    </message>
+    <message>
+        <source>Direction in which it looks</source>
+        <translation>바라보는 방향</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>화각</translation>
+    </message>
+    <message>
+        <source>0° is along X, 90° along Y; turning it turns the point that it looks at about the camera</source>
+        <translation>0°는 X축 방향, 90°는 Y축 방향입니다. 돌리면 바라보는 점이 카메라를 중심으로 돕니다</translation>
+    </message>
+    <message>
+        <source>Across the picture&apos;s width: a webcam has some 60° to 80°, a phone 65°</source>
+        <translation>영상의 가로 방향 화각: 웹캠은 약 60°~80°, 휴대전화는 65°</translation>
+    </message>
+    <message>
+        <source>Size of its pictures</source>
+        <translation>영상 크기</translation>
+    </message>
+    <message>
+        <source>&amp;Stands at x, y</source>
+        <translation>카메라 위치 x, y(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>높이(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Looks at x, y</source>
+        <translation>바라보는 곳 x, y(&amp;L)</translation>
+    </message>
+    <message>
+        <source>D&amp;irection</source>
+        <translation>방향(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Field of view</source>
+        <translation>화각(&amp;F)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>환경 설정</translation>
+    </message>
+    <message>
+        <source>Kinds of preferences</source>
+        <translation>환경 설정 종류</translation>
+    </message>
+    <message>
+        <source>&amp;General</source>
+        <translation>일반(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Reports</source>
+        <translation>보고서(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>단축키(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Network</source>
+        <translation>네트워크(&amp;N)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ProfileChart</name>
+    <message>
+        <source>Speed</source>
+        <translation>속력</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>가속도</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>진행 방향</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>선회율</translation>
+    </message>
+    <message>
+        <source>Position X</source>
+        <translation>위치 X</translation>
+    </message>
+    <message>
+        <source>Position Y</source>
+        <translation>위치 Y</translation>
+    </message>
+    <message>
+        <source>Quantity that the chart shows</source>
+        <translation>차트에 표시할 양</translation>
+    </message>
+    <message>
+        <source>smoothed ±95 %</source>
+        <translation>평활화 ±95 %</translation>
+    </message>
+    <message>
+        <source>measured points</source>
+        <translation>측정점</translation>
+    </message>
+    <message>
+        <source>1 spike</source>
+        <translation>이상점 1개</translation>
+    </message>
+    <message>
+        <source>%1 spikes</source>
+        <translation>이상점 %1개</translation>
+    </message>
+    <message>
+        <source>along the path</source>
+        <translation>경로 방향</translation>
+    </message>
+    <message>
+        <source>of the motion, anticlockwise from X</source>
+        <translation>움직임의 방향, X축에서 반시계 방향</translation>
+    </message>
+    <message>
+        <source>anticlockwise positive</source>
+        <translation>반시계 방향이 양</translation>
+    </message>
+    <message>
+        <source>Chart: %1 against time</source>
+        <translation>차트: 시간에 따른 %1</translation>
+    </message>
+    <message>
+        <source>Chart: %1 against the distance</source>
+        <translation>차트: 거리에 따른 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RangeCard</name>
+    <message>
+        <source>Range</source>
+        <translation>범위</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>피팅(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Figures of the range</source>
+        <translation>범위의 지표</translation>
+    </message>
+    <message>
+        <source>Robot whose range is shown</source>
+        <translation>범위를 표시할 로봇</translation>
+    </message>
+    <message>
+        <source>What is fitted to the curve</source>
+        <translation>곡선에 피팅할 함수</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>상수</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>직선</translation>
+    </message>
+    <message>
+        <source>parabola</source>
+        <translation>포물선</translation>
+    </message>
+    <message>
+        <source>Quantity that is fitted</source>
+        <translation>피팅할 양</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RecordPage</name>
+    <message>
+        <source>No camera is connected</source>
+        <translation>연결된 카메라가 없습니다</translation>
+    </message>
+    <message>
+        <source>Connect a camera, or two, and look again. One that is connected and not found is a case for the set-up doctor.</source>
+        <translation>카메라를 한 대나 두 대 연결하고 다시 찾으십시오. 연결했는데도 찾지 못하면 장비 진단을 실행하십시오.</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>다시 찾기</translation>
+    </message>
+    <message>
+        <source>Set-up doctor…</source>
+        <translation>장비 진단…</translation>
+    </message>
+    <message>
+        <source>Choose &amp;cameras…</source>
+        <translation>카메라 선택(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Cameras…</source>
+        <translation>카메라…</translation>
+    </message>
+    <message>
+        <source>Choose which connected device is which camera of the project</source>
+        <translation>연결된 장치가 각각 프로젝트의 어느 카메라인지 지정합니다</translation>
+    </message>
+    <message>
+        <source>Set-up &amp;doctor…</source>
+        <translation>장비 진단(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Doctor…</source>
+        <translation>진단…</translation>
+    </message>
+    <message>
+        <source>Look for what makes cameras lose pictures, or measure wrongly, with advice</source>
+        <translation>카메라의 영상 누락이나 잘못된 측정의 원인을 찾아 조치를 안내합니다</translation>
+    </message>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 측정을 마쳤습니다.</translation>
+    </message>
+    <message>
+        <source>It is recorded, but could not be measured: %1</source>
+        <translation>녹화했으나 측정하지 못했습니다: %1</translation>
+    </message>
+    <message>
+        <source>%1 is recorded.</source>
+        <translation>%1 녹화를 마쳤습니다.</translation>
+    </message>
+    <message>
+        <source>It could not be recorded: %1</source>
+        <translation>녹화하지 못했습니다: %1</translation>
+    </message>
+    <message>
+        <source>Give the trial a name</source>
+        <translation>시행의 이름을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RegistrationVerdict</name>
+    <message>
+        <source>Where the camera stands</source>
+        <translation>카메라가 있는 곳</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>It stands at x %1 m, y %2 m, %3 m above the floor.</source>
+        <translation>카메라는 x %1 m, y %2 m, 바닥에서 높이 %3 m에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The registration was not stored. %1</source>
+        <translation>정합을 저장하지 못했습니다. %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportActions</name>
+    <message>
+        <source>The trial %1</source>
+        <translation>시행 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>보고서(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>The comparison of %1 and %2</source>
+        <translation>%1과(와) %2의 비교</translation>
+    </message>
+    <message>
+        <source>A class</source>
+        <translation>학급</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s), a page each</source>
+        <translation>
+            <numerusform>시행 %n개, 한 쪽씩</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>보고서</translation>
+    </message>
+    <message>
+        <source>there is no trial yet</source>
+        <translation>아직 시행이 없습니다</translation>
+    </message>
+    <message>
+        <source>import or record one first</source>
+        <translation>먼저 시행을 가져오거나 녹화하십시오</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>보고서 저장</translation>
+    </message>
+    <message>
+        <source>PDF files (*.pdf)</source>
+        <translation>PDF 파일 (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>보고서를 %1에 저장했습니다.</translation>
+    </message>
+    <message>
+        <source>The report is with the printer %1.</source>
+        <translation>보고서를 프린터 %1(으)로 보냈습니다.</translation>
+    </message>
+    <message>
+        <source>Making the report</source>
+        <translation>보고서 만드는 중</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportDialog</name>
+    <message>
+        <source>A page for each &amp;team</source>
+        <translation>팀마다 한 쪽씩(&amp;T)</translation>
+    </message>
+    <message>
+        <source>A second page with the &amp;method</source>
+        <translation>둘째 쪽에 방법 싣기(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>PDF로 저장(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>인쇄(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>보고서</translation>
+    </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>학급(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Task</source>
+        <translation>과제(&amp;T)</translation>
+    </message>
+    <message>
+        <source>The usual one</source>
+        <translation>주된 과제</translation>
+    </message>
+    <message>
+        <source>&amp;Figure</source>
+        <translation>지표(&amp;F)</translation>
+    </message>
+    <message>
+        <source>What tells most</source>
+        <translation>가장 뜻있는 지표</translation>
+    </message>
+    <message>
+        <source>Report &amp;of</source>
+        <translation>보고 대상(&amp;O)</translation>
+    </message>
+    <message>
+        <source>P&amp;aper</source>
+        <translation>용지(&amp;A)</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>레터</translation>
+    </message>
+    <message>
+        <source>School, &amp;logo and wording…</source>
+        <translation>학교, 로고, 문구(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>There is nothing to print yet.</source>
+        <translation>아직 인쇄할 것이 없습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation>
+            <numerusform>%n쪽</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The first %n page(s); the file has all of them.</source>
+        <translation>
+            <numerusform>처음 %n쪽입니다. 파일에는 모두 들어 있습니다.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportPreview</name>
+    <message>
+        <source>Preview of the pages</source>
+        <translation>쪽 미리 보기</translation>
+    </message>
+    <message>
+        <source>The pages are being painted…</source>
+        <translation>쪽을 그리는 중…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation>
+            <numerusform>%n쪽</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportsPage</name>
+    <message>
+        <source>&amp;School</source>
+        <translation>학교(&amp;S)</translation>
+    </message>
+    <message>
+        <source>stands at the head of each page</source>
+        <translation>각 쪽의 머리에 나옵니다</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>로고</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
+        <translation>그림 (*.png *.jpg *.jpeg *.svg)</translation>
+    </message>
+    <message>
+        <source>&amp;Logo</source>
+        <translation>로고(&amp;L)</translation>
+    </message>
+    <message>
+        <source>How the logo looks</source>
+        <translation>로고 모양</translation>
+    </message>
+    <message>
+        <source>&amp;At the foot</source>
+        <translation>쪽 아래(&amp;A)</translation>
+    </message>
+    <message>
+        <source>for example: who answers questions</source>
+        <translation>예: 문의할 곳</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReprocessDialog</name>
+    <message>
+        <source>none</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>다시 측정(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>유지(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Measure trials again</source>
+        <translation>시행 다시 측정</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>이전</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>이후</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>변화</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>바뀌는 것</translation>
+    </message>
+    <message>
+        <source>What changes, in words</source>
+        <translation>바뀌는 것(글)</translation>
+    </message>
+    <message>
+        <source>What was seen in the videos stays as it is; where it lies on the floor is computed with the registrations in force now. Look at what changes, then keep it or not: the older analysis stays in the project too.</source>
+        <translation>동영상에서 본 것은 그대로 두고, 바닥의 어디인지를 지금 적용 중인 정합으로 계산합니다. 무엇이 바뀌는지 보고 유지할지 정하십시오. 이전 분석도 프로젝트에 남습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Trial</source>
+        <translation>시행(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>%1 (measured with an older registration)</source>
+        <translation>%1(이전 정합으로 측정됨)</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>측정 중…</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Kept: the new analysis of %1 is the current one.</source>
+        <translation>유지했습니다. %1의 새 분석이 현재 분석입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultPanel</name>
+    <message>
+        <source>Result</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>Robot whose result is shown</source>
+        <translation>결과를 표시할 로봇</translation>
+    </message>
+    <message>
+        <source>robot “%1”</source>
+        <translation>로봇 “%1”</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReviewColumn</name>
+    <message>
+        <source>Trial</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>Facts of the trial</source>
+        <translation>시행 정보</translation>
+    </message>
+    <message>
+        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and works out where it was and how fast.</source>
+        <translation>이 시행은 아직 추적하지 않았습니다. 추적은 동영상에서 로봇을 따라가며 어디에 있었고 얼마나 빨랐는지 구합니다.</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>추적…</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>결과</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReviewPage</name>
+    <message>
+        <source>No trials yet</source>
+        <translation>아직 시행이 없습니다</translation>
+    </message>
+    <message>
+        <source>A trial is one run of a robot. Bring in the videos that your cameras took of it, and it will be shown here.</source>
+        <translation>시행은 로봇의 주행 한 번입니다. 카메라로 찍은 동영상을 가져오면 여기에 나타납니다.</translation>
+    </message>
+    <message>
+        <source>Import trial from videos…</source>
+        <translation>동영상에서 시행 가져오기…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RevisionPicture</name>
+    <message>
+        <source>Picture that it was made from</source>
+        <translation>이것을 만든 사진</translation>
+    </message>
+    <message>
+        <source>Reading the picture…</source>
+        <translation>사진을 읽는 중…</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read.</source>
+        <translation>사진을 읽을 수 없습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RevisionsDialog</name>
+    <message>
+        <source>&amp;Use this one</source>
+        <translation>이 버전 사용(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Register with this lens</source>
+        <translation>이 렌즈로 정합(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Measure trials again…</source>
+        <translation>시행 다시 측정(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Calibrations and registrations</source>
+        <translation>보정과 정합</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>내용</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>만든 때</translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>출처</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>적용</translation>
+    </message>
+    <message>
+        <source>Revisions</source>
+        <translation>버전</translation>
+    </message>
+    <message>
+        <source>Puts the chosen revision in force for what is measured from now on; trials keep theirs</source>
+        <translation>선택한 버전을 앞으로의 측정에 적용합니다. 시행은 쓰던 버전을 유지합니다</translation>
+    </message>
+    <message>
+        <source>Computes the registration in force anew from the same markers, with the lens in force</source>
+        <translation>적용 중인 정합을 같은 마커와 적용 중인 렌즈로 새로 계산합니다</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>카메라(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>The camera is neither calibrated nor registered yet.</source>
+        <translation>이 카메라는 아직 보정도 정합도 하지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Calibration %1</source>
+        <translation>보정 %1</translation>
+    </message>
+    <message>
+        <source>Registration %1</source>
+        <translation>정합 %1</translation>
+    </message>
+    <message>
+        <source>in force</source>
+        <translation>적용 중</translation>
+    </message>
+    <message>
+        <source>No trial was measured with it.</source>
+        <translation>이것으로 측정한 시행이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Trials measured with it: %1.</source>
+        <translation>이것으로 측정한 시행: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is in force. The registrations keep the lens that they were made with: register the camera with this one.</source>
+        <translation>%1을(를) 적용했습니다. 기존 정합은 만들 때의 렌즈를 유지합니다. 이 렌즈로 카메라를 정합하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 is in force. Trials keep theirs until they are measured again.</source>
+        <translation>%1을(를) 적용했습니다. 시행은 다시 측정할 때까지 쓰던 것을 유지합니다.</translation>
+    </message>
+    <message>
+        <source>Registration %1 is in force: the same markers, with this lens. %2</source>
+        <translation>정합 %1을(를) 적용했습니다. 같은 마커를 이 렌즈로 계산했습니다. %2</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RobotDialog</name>
+    <message>
+        <source>Add robot</source>
+        <translation>로봇 추가</translation>
+    </message>
+    <message>
+        <source>Found from the views</source>
+        <translation>뷰에서 구함</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>직접 잼</translation>
+    </message>
+    <message>
+        <source>Changes while it runs (ramp)</source>
+        <translation>주행 중 바뀜(경사로)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Height of the robot&apos;s top</source>
+        <translation>로봇 윗면의 높이</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>이름(&amp;N)</translation>
+    </message>
+    <message>
+        <source>From a &amp;picture…</source>
+        <translation>사진에서(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;Colour of its top</source>
+        <translation>윗면 색(&amp;C)</translation>
+    </message>
+    <message>
+        <source>In charts and maps; it is tracked by the colour of its top</source>
+        <translation>차트와 지도에 쓰는 색입니다. 추적에는 윗면 색을 씁니다</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn in</source>
+        <translation>표시 색(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Height of its top</source>
+        <translation>윗면 높이(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Colour of the robot&apos;s top</source>
+        <translation>로봇 윗면의 색</translation>
+    </message>
+    <message>
+        <source>Change robot</source>
+        <translation>로봇 변경</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RobotsDialog</name>
+    <message>
+        <source>found from the views</source>
+        <translation>뷰에서 구함</translation>
+    </message>
+    <message>
+        <source>changes while it runs</source>
+        <translation>주행 중 바뀜</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>추가(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit…</source>
+        <translation>편집(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>삭제(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Colour of its top</source>
+        <translation>윗면 색</translation>
+    </message>
+    <message>
+        <source>Drawn in</source>
+        <translation>표시 색</translation>
+    </message>
+    <message>
+        <source>Height of its top</source>
+        <translation>윗면 높이</translation>
+    </message>
+    <message>
+        <source>Length × width</source>
+        <translation>길이 × 너비</translation>
+    </message>
+    <message>
+        <source>Another colour or height counts from the next tracking on; what was measured before stays as it is.</source>
+        <translation>색이나 높이를 바꾸면 다음 추적부터 반영되며, 이미 측정한 것은 그대로 남습니다.</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>작업 결과</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>add robot %1</source>
+        <translation>로봇 %1 추가</translation>
+    </message>
+    <message>
+        <source>change robot %1</source>
+        <translation>로봇 %1 변경</translation>
+    </message>
+    <message>
+        <source>delete robot %1</source>
+        <translation>로봇 %1 삭제</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunCard</name>
+    <message>
+        <source>Up now</source>
+        <translation>현재 차례</translation>
+    </message>
+    <message>
+        <source>Robots that drive</source>
+        <translation>주행하는 로봇</translation>
+    </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>학급(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>팀(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>과제(&amp;K)</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>로봇(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Trial &amp;name</source>
+        <translation>시행 이름(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Be&amp;gins</source>
+        <translation>시작(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Laps</source>
+        <translation>랩 수(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Laps until it ends</source>
+        <translation>끝날 때까지의 랩 수</translation>
+    </message>
+    <message>
+        <source>Team that is up</source>
+        <translation>차례인 팀</translation>
+    </message>
+    <message>
+        <source>How the recording begins</source>
+        <translation>녹화 시작 방법</translation>
+    </message>
+    <message>
+        <source>no class</source>
+        <translation>학급 없음</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>no team</source>
+        <translation>팀 없음</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>바로</translation>
+    </message>
+    <message>
+        <source>after a countdown of %1 s</source>
+        <translation>카운트다운 %1초 뒤</translation>
+    </message>
+    <message>
+        <source>when the robot passes the start</source>
+        <translation>로봇이 출발을 지날 때</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunChooser</name>
+    <message>
+        <source>start gate</source>
+        <translation>출발 게이트</translation>
+    </message>
+    <message>
+        <source>onset of motion</source>
+        <translation>움직임 시작</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>거리</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>직접</translation>
+    </message>
+    <message>
+        <source>First run</source>
+        <translation>첫째 주행</translation>
+    </message>
+    <message>
+        <source>Second run</source>
+        <translation>둘째 주행</translation>
+    </message>
+    <message>
+        <source>The moment that counts as the same</source>
+        <translation>같은 때로 보는 순간</translation>
+    </message>
+    <message>
+        <source>Swap the two runs</source>
+        <translation>두 주행 맞바꾸기</translation>
+    </message>
+    <message>
+        <source>Further runs</source>
+        <translation>다른 주행</translation>
+    </message>
+    <message>
+        <source>&amp;Shift</source>
+        <translation>시간 이동(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Pla&amp;ce</source>
+        <translation>위치(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>자동</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>How much later the second run&apos;s moment lies</source>
+        <translation>둘째 주행의 그 순간이 얼마나 늦은지</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>where all have begun</source>
+        <translation>모두 출발한 곳</translation>
+    </message>
+    <message>
+        <source>How far along the way the runs are taken to be at the same time</source>
+        <translation>경로의 어디에서 주행들이 같은 시각에 있다고 볼지</translation>
+    </message>
+    <message>
+        <source>F&amp;irst</source>
+        <translation>첫째(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Seco&amp;nd</source>
+        <translation>둘째(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Align by</source>
+        <translation>정렬 기준(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>자동: %1</translation>
+    </message>
+    <message>
+        <source>There are no further runs</source>
+        <translation>다른 주행이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunResultCard</name>
+    <message>
+        <source>Result</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>&amp;Open in Review</source>
+        <translation>검토에서 열기(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The figures of a run stand here a moment after it has ended.</source>
+        <translation>주행이 끝나고 잠시 뒤에 그 지표가 여기에 나옵니다.</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>측정 중…</translation>
+    </message>
+    <message>
+        <source>Spikes flagged</source>
+        <translation>표시된 이상점</translation>
+    </message>
+    <message>
+        <source>From live tracking. The final figures come from the recording, in a moment.</source>
+        <translation>실시간 추적의 결과입니다. 최종 지표는 잠시 뒤 녹화에서 구합니다.</translation>
+    </message>
+    <message>
+        <source>Final, from every picture of the recording.</source>
+        <translation>최종 결과, 녹화의 모든 프레임에서 구함.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ScoringTable</name>
+    <message>
+        <source>Remo&amp;ve line</source>
+        <translation>줄 제거(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Each line gives all of its points where the figure is at the one bound or better, none at the other or worse, and evenly between them. Points below zero are a penalty.</source>
+        <translation>각 줄은 지표가 만점 기준과 같거나 그보다 좋으면 배점을 모두 주고, 0점 기준과 같거나 그보다 나쁘면 주지 않으며, 그 사이에서는 고르게 나누어 줍니다. 배점이 0보다 작으면 감점입니다.</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>All points at</source>
+        <translation>만점 기준</translation>
+    </message>
+    <message>
+        <source>None at</source>
+        <translation>0점 기준</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>배점</translation>
+    </message>
+    <message>
+        <source>Lines of the scoring</source>
+        <translation>채점 줄</translation>
+    </message>
+    <message>
+        <source>What the lines mean</source>
+        <translation>각 줄의 뜻</translation>
+    </message>
+    <message>
+        <source>&amp;Add line</source>
+        <translation>줄 추가(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Figure that counts</source>
+        <translation>채점할 지표</translation>
+    </message>
+    <message>
+        <source>Without a line, runs of the task are not scored.</source>
+        <translation>줄이 없으면 이 과제의 주행을 채점하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>In all %1 points.</source>
+        <translation>모두 %1점입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SeriesKey</name>
+    <message>
+        <source>Key to the lines</source>
+        <translation>선 범례</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SharedPointsPage</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>빼기(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>실행 취소(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Picture of the camera to register; arrow keys move the chosen point</source>
+        <translation>정합할 카메라의 사진; 화살표 키로 선택한 점을 옮깁니다</translation>
+    </message>
+    <message>
+        <source>Picture of the registered camera; arrow keys move the chosen point</source>
+        <translation>정합된 카메라의 사진; 화살표 키로 선택한 점을 옮깁니다</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>점</translation>
+    </message>
+    <message>
+        <source>Seen in</source>
+        <translation>보이는 곳</translation>
+    </message>
+    <message>
+        <source>On the floor, mm</source>
+        <translation>바닥 위치, mm</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>오차</translation>
+    </message>
+    <message>
+        <source>Points of the floor</source>
+        <translation>바닥의 점</translation>
+    </message>
+    <message>
+        <source>Camera %1, to be registered</source>
+        <translation>카메라 %1, 정합할 카메라</translation>
+    </message>
+    <message>
+        <source>Camera %1, registered</source>
+        <translation>카메라 %1, 정합됨</translation>
+    </message>
+    <message>
+        <source>P%1</source>
+        <comment>a point</comment>
+        <translation>P%1</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>카메라 %1</translation>
+    </message>
+    <message>
+        <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
+        <translation>왼쪽 사진에서 바닥의 한 점을 클릭하고, 오른쪽 사진에서 같은 점을 클릭하십시오. 클릭한 곳 근처의 표식에 10분의 1픽셀까지 맞춥니다. 화살표 키로 선택한 점을 옮기고 Space로 표식에 맞춥니다.</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>beyond the horizon</source>
+        <translation>지평선 너머</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>both pictures</source>
+        <translation>두 사진</translation>
+    </message>
+    <message>
+        <source>left only</source>
+        <translation>왼쪽만</translation>
+    </message>
+    <message>
+        <source>right only</source>
+        <translation>오른쪽만</translation>
+    </message>
+    <message>
+        <source>not put yet</source>
+        <translation>아직 지정 안 됨</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeActions</name>
+    <message>
+        <source>&amp;Use sample</source>
+        <translation>샘플 사용(&amp;U)</translation>
+    </message>
+    <message>
+        <source>What was measured at this moment is right and is to be used, whatever speaks against it</source>
+        <translation>이 순간의 측정값은 옳으며, 반하는 근거가 있더라도 사용합니다</translation>
+    </message>
+    <message>
+        <source>Mark as &amp;spike</source>
+        <translation>이상점으로 표시(&amp;S)</translation>
+    </message>
+    <message>
+        <source>What was measured at this moment is wrong and is not to be used</source>
+        <translation>이 순간의 측정값은 틀렸으며 사용하지 않습니다</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>자동(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Takes back what was said by hand at this moment</source>
+        <translation>이 순간에 직접 판정한 것을 되돌립니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeList</name>
+    <message>
+        <source>Spikes</source>
+        <translation>이상점</translation>
+    </message>
+    <message>
+        <source>Spikes with time and reason</source>
+        <translation>시간과 이유가 있는 이상점 목록</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeModel</name>
+    <message>
+        <source>none</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>%1 flagged</source>
+        <translation>%1개 표시됨</translation>
+    </message>
+    <message>
+        <source>%1 restored</source>
+        <translation>%1개 복원됨</translation>
+    </message>
+    <message>
+        <source>used, by hand</source>
+        <translation>사용, 직접 판정</translation>
+    </message>
+    <message>
+        <source>%1 (restored by hand)</source>
+        <translation>%1(직접 복원함)</translation>
+    </message>
+    <message>
+        <source>Restored by hand</source>
+        <translation>직접 복원함</translation>
+    </message>
+    <message>
+        <source>Flagged, not used for the curve</source>
+        <translation>표시됨, 곡선에 쓰지 않음</translation>
+    </message>
+    <message>
+        <source>Flagged, still used for the curve</source>
+        <translation>표시됨, 그래도 곡선에 씀</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>시간</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>이유</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StandingsModel</name>
+    <message>
+        <source>choose a task</source>
+        <translation>과제를 선택하십시오</translation>
+    </message>
+    <message>
+        <source>three trials at different times tell</source>
+        <translation>서로 다른 때의 시행 세 개로 알 수 있음</translation>
+    </message>
+    <message>
+        <source>within the spread (%1)</source>
+        <translation>산포 이내(%1)</translation>
+    </message>
+    <message>
+        <source>better: %1</source>
+        <translation>나아짐: %1</translation>
+    </message>
+    <message>
+        <source>worse: %1</source>
+        <translation>나빠짐: %1</translation>
+    </message>
+    <message>
+        <source>one trial</source>
+        <translation>시행 하나</translation>
+    </message>
+    <message>
+        <source>One more than the teams that are better beyond doubt: their medians differ by more than 1.96 σ. Runs of different tasks are not ranked</source>
+        <translation>확실히 더 나은 팀의 수에 1을 더한 값입니다. 중앙값 차이가 1.96 σ를 넘어야 확실한 것으로 봅니다. 서로 다른 과제의 주행은 순위를 매기지 않습니다</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>순위</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>학급</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>최고</translation>
+    </message>
+    <message>
+        <source>± from the spread of all teams&apos; trials</source>
+        <translation>±는 모든 팀 시행의 산포에서 구함</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>중앙값</translation>
+    </message>
+    <message>
+        <source>Repeatability: standard deviation of one trial about the line of progress</source>
+        <translation>반복성: 향상 추세선을 중심으로 한 시행 하나의 표준 편차</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>산포</translation>
+    </message>
+    <message>
+        <source>Change through the term by a straight line; beyond the spread by Student&apos;s test, 95 %</source>
+        <translation>직선으로 본 학기 중 변화; 산포를 넘는지는 스튜던트 t 검정(95 %)으로 판단</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>향상</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StartCard</name>
+    <message>
+        <source>Recording</source>
+        <translation>녹화</translation>
+    </message>
+    <message>
+        <source>&amp;Record or stop</source>
+        <translation>녹화 또는 정지(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Time recorded</source>
+        <translation>녹화한 시간</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>녹화</translation>
+    </message>
+    <message>
+        <source>Writing the last pictures…</source>
+        <translation>마지막 영상을 기록하는 중…</translation>
+    </message>
+    <message>
+        <source>F9 records, F9 stops</source>
+        <translation>F9로 녹화, F9로 정지</translation>
+    </message>
+    <message>
+        <source>F9 records, F9 stops; %1</source>
+        <translation>F9로 녹화, F9로 정지; %1</translation>
+    </message>
+    <message>
+        <source>Call off</source>
+        <translation>취소</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>%1초 뒤</translation>
+    </message>
+    <message>
+        <source>Get ready</source>
+        <translation>준비하십시오</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”; it is recorded from a second before</source>
+        <translation>“%1”에서 로봇을 기다리는 중; 1초 전부터 녹화합니다</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>정지</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StatusLine</name>
+    <message>
+        <source>No trial</source>
+        <translation>시행 없음</translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>아직 추적 안 함</translation>
+    </message>
+    <message>
+        <source>Analysis %1, Odograph %2</source>
+        <translation>분석 %1, Odograph %2</translation>
+    </message>
+    <message>
+        <source>Units of lengths, speeds and times; to be chosen in the preferences</source>
+        <translation>길이, 속력, 시간의 단위; 환경 설정에서 선택합니다</translation>
+    </message>
+    <message>
+        <source>No project is open</source>
+        <translation>열린 프로젝트가 없습니다</translation>
+    </message>
+    <message>
+        <source>Read only: nothing can be changed</source>
+        <translation>읽기 전용: 아무것도 바꿀 수 없습니다</translation>
+    </message>
+    <message>
+        <source>All changes saved</source>
+        <translation>모든 변경이 저장됨</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StepDialog</name>
+    <message>
+        <source>&lt; &amp;Back</source>
+        <translation>&lt; 뒤로(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>취소</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>%1/%2단계</translation>
+    </message>
+    <message>
+        <source>&amp;Next &gt;</source>
+        <translation>다음(&amp;N) &gt;</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TargetDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Inner corners along the board</source>
+        <translation>보드 가로 방향의 안쪽 꼭짓점 수</translation>
+    </message>
+    <message>
+        <source>Inner corners across the board</source>
+        <translation>보드 세로 방향의 안쪽 꼭짓점 수</translation>
+    </message>
+    <message>
+        <source>Print targets</source>
+        <translation>타깃 인쇄</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>PDF로 저장(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>인쇄(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Checkerboard</source>
+        <translation>체커보드</translation>
+    </message>
+    <message>
+        <source>ChArUco board</source>
+        <translation>ChArUco 보드</translation>
+    </message>
+    <message>
+        <source>Floor markers: tags</source>
+        <translation>바닥 마커: 태그</translation>
+    </message>
+    <message>
+        <source>Floor markers: rings</source>
+        <translation>바닥 마커: 고리</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>레터</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>&amp;Target</source>
+        <translation>타깃(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Pape&amp;r</source>
+        <translation>용지(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Inner corners</source>
+        <translation>안쪽 꼭짓점(&amp;I)</translation>
+    </message>
+    <message>
+        <source>S&amp;quare</source>
+        <translation>정사각형(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>크기(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>이름표(&amp;L)</translation>
+    </message>
+    <message>
+        <source>What is printed</source>
+        <translation>인쇄되는 것</translation>
+    </message>
+    <message>
+        <source>One sheet. Afterwards measure a square on the paper: printers often shrink by 2 to 4 %.</source>
+        <translation>한 장입니다. 인쇄한 뒤 종이에서 정사각형을 재십시오. 프린터는 흔히 2~4 % 작게 인쇄합니다.</translation>
+    </message>
+    <message>
+        <source>One sheet for each marker. A tag&apos;s number is the place of its label in the layout.</source>
+        <translation>마커마다 한 장입니다. 태그의 번호는 배치에서 그 이름표의 순서입니다.</translation>
+    </message>
+    <message>
+        <source>Save targets</source>
+        <translation>타깃 저장</translation>
+    </message>
+    <message>
+        <source>targets.pdf</source>
+        <translation>타깃.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>%1에 저장했습니다.</translation>
+    </message>
+    <message>
+        <source>Sent to the printer.</source>
+        <translation>프린터로 보냈습니다.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TargetPreview</name>
+    <message>
+        <source>Preview of the sheets</source>
+        <translation>인쇄물 미리 보기</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TaskCanvas</name>
+    <message>
+        <source>The task from above</source>
+        <translation>위에서 본 과제</translation>
+    </message>
+    <message>
+        <source>Drag a gate or one of its ends, a zone&apos;s edge or corner. Keys: Page Up and Down choose a gate or a zone, arrows move it (Shift: 100 mm, Ctrl: 1 mm), &lt; and &gt; turn it, + and − change its width</source>
+        <translation>게이트나 그 끝, 구역의 변이나 꼭짓점을 끄십시오. 키보드: Page Up과 Page Down으로 게이트나 구역을 고르고, 화살표로 옮기고(Shift: 100 mm, Ctrl: 1 mm), &lt;와 &gt;로 돌리고, +와 −로 폭을 바꿉니다</translation>
+    </message>
+    <message>
+        <source>Zone %1, %2: %3 mm</source>
+        <translation>구역 %1, %2: %3 mm</translation>
+    </message>
+    <message>
+        <source>No gate or zone is chosen</source>
+        <translation>게이트나 구역을 선택하지 않았습니다</translation>
+    </message>
+    <message>
+        <source>Gate %1 from %2, %3 to %4, %5</source>
+        <translation>게이트 %1: %2, %3에서 %4, %5까지</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TaskEditor</name>
+    <message>
+        <source>none</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>저장(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>&amp;Course</source>
+        <translation>코스(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Zones</source>
+        <translation>구역(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Sco&amp;ring</source>
+        <translation>채점(&amp;R)</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>문제점</translation>
+    </message>
+    <message>
+        <source>Import &amp;file…</source>
+        <translation>파일 가져오기(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>취소</translation>
+    </message>
+    <message>
+        <source>Take gates, path, limits and zones from a task file (JSON)</source>
+        <translation>과제 파일(JSON)에서 게이트, 경로, 한계, 구역을 가져옵니다</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>이름(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Speed limi&amp;t</source>
+        <translation>속력 한계(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Acceleration l&amp;imit</source>
+        <translation>가속도 한계(&amp;I)</translation>
+    </message>
+    <message>
+        <source>What no robot in the task can do: a measurement beyond it is a spike</source>
+        <translation>이 과제의 어떤 로봇도 넘을 수 없는 값: 이를 넘는 측정값은 이상점입니다</translation>
+    </message>
+    <message>
+        <source>Task file</source>
+        <translation>과제 파일</translation>
+    </message>
+    <message>
+        <source>Tasks (*.json *.yaml *.yml);;All files (*)</source>
+        <translation>과제 (*.json *.yaml *.yml);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>The task has no name.</source>
+        <translation>과제의 이름이 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is a task of that name. Give another name.</source>
+        <translation>같은 이름의 과제가 있습니다. 다른 이름을 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>A gate has no name.</source>
+        <translation>이름이 없는 게이트가 있습니다.</translation>
+    </message>
+    <message>
+        <source>A zone has no name.</source>
+        <translation>이름이 없는 구역이 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TasksDialog</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>새로 만들기(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit…</source>
+        <translation>편집(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy…</source>
+        <translation>복사(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>이름 변경(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>보관(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>삭제(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Measure them again</source>
+        <translation>다시 측정(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>What depends on the task</source>
+        <translation>과제에 딸린 것</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>작업 결과</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>템플릿</translation>
+    </message>
+    <message>
+        <source>Used by</source>
+        <translation>쓰는 곳</translation>
+    </message>
+    <message>
+        <source>An archived task is not offered any more; its trials, results and scores stay as they are</source>
+        <translation>보관된 과제는 더 이상 고를 수 없습니다. 그 시행, 결과, 점수는 그대로 남습니다</translation>
+    </message>
+    <message numerus="yes">
+        <source>Show %n archived task(s)</source>
+        <translation>
+            <numerusform>보관된 과제 %n개 표시</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>시행 %n개</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>earlier results</source>
+        <translation>이전 결과</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>%1, archived</source>
+        <translation>%1, 보관됨</translation>
+    </message>
+    <message>
+        <source>No task yet. New makes one from a template: its gates, path and scoring say what is to be driven, and how well it was.</source>
+        <translation>아직 과제가 없습니다. 새로 만들기는 템플릿으로 과제를 만듭니다. 과제의 게이트, 경로, 채점은 무엇을 주행해야 하고 얼마나 잘했는지를 정합니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The course as it was before it was changed: %n result(s) measured by it keep it.</source>
+        <translation>
+            <numerusform>변경하기 전의 코스입니다. 이 코스로 측정한 결과 %n개가 이것을 유지합니다.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) have this task.</source>
+        <translation>
+            <numerusform>이 과제의 시행이 %n개 있습니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No trial has this task.</source>
+        <translation>이 과제의 시행이 없습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</source>
+        <translation>
+            <numerusform>그중 %n개는 다른 코스로 측정했습니다. 게이트 통과 시각과 경로에서 떨어진 거리는 그 코스의 것이며, 다시 측정할 때까지 점수가 없습니다.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It is scored by %n figure(s).</source>
+        <translation>
+            <numerusform>지표 %n개로 채점합니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is not scored.</source>
+        <translation>채점하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>보관 해제(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Trials have this task, or were measured by it: it stays, so that their figures say what they were measured by</source>
+        <translation>이 과제의 시행이 있거나 이 과제로 측정한 시행이 있습니다. 지표를 무엇으로 측정했는지 알 수 있도록 과제를 남겨 둡니다</translation>
+    </message>
+    <message>
+        <source>Deletes the task (Del); Ctrl+Z takes it back</source>
+        <translation>과제를 삭제합니다(Del). Ctrl+Z로 되돌릴 수 있습니다</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</source>
+        <translation>
+            <numerusform>이 코스로 측정한 결과 %n개는 계속 유효합니다. 코스를 변경하면 그 결과를 위해 이전 버전을 남겨 둡니다. 시행은 새 코스로 넘어가며, 시간과 점수는 다시 측정하면 반영됩니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>add task %1</source>
+        <translation>과제 %1 추가</translation>
+    </message>
+    <message>
+        <source>change task %1</source>
+        <translation>과제 %1 변경</translation>
+    </message>
+    <message>
+        <source>Rename task</source>
+        <translation>과제 이름 변경</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>이름:</translation>
+    </message>
+    <message>
+        <source>rename task %1 to %2</source>
+        <translation>과제 이름 변경: %1 → %2</translation>
+    </message>
+    <message>
+        <source>archive task %1</source>
+        <translation>과제 %1 보관</translation>
+    </message>
+    <message>
+        <source>take task %1 out of the archive</source>
+        <translation>과제 %1 보관 해제</translation>
+    </message>
+    <message>
+        <source>delete task %1</source>
+        <translation>과제 %1 삭제</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TeamDialog</name>
+    <message>
+        <source>Robots of the team</source>
+        <translation>팀의 로봇</translation>
+    </message>
+    <message>
+        <source>Team %1</source>
+        <translation>팀 %1</translation>
+    </message>
+    <message>
+        <source>A name on each line</source>
+        <translation>한 줄에 이름 하나씩</translation>
+    </message>
+    <message>
+        <source>Members of the team, one on each line</source>
+        <translation>팀원, 한 줄에 한 명씩</translation>
+    </message>
+    <message>
+        <source>Record and importing propose these robots for the team&apos;s runs</source>
+        <translation>녹화와 가져오기에서 이 팀의 주행에 이 로봇들을 제안합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Members</source>
+        <translation>팀원(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Robots</source>
+        <translation>로봇(&amp;R)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n member(s)</source>
+        <translation>
+            <numerusform>팀원 %n명</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::TeamsPanel</name>
+    <message>
+        <source>Teams</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>학급</translation>
+    </message>
+    <message>
+        <source>All classes</source>
+        <translation>모든 학급</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>모든 과제</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>How the teams stand</source>
+        <translation>팀 순위표</translation>
+    </message>
+    <message>
+        <source>%1 (archived)</source>
+        <translation>%1(보관됨)</translation>
+    </message>
+    <message>
+        <source>No team has a figure here</source>
+        <translation>여기에 지표가 있는 팀이 없습니다</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n team(s)</source>
+        <translation>
+            <numerusform>%n팀</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>choose a task to rank them: runs of different tasks cannot be compared</source>
+        <translation>과제를 선택하면 순위를 매깁니다. 서로 다른 과제의 주행은 비교할 수 없습니다</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) left out: measured by another course; measure them again</source>
+        <translation>
+            <numerusform>시행 %n개 제외: 다른 코스로 측정됨. 다시 측정하십시오</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::TemplateForm</name>
+    <message>
+        <source>Straight line</source>
+        <translation>직선</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>원</translation>
+    </message>
+    <message>
+        <source>Figure eight</source>
+        <translation>8자</translation>
+    </message>
+    <message>
+        <source>Slalom</source>
+        <translation>슬랄롬</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>자유</translation>
+    </message>
+    <message>
+        <source>Te&amp;mplate</source>
+        <translation>템플릿(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Centre &amp;x</source>
+        <translation>중심 x(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Centre &amp;y</source>
+        <translation>중심 y(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>길이(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>폭(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The way it is driven: 0° along X, 90° along Y</source>
+        <translation>주행 방향: 0°는 X축 방향, 90°는 Y축 방향</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>방향(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Poles</source>
+        <translation>기둥(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Gates&apos; width</source>
+        <translation>게이트 폭(&amp;G)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Diam&amp;eter</source>
+        <translation>지름(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Start to finis&amp;h</source>
+        <translation>출발~도착 거리(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>높이(&amp;H)</translation>
+    </message>
+    <message>
+        <source>S&amp;wing, side to side</source>
+        <translation>좌우 흔들림 폭(&amp;W)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TestbedPage</name>
+    <message>
+        <source>From above</source>
+        <translation>위에서 본 모습</translation>
+    </message>
+    <message>
+        <source>expected &amp;accuracy</source>
+        <translation>예상 정확도(&amp;A)</translation>
+    </message>
+    <message>
+        <source>No cameras yet</source>
+        <translation>아직 카메라가 없습니다</translation>
+    </message>
+    <message>
+        <source>A testbed is a floor with markers and the cameras that watch it. Begin with the lens of the first camera, or with the places of the markers.</source>
+        <translation>테스트베드는 마커가 있는 바닥과 그 바닥을 보는 카메라들입니다. 첫 카메라의 렌즈나 마커의 위치부터 시작하십시오.</translation>
+    </message>
+    <message>
+        <source>Tas&amp;ks…</source>
+        <translation>과제(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>What is driven on this floor: gates, paths, limits, scoring</source>
+        <translation>이 바닥에서 주행할 것: 게이트, 경로, 한계, 채점</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>What is known of the camera</source>
+        <translation>카메라 정보</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>Marker layouts</source>
+        <translation>마커 배치</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>영상</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>카메라 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TestbedTools</name>
+    <message>
+        <source>&amp;Calibrate camera…</source>
+        <translation>카메라 보정(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>보정…</translation>
+    </message>
+    <message>
+        <source>Measure a camera&apos;s lens from pictures of a board</source>
+        <translation>보드 사진으로 카메라의 렌즈를 측정합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Register camera…</source>
+        <translation>카메라 정합(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Register…</source>
+        <translation>정합…</translation>
+    </message>
+    <message>
+        <source>Find where a camera stands from the floor markers</source>
+        <translation>바닥 마커로 카메라가 있는 곳을 구합니다</translation>
+    </message>
+    <message>
+        <source>Register t&amp;hrough another camera…</source>
+        <translation>다른 카메라를 통해 정합(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Through another…</source>
+        <translation>통해 정합…</translation>
+    </message>
+    <message>
+        <source>Find where a camera stands that sees no markers, from points of the floor that another camera sees as well</source>
+        <translation>마커가 보이지 않는 카메라가 있는 곳을, 다른 카메라에도 보이는 바닥의 점들로 구합니다</translation>
+    </message>
+    <message>
+        <source>Register all cameras to&amp;gether…</source>
+        <translation>모든 카메라 함께 정합(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>All together…</source>
+        <translation>함께 정합…</translation>
+    </message>
+    <message>
+        <source>Fit the cameras of the chosen layout at once, so that they agree, and find markers that were measured wrongly</source>
+        <translation>선택한 배치의 카메라들을 한꺼번에 맞추어 서로 일치하게 하고, 잘못 잰 마커를 찾습니다</translation>
+    </message>
+    <message>
+        <source>Import &amp;intrinsics…</source>
+        <translation>내부 파라미터 가져오기(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Import lens…</source>
+        <translation>렌즈 가져오기…</translation>
+    </message>
+    <message>
+        <source>Take a camera&apos;s lens from a ROS or OpenCV YAML file</source>
+        <translation>ROS나 OpenCV의 YAML 파일에서 카메라의 렌즈를 가져옵니다</translation>
+    </message>
+    <message>
+        <source>New marker &amp;layout…</source>
+        <translation>새 마커 배치(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>New layout…</source>
+        <translation>새 배치…</translation>
+    </message>
+    <message>
+        <source>Say where the markers lie, from the start or from the layout that is chosen</source>
+        <translation>마커의 위치를 처음부터, 또는 선택한 배치를 바탕으로 입력합니다</translation>
+    </message>
+    <message>
+        <source>Import &amp;marker layout…</source>
+        <translation>마커 배치 가져오기(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Import layout…</source>
+        <translation>배치 가져오기…</translation>
+    </message>
+    <message>
+        <source>Take the places of the markers from a table</source>
+        <translation>표에서 마커의 위치를 가져옵니다</translation>
+    </message>
+    <message>
+        <source>Print &amp;targets…</source>
+        <translation>타깃 인쇄(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>인쇄…</translation>
+    </message>
+    <message>
+        <source>Boards for the lens and markers for the floor, to scale</source>
+        <translation>렌즈용 보드와 바닥용 마커를 실제 크기로 인쇄합니다</translation>
+    </message>
+    <message>
+        <source>Camera %1 is calibrated. %2</source>
+        <translation>카메라 %1을(를) 보정했습니다. %2</translation>
+    </message>
+    <message>
+        <source>register camera %1</source>
+        <translation>카메라 %1 정합</translation>
+    </message>
+    <message>
+        <source>Camera %1 is registered. %2</source>
+        <translation>카메라 %1을(를) 정합했습니다. %2</translation>
+    </message>
+    <message>
+        <source>Camera %1 is registered through camera %2. %3</source>
+        <translation>카메라 %2을(를) 통해 카메라 %1을(를) 정합했습니다. %3</translation>
+    </message>
+    <message>
+        <source>The cameras of layout %1 are registered together. %2</source>
+        <translation>배치 %1의 카메라들을 함께 정합했습니다. %2</translation>
+    </message>
+    <message>
+        <source>Intrinsics of a camera</source>
+        <translation>카메라의 내부 파라미터</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml);;All files (*)</source>
+        <translation>보정 (*.yaml *.yml);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>Import intrinsics</source>
+        <translation>내부 파라미터 가져오기</translation>
+    </message>
+    <message>
+        <source>Camera:</source>
+        <translation>카메라:</translation>
+    </message>
+    <message>
+        <source>The lens of camera %1 was taken from %2.</source>
+        <translation>카메라 %1의 렌즈를 %2에서 가져왔습니다.</translation>
+    </message>
+    <message>
+        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <translation>마커 위치 (label,x_mm,y_mm)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>표 (*.csv *.txt);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>add layout %1</source>
+        <translation>배치 %1 추가</translation>
+    </message>
+    <message>
+        <source>Layout %1 has %2 markers.</source>
+        <translation>배치 %1에 마커가 %2개 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ThroughSourcePage</name>
+    <message>
+        <source>Picture or video of the camera to register</source>
+        <translation>정합할 카메라의 사진 또는 동영상</translation>
+    </message>
+    <message>
+        <source>Picture or video of the registered camera</source>
+        <translation>정합된 카메라의 사진 또는 동영상</translation>
+    </message>
+    <message>
+        <source>A camera cannot be registered through itself: choose two different ones.</source>
+        <translation>카메라를 자신을 통해 정합할 수는 없습니다. 서로 다른 두 카메라를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Camera to register</source>
+        <translation>정합할 카메라</translation>
+    </message>
+    <message>
+        <source>Registered camera</source>
+        <translation>정합된 카메라</translation>
+    </message>
+    <message>
+        <source>A camera that sees no markers can be registered by points of the floor that a registered camera sees as well: corners of tiles, ends of tape, screws. Four are enough, six or more spread over the common part are better. Neither camera may be moved afterwards.</source>
+        <translation>마커가 보이지 않는 카메라는 정합된 카메라에도 보이는 바닥의 점, 곧 타일 모서리, 테이프 끝, 나사 등으로 정합할 수 있습니다. 네 개면 충분하고, 함께 보이는 영역에 고루 퍼진 여섯 개 이상이면 더 좋습니다. 이후에는 두 카메라 모두 움직이면 안 됩니다.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera to register</source>
+        <translation>정합할 카메라(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Through camera</source>
+        <translation>통할 카메라(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Its picture</source>
+        <translation>그 카메라의 사진</translation>
+    </message>
+    <message>
+        <source>The registered camera&apos;s picture</source>
+        <translation>정합된 카메라의 사진</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ThroughWizard</name>
+    <message>
+        <source>Register through another camera</source>
+        <translation>다른 카메라를 통해 정합</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>저장(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Two cameras and their pictures</source>
+        <translation>두 카메라와 사진</translation>
+    </message>
+    <message>
+        <source>The same points in both pictures</source>
+        <translation>두 사진의 같은 점</translation>
+    </message>
+    <message>
+        <source>Getting the pictures…</source>
+        <translation>사진을 가져오는 중…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TimeSlider</name>
+    <message>
+        <source>Time of the trial</source>
+        <translation>시행의 시간</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Timeline</name>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>재생 또는 일시 정지(&amp;P)</translation>
+    </message>
+    <message>
+        <source>One frame &amp;back</source>
+        <translation>한 프레임 뒤로(&amp;B)</translation>
+    </message>
+    <message>
+        <source>One frame &amp;forward</source>
+        <translation>한 프레임 앞으로(&amp;F)</translation>
+    </message>
+    <message>
+        <source>One second back</source>
+        <translation>1초 뒤로</translation>
+    </message>
+    <message>
+        <source>One second forward</source>
+        <translation>1초 앞으로</translation>
+    </message>
+    <message>
+        <source>Play backwards, again: faster</source>
+        <translation>거꾸로 재생, 다시 누르면 더 빠르게</translation>
+    </message>
+    <message>
+        <source>&amp;Stop; held, the two beside go by one frame</source>
+        <translation>정지(&amp;S); 누른 채 양옆 키를 누르면 한 프레임씩</translation>
+    </message>
+    <message>
+        <source>Play forwards, again: faster</source>
+        <translation>앞으로 재생, 다시 누르면 더 빠르게</translation>
+    </message>
+    <message>
+        <source>To the first frame</source>
+        <translation>첫 프레임으로</translation>
+    </message>
+    <message>
+        <source>To the last frame</source>
+        <translation>마지막 프레임으로</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>반복(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Range beg&amp;ins here</source>
+        <translation>여기서 범위 시작(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Range &amp;ends here</source>
+        <translation>여기서 범위 끝(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the range</source>
+        <translation>범위 지우기(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TimelineBar</name>
+    <message>
+        <source>Time line</source>
+        <translation>타임라인</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>시간</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>프레임</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>재생 속도</translation>
+    </message>
+    <message>
+        <source>To the first frame (Home)</source>
+        <translation>첫 프레임으로(Home)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>재생(Space)</translation>
+    </message>
+    <message>
+        <source>To the last frame (End)</source>
+        <translation>마지막 프레임으로(End)</translation>
+    </message>
+    <message>
+        <source>no frames</source>
+        <translation>프레임 없음</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>프레임 %1/%2</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>일시 정지(Space)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrackDialog</name>
+    <message>
+        <source>Robots to follow</source>
+        <translation>따라갈 로봇</translation>
+    </message>
+    <message>
+        <source>Track %1</source>
+        <translation>%1 추적</translation>
+    </message>
+    <message>
+        <source>Kalman/RTS, noise from the data (best)</source>
+        <translation>칼만/RTS, 잡음은 데이터에서 추정(최선)</translation>
+    </message>
+    <message>
+        <source>Savitzky–Golay</source>
+        <translation>Savitzky–Golay</translation>
+    </message>
+    <message>
+        <source>Differences as in Tracker</source>
+        <translation>Tracker와 같은 차분</translation>
+    </message>
+    <message>
+        <source>None: raw differences</source>
+        <translation>없음: 원시 차분</translation>
+    </message>
+    <message>
+        <source>&amp;Robots</source>
+        <translation>로봇(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothing</source>
+        <translation>평활화(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>추적</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TransferActions</name>
+    <message>
+        <source>&amp;Pack into one file…</source>
+        <translation>한 파일로 묶기(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;Unpack a packed project…</source>
+        <translation>묶은 프로젝트 풀기(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Find &amp;lost videos…</source>
+        <translation>잃은 동영상 찾기(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Pack the project with its videos</source>
+        <translation>프로젝트를 동영상과 함께 묶기</translation>
+    </message>
+    <message>
+        <source>Packed projects (*%1)</source>
+        <translation>묶은 프로젝트 (*%1)</translation>
+    </message>
+    <message>
+        <source>Packing the project</source>
+        <translation>프로젝트 묶는 중</translation>
+    </message>
+    <message>
+        <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
+        <translation>프로젝트를 %1에 묶었습니다. 다른 곳에서는 &quot;묶은 프로젝트 풀기&quot;로 풉니다.</translation>
+    </message>
+    <message>
+        <source>Note: %1.</source>
+        <translation>참고: %1.</translation>
+    </message>
+    <message>
+        <source>Unpack a packed project</source>
+        <translation>묶은 프로젝트 풀기</translation>
+    </message>
+    <message>
+        <source>Packed projects (*%1);;All files (*)</source>
+        <translation>묶은 프로젝트 (*%1);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>Where shall the project be unpacked?</source>
+        <translation>프로젝트를 어디에 풀까요?</translation>
+    </message>
+    <message>
+        <source>Unpacking the project</source>
+        <translation>프로젝트 푸는 중</translation>
+    </message>
+    <message>
+        <source>In which folder, or below, may the lost videos lie?</source>
+        <translation>잃은 동영상이 어느 폴더나 그 아래에 있습니까?</translation>
+    </message>
+    <message>
+        <source>Looking for lost videos</source>
+        <translation>잃은 동영상 찾는 중</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lost videos were found, by their content.</source>
+        <translation>잃은 동영상 %2개 중 %1개를 내용으로 찾았습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrendChart</name>
+    <message>
+        <source>Progress of the team</source>
+        <translation>팀의 향상</translation>
+    </message>
+    <message>
+        <source>%1: %2 trials, progress: %3</source>
+        <translation>%1: 시행 %2개, 향상: %3</translation>
+    </message>
+    <message>
+        <source>No team is selected</source>
+        <translation>선택한 팀이 없습니다</translation>
+    </message>
+    <message>
+        <source>Select a team to see its trials through the term.</source>
+        <translation>팀을 선택하면 학기 중 시행이 나옵니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialActions</name>
+    <message>
+        <source>Trial %1</source>
+        <translation>시행 %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2 of %3 frames, spikes flagged: %4</source>
+        <translation>%1: %3프레임 중 %2프레임, 표시된 이상점: %4</translation>
+    </message>
+    <message>
+        <source>%1 is tracked: %2.</source>
+        <translation>%1 추적을 마쳤습니다: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is imported.</source>
+        <translation>%1을(를) 가져왔습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Import trial from videos…</source>
+        <translation>동영상에서 시행 가져오기(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Import finished tra&amp;cks…</source>
+        <translation>완성된 궤적 가져오기(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Track…</source>
+        <translation>추적(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>내보내기(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Export &amp;video…</source>
+        <translation>동영상 내보내기(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Add &amp;robot…</source>
+        <translation>로봇 추가(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 가져오는 중</translation>
+    </message>
+    <message>
+        <source>Tracking %1</source>
+        <translation>%1 추적 중</translation>
+    </message>
+    <message>
+        <source>the sample</source>
+        <translation>샘플</translation>
+    </message>
+    <message>
+        <source>this project can only be read</source>
+        <translation>이 프로젝트는 읽기만 할 수 있습니다</translation>
+    </message>
+    <message>
+        <source>save a copy and work on that</source>
+        <translation>사본을 저장하여 그것으로 작업하십시오</translation>
+    </message>
+    <message>
+        <source>Measuring %1 again</source>
+        <translation>%1 다시 측정하는 중</translation>
+    </message>
+    <message>
+        <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
+        <translation>%2의 %1 샘플을 사용하지 않습니다. 실행 취소로 되돌릴 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The sample at %1 of %2 is used. Undo takes it back.</source>
+        <translation>%2의 %1 샘플을 사용합니다. 실행 취소로 되돌릴 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Video of %1</source>
+        <translation>%1의 동영상</translation>
+    </message>
+    <message>
+        <source>MP4 videos (*.mp4)</source>
+        <translation>MP4 동영상 (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Making the video of %1</source>
+        <translation>%1의 동영상 만드는 중</translation>
+    </message>
+    <message>
+        <source>The video of %1 is there: %2</source>
+        <translation>%1의 동영상을 만들었습니다: %2</translation>
+    </message>
+    <message>
+        <source>add robot %1</source>
+        <translation>로봇 %1 추가</translation>
+    </message>
+    <message>
+        <source>Robot %1 is known now.</source>
+        <translation>로봇 %1을(를) 추가했습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialBatch</name>
+    <message>
+        <source>many trials</source>
+        <translation>여러 시행</translation>
+    </message>
+    <message>
+        <source>another job is running</source>
+        <translation>다른 작업이 실행 중입니다</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>끝날 때까지 기다리거나 취소하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialChooser</name>
+    <message>
+        <source>&amp;Previous trial</source>
+        <translation>이전 시행(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Next trial</source>
+        <translation>다음 시행(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>시행</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialDetail</name>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>학급</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>날짜</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>뷰</translation>
+    </message>
+    <message>
+        <source>none: the track was imported</source>
+        <translation>없음: 궤적을 가져옴</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>점수</translation>
+    </message>
+    <message>
+        <source>none: it was measured by another course than its task has now; measure it again</source>
+        <translation>없음: 과제의 현재 코스와 다른 코스로 측정함. 다시 측정하십시오</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>none yet: open it and choose Track</source>
+        <translation>아직 없음: 시행을 열고 추적을 선택하십시오</translation>
+    </message>
+    <message>
+        <source>Open in Review</source>
+        <translation>검토에서 열기</translation>
+    </message>
+    <message>
+        <source>Facts of the trial</source>
+        <translation>시행 정보</translation>
+    </message>
+    <message>
+        <source>Notes of the trial</source>
+        <translation>시행 메모</translation>
+    </message>
+    <message>
+        <source>What was changed on the robot? What should be remembered?</source>
+        <translation>로봇에서 무엇을 바꾸었습니까? 기억해 둘 것은 무엇입니까?</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>메모(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>No trials yet</source>
+        <translation>아직 시행이 없습니다</translation>
+    </message>
+    <message>
+        <source>No trial selected</source>
+        <translation>선택한 시행이 없습니다</translation>
+    </message>
+    <message>
+        <source>write notes of %1</source>
+        <translation>%1의 메모 쓰기</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialFilterBar</name>
+    <message>
+        <source>Class</source>
+        <translation>학급</translation>
+    </message>
+    <message>
+        <source>Any class</source>
+        <translation>모든 학급</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Any team</source>
+        <translation>모든 팀</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>모든 과제</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Any robot</source>
+        <translation>모든 로봇</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>날짜</translation>
+    </message>
+    <message>
+        <source>Any date</source>
+        <translation>모든 날짜</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>오늘</translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation>최근 7일</translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation>최근 30일</translation>
+    </message>
+    <message>
+        <source>Last 12 months</source>
+        <translation>최근 12개월</translation>
+    </message>
+    <message>
+        <source>Between…</source>
+        <translation>기간 지정…</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>위치</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>보관함</translation>
+    </message>
+    <message>
+        <source>Bin</source>
+        <translation>휴지통</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>시작일</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>종료일</translation>
+    </message>
+    <message>
+        <source>Starred</source>
+        <translation>별표</translation>
+    </message>
+    <message>
+        <source>Only starred trials</source>
+        <translation>별표 시행만</translation>
+    </message>
+    <message>
+        <source>Show starred trials only</source>
+        <translation>별표를 붙인 시행만 표시합니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialModel</name>
+    <message>
+        <source>not tracked</source>
+        <translation>추적 안 함</translation>
+    </message>
+    <message>
+        <source>measure again</source>
+        <translation>다시 측정</translation>
+    </message>
+    <message>
+        <source>starred</source>
+        <translation>별표 있음</translation>
+    </message>
+    <message>
+        <source>not starred</source>
+        <translation>별표 없음</translation>
+    </message>
+    <message>
+        <source>Tags, separated by commas: double-click or F2 changes them</source>
+        <translation>쉼표로 구분한 태그: 두 번 클릭하거나 F2를 누르면 바꿀 수 있습니다</translation>
+    </message>
+    <message>
+        <source>Star (Ctrl+D)</source>
+        <translation>별표(Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>별표</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>학급</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>날짜</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>시간</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>최고 속력</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>점수</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>태그</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TroubleBar</name>
+    <message>
+        <source>What is the matter</source>
+        <translation>문제 내용</translation>
+    </message>
+    <message>
+        <source>Put it right</source>
+        <translation>문제 해결</translation>
+    </message>
+</context>
+<context>
+    <name>odo::UndoActions</name>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>실행 취소함: %1.</translation>
+    </message>
+    <message>
+        <source>Made again: %1.</source>
+        <translation>다시 실행함: %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>실행 취소(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>다시 실행(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>실행 취소(&amp;U): %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>다시 실행(&amp;R): %1</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>실행 취소</translation>
+    </message>
+    <message>
+        <source>a job is running on the project</source>
+        <translation>프로젝트에서 작업이 실행 중입니다</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>끝날 때까지 기다리거나 취소하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>odo::VideoDialog</name>
+    <message>
+        <source>As it was driven</source>
+        <translation>주행한 그대로</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/2</source>
+        <translation>슬로 모션, 1/2</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/4</source>
+        <translation>슬로 모션, 1/4</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/10</source>
+        <translation>슬로 모션, 1/10</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>밝게</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>어둡게</translation>
+    </message>
+    <message>
+        <source>One video with the pictures of all cameras, the map and the speed, to be shown or sent: whoever gets it needs no Odograph.</source>
+        <translation>모든 카메라의 영상과 지도, 속력을 담은 동영상 하나를 만들어 보여 주거나 보낼 수 있습니다. 받는 사람에게는 Odograph가 필요 없습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Speed</source>
+        <translation>재생 속도(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>크기(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>테마(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Choose a place…</source>
+        <translation>위치 선택…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ViewActions</name>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>창 배열 초기화(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>전체 화면(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Colours of the &amp;desktop</source>
+        <translation>데스크톱의 색(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>밝게(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Da&amp;rk</source>
+        <translation>어둡게(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ViewSteps</name>
+    <message>
+        <source>From the motion or a flash</source>
+        <translation>움직임이나 번쩍임에서</translation>
+    </message>
+    <message>
+        <source>Begun together</source>
+        <translation>동시에 시작</translation>
+    </message>
+    <message>
+        <source>By hand: begun later by</source>
+        <translation>직접: 늦게 시작한 만큼</translation>
+    </message>
+    <message>
+        <source>How view %1 gets in step with the first</source>
+        <translation>뷰 %1을(를) 첫째 뷰와 동기화하는 방법</translation>
+    </message>
+    <message>
+        <source>A flash: switch the room lights on and off once while all cameras record</source>
+        <translation>번쩍임: 모든 카메라가 녹화하는 동안 실내등을 한 번 켰다 끄십시오</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>How much later view %1 began</source>
+        <translation>뷰 %1이(가) 늦게 시작한 시간</translation>
+    </message>
+    <message>
+        <source>Below zero: it began earlier than the first view</source>
+        <translation>0보다 작으면 첫째 뷰보다 먼저 시작한 것입니다</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>뷰 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WelcomePage</name>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+    <message>
+        <source>Measures how a mobile robot moved, from the videos of ordinary cameras.</source>
+        <translation>일반 카메라의 동영상으로 이동 로봇이 어떻게 움직였는지 측정합니다.</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>최근 프로젝트</translation>
+    </message>
+    <message>
+        <source>not found any more</source>
+        <translation>더 이상 찾을 수 없음</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Workspace</name>
+    <message>
+        <source>another job is running</source>
+        <translation>다른 작업이 실행 중입니다</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>끝날 때까지 기다리거나 취소하십시오</translation>
+    </message>
+    <message>
+        <source>cannot open another project</source>
+        <translation>다른 프로젝트를 열 수 없습니다</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 여는 중</translation>
+    </message>
+    <message>
+        <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
+        <translation>%1: %2. 여기서는 보기만 할 수 있습니다. 변경하려면 그쪽에서 닫고 여기서 다시 여십시오.</translation>
+    </message>
+    <message>
+        <source>Completing a recording that was cut off</source>
+        <translation>중간에 끊긴 녹화를 마무리하는 중</translation>
+    </message>
+    <message>
+        <source>Making the hashes of new recordings</source>
+        <translation>새 녹화의 해시를 만드는 중</translation>
+    </message>
+    <message>
+        <source>cannot make another project</source>
+        <translation>다른 프로젝트를 만들 수 없습니다</translation>
+    </message>
+    <message>
+        <source>no project is open</source>
+        <translation>열린 프로젝트가 없습니다</translation>
+    </message>
+    <message>
+        <source>open or make a project first</source>
+        <translation>먼저 프로젝트를 열거나 만드십시오</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ZoneTable</name>
+    <message>
+        <source>stay inside</source>
+        <translation>이탈 금지</translation>
+    </message>
+    <message>
+        <source>keep out</source>
+        <translation>진입 금지</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve zone</source>
+        <translation>구역 제거(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Zone</source>
+        <translation>구역</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>규칙</translation>
+    </message>
+    <message>
+        <source>Corners: x y; x y; … in mm</source>
+        <translation>꼭짓점: x y; x y; …(mm)</translation>
+    </message>
+    <message>
+        <source>Zones of the floor</source>
+        <translation>바닥의 구역</translation>
+    </message>
+    <message>
+        <source>Add zone to sta&amp;y in</source>
+        <translation>이탈 금지 구역 추가(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Add zone to &amp;keep out of</source>
+        <translation>진입 금지 구역 추가(&amp;K)</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s centre must stay in a zone, or keep out of it. Each is judged by itself; how often, how long and how far it was broken can be scored. Drag corners and edges on the map.</source>
+        <translation>로봇의 중심은 구역을 벗어나지 않거나 구역에 들어가지 않아야 합니다. 구역마다 따로 판정하며, 몇 번, 얼마 동안, 얼마나 멀리 어겼는지를 채점에 쓸 수 있습니다. 지도에서 꼭짓점과 변을 끌어 옮기십시오.</translation>
+    </message>
+    <message>
+        <source>Rule of the zone</source>
+        <translation>구역의 규칙</translation>
+    </message>
+    <message>
+        <source>Zone %1</source>
+        <translation>구역 %1</translation>
+    </message>
+</context>
+</TS>

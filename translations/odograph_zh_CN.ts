@@ -1,0 +1,8577 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>AccuracyLayer</name>
+    <message>
+        <source>expected ±, hatched: not seen</source>
+        <translation>预期 ±，斜线：看不到</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>AnalysisWords</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>begun %1 earlier</source>
+        <translation>早开始 %1</translation>
+    </message>
+    <message>
+        <source>begun %1 later</source>
+        <translation>晚开始 %1</translation>
+    </message>
+    <message>
+        <source>Kalman/RTS, noise from the data</source>
+        <translation>Kalman/RTS，噪声由数据估计</translation>
+    </message>
+    <message>
+        <source>Savitzky–Golay, cubic, 11 points</source>
+        <translation>Savitzky–Golay，三次，11 点</translation>
+    </message>
+    <message>
+        <source>differences as in Tracker</source>
+        <translation>与 Tracker 相同的差分</translation>
+    </message>
+    <message>
+        <source>none: raw differences</source>
+        <translation>无：原始差分</translation>
+    </message>
+    <message>
+        <source>%1, as told by hand</source>
+        <translation>%1，手动指定</translation>
+    </message>
+    <message>
+        <source>in step to %1, found from the motion; %2</source>
+        <translation>同步至 %1，由运动得出；%2</translation>
+    </message>
+    <message>
+        <source>in step to %1, found from a flash of light; %2</source>
+        <translation>同步至 %1，由闪光得出；%2</translation>
+    </message>
+    <message>
+        <source>in step to %1, by the cameras&apos; time stamps; %2</source>
+        <translation>同步至 %1，由相机时间戳得出；%2</translation>
+    </message>
+    <message>
+        <source>taken as begun together</source>
+        <translation>视为同时开始</translation>
+    </message>
+    <message>
+        <source>, its clock %1 ppm fast</source>
+        <translation>，其时钟快 %1 ppm</translation>
+    </message>
+    <message>
+        <source>, its clock %1 ppm slow</source>
+        <translation>，其时钟慢 %1 ppm</translation>
+    </message>
+</context>
+<context>
+    <name>AnnotatedPicture</name>
+    <message>
+        <source>slow motion %1×</source>
+        <translation>慢动作 %1×</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>此时该相机没有在录制</translation>
+    </message>
+    <message>
+        <source>This picture cannot be decoded</source>
+        <translation>此画面无法解码</translation>
+    </message>
+</context>
+<context>
+    <name>ClassReport</name>
+    <message>
+        <source>Rank: one more than the number of teams that are better beyond doubt (medians apart by more than 1.96 σ); teams of one rank cannot be told apart.</source>
+        <translation>名次：确定更好（中位数相差超过 1.96 σ）的小组数加一；同名次的小组无法区分优劣。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) left out: measured by another course; measure them again.</source>
+        <translation>
+            <numerusform>有 %n 次试验未计入：是按另一赛道测量的，请重新测量。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Page %1 of %2 · Odograph %3</source>
+        <translation>第 %1 页，共 %2 页 · Odograph %3</translation>
+    </message>
+    <message>
+        <source>Odograph %1</source>
+        <translation>Odograph %1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>任务：%1</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>按“%1”</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Teams</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>共 %1 次</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>最佳</translation>
+    </message>
+    <message>
+        <source>Median of all runs</source>
+        <translation>全部运行的中位数</translation>
+    </message>
+    <message>
+        <source>Middle half of the runs</source>
+        <translation>居中的半数运行</translation>
+    </message>
+    <message>
+        <source>The teams</source>
+        <translation>各小组</translation>
+    </message>
+    <message>
+        <source>each run is a dot; the line is the median of the team</source>
+        <translation>每个点是一次运行；竖线是小组的中位数</translation>
+    </message>
+    <message>
+        <source>#</source>
+        <translation>#</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>中位数</translation>
+    </message>
+    <message>
+        <source>Through the term</source>
+        <translation>本学期的变化</translation>
+    </message>
+    <message>
+        <source>Its trials</source>
+        <translation>该组的试验</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>Class: %1</source>
+        <translation>班级：%1</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>名次</translation>
+    </message>
+    <message numerus="yes">
+        <source>of %n team(s)</source>
+        <translation>
+            <numerusform>共 %n 个小组</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>class median %1</source>
+        <translation>班级中位数 %1</translation>
+    </message>
+    <message>
+        <source>Spread of one run</source>
+        <translation>单次运行的离散度</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonExplanation</name>
+    <message>
+        <source>There is no difference.</source>
+        <translation>没有差别。</translation>
+    </message>
+    <message>
+        <source>Both are exact, so that any difference is one.</source>
+        <translation>两者都是精确值，因此任何差别都是真实的。</translation>
+    </message>
+    <message>
+        <source>It is %1 σ, more than 1.96: were there no difference, chance would give as much in less than 5 of 100 cases.</source>
+        <translation>差值为 %1 σ，大于 1.96：假如并无差别，偶然出现这么大差值的可能性不到 5 %。</translation>
+    </message>
+    <message>
+        <source>It is %1 σ, not more than 1.96: within the error, so that no difference can be claimed.</source>
+        <translation>差值为 %1 σ，不大于 1.96：在误差范围内，不能断定有差别。</translation>
+    </message>
+    <message>
+        <source>along the task&apos;s reference path</source>
+        <translation>沿任务的参考路径</translation>
+    </message>
+    <message>
+        <source>along the way of %1</source>
+        <translation>沿 %1 的路线</translation>
+    </message>
+    <message>
+        <source>time 0: each passes the start gate</source>
+        <translation>零时刻：各自通过起点门</translation>
+    </message>
+    <message>
+        <source>time 0: each begins to move</source>
+        <translation>零时刻：各自开始运动</translation>
+    </message>
+    <message>
+        <source>time 0: each first comes to the same place of the way</source>
+        <translation>零时刻：各自首次到达路线上的同一位置</translation>
+    </message>
+    <message>
+        <source>time 0: told by hand, to a frame</source>
+        <translation>零时刻：手动指定，精确到一帧</translation>
+    </message>
+    <message>
+        <source>both by the same registrations and for the same solid: what the calibration adds is common, and only its difference counts</source>
+        <translation>两者采用相同的配准和相同的几何体：标定带来的误差是共有的，只计其差值</translation>
+    </message>
+    <message>
+        <source>not by the same registrations, or not for the same solid: what the calibration adds counts for both in full</source>
+        <translation>两者的配准或几何体不同：标定带来的误差对两者都全部计入</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1: %2 less %3</source>
+        <translation>%1：%2 减 %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>only one of the two has it</source>
+        <translation>两者中只有一个有此项</translation>
+    </message>
+    <message>
+        <source>the figure of %1 less that of %2</source>
+        <translation>%1 的指标减去 %2 的指标</translation>
+    </message>
+    <message>
+        <source>Each: %1</source>
+        <translation>各自：%1</translation>
+    </message>
+    <message>
+        <source>√(σ₁² + σ₂²), both as independent; where the runs share their calibration, its error of scale leaves only its part of the difference</source>
+        <translation>√(σ₁² + σ₂²)，视两者为相互独立；若两次运行共用标定，其尺度误差只按差值部分计入</translation>
+    </message>
+    <message>
+        <source>not seen at an end</source>
+        <translation>在一端未被看到</translation>
+    </message>
+    <message>
+        <source>Sector %1 to %2: %3 less %4</source>
+        <translation>区段 %1 至 %2：%3 减 %4</translation>
+    </message>
+    <message>
+        <source>begin</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>The time from the first arrival at the one gate to the first arrival at the next, of each run, by its place along the common path; waiting counts.</source>
+        <translation>每次运行从首次到达前一计时门到首次到达后一计时门的时间，按其在公共路径上的位置计算；停留等待的时间也计入。</translation>
+    </message>
+    <message>
+        <source>of each arrival: σ of the place along the path over the speed; displacements at two gates count as independent</source>
+        <translation>每次到达的误差：沿路径方向位置的 σ 除以速度；两个计时门处的位置误差视为相互独立</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 of the way</source>
+        <translation>路线上从 %1 到 %2</translation>
+    </message>
+    <message>
+        <source>Δt of %1 against %2 at %3</source>
+        <translation>%1 相对于 %2 在 %3 处的 Δt</translation>
+    </message>
+    <message>
+        <source>The time of the first arrival at this place of the common path, each from its own time 0: that of %1 less that of %2. Above 0 it is later.</source>
+        <translation>首次到达公共路径上该处的时间，各自从自己的零时刻算起：%1 的减去 %2 的。大于 0 表示较晚。</translation>
+    </message>
+    <message>
+        <source>of both arrivals: σ of the place along the path over the speed, and of both times 0</source>
+        <translation>两次到达的误差：沿路径方向位置的 σ 除以速度；以及两个零时刻的误差</translation>
+    </message>
+    <message>
+        <source>Speed of %1 at %2</source>
+        <translation>%1 在 %2 处的速度</translation>
+    </message>
+    <message>
+        <source>|v| of the smoothed curve where the run first comes to this place of the common path, between frames interpolated</source>
+        <translation>该次运行首次到达公共路径上该处时平滑曲线的 |v|，帧与帧之间插值</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <translation>该处平滑速度的 σ，含标定的尺度误差</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonReport</name>
+    <message>
+        <source>± one σ; grey, ≈: within the error</source>
+        <translation>± 一个 σ；灰色、≈：在误差范围内</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>right − left</source>
+        <translation>右 − 左</translation>
+    </message>
+    <message>
+        <source>along the task’s path</source>
+        <translation>沿任务的路径</translation>
+    </message>
+    <message>
+        <source>along the way of the left run</source>
+        <translation>沿左栏运行的路线</translation>
+    </message>
+    <message>
+        <source>aligned by the start gate, %1</source>
+        <translation>按起点门对齐，%1</translation>
+    </message>
+    <message>
+        <source>aligned by the onset of motion, %1</source>
+        <translation>按开始运动对齐，%1</translation>
+    </message>
+    <message>
+        <source>aligned by a place that both pass, %1</source>
+        <translation>按两者都经过的一处对齐，%1</translation>
+    </message>
+    <message>
+        <source>aligned by hand, %1</source>
+        <translation>手动对齐，%1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>任务：%1</translation>
+    </message>
+    <message>
+        <source>%1: analysed %2, Odograph %3</source>
+        <translation>%1：分析于 %2，Odograph %3</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its error cancels as far as they do.</source>
+        <translation>两次运行共用标定：共用的部分误差相互抵消。</translation>
+    </message>
+    <message>
+        <source>The runs do not share their calibration: the errors of both count.</source>
+        <translation>两次运行不共用标定：两者的误差都计入。</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 与 %2</translation>
+    </message>
+    <message>
+        <source>Speed along the way, %1</source>
+        <translation>沿程速度，%1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>及其 ±95 % 置信带</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>时间差，s</translation>
+    </message>
+    <message>
+        <source>above 0: the right run is later; grey: within the error</source>
+        <translation>大于 0：右栏的运行较晚；灰色：在误差范围内</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>区段，s</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>指标</translation>
+    </message>
+</context>
+<context>
+    <name>Explanation</name>
+    <message>
+        <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>
+        <translation>平滑曲线在该处的误差，以及标定的尺度误差</translation>
+    </message>
+    <message>
+        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
+        <translation>从开始运动到最后一次停下。运动是指速度大于 20 mm/s 且大于速度的三个 σ，并持续至少三帧；两帧之间的时刻由插值得出。</translation>
+    </message>
+    <message>
+        <source>of both moments: σ of the speed over its steepness there</source>
+        <translation>两个时刻的误差：速度的 σ 除以速度曲线在该处的斜率</translation>
+    </message>
+    <message>
+        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged counts as straight.</source>
+        <translation>运动期间的 ∫|v|dt，对平滑后的速度用梯形法计算。未补接的间断按直线计。</translation>
+    </message>
+    <message>
+        <source>of the ends&apos; positions, of errors across the path where it turns, and the calibration&apos;s error of scale</source>
+        <translation>两端位置的误差、转弯处垂直于路径方向的误差，以及标定的尺度误差</translation>
+    </message>
+    <message>
+        <source>path length / time</source>
+        <translation>路程 / 用时</translation>
+    </message>
+    <message>
+        <source>of both, taken as independent</source>
+        <translation>两者的误差，视为相互独立</translation>
+    </message>
+    <message>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest, so that a badly known point does not win by its error.</source>
+        <translation>平滑曲线上 |v| − 2σ 最大处的速度 |v|，这样误差大的点不会因误差而成为最大值。</translation>
+    </message>
+    <message>
+        <source>√(mean of |v|²) while it moves</source>
+        <translation>运动期间的 √(|v|² 的平均值)</translation>
+    </message>
+    <message>
+        <source>the bound for errors that all go together, and the calibration&apos;s error of scale</source>
+        <translation>所有误差同向时的上限，以及标定的尺度误差</translation>
+    </message>
+    <message>
+        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
+        <translation>平滑曲线上 |a| − 2σ 最大处的加速度 |a|。</translation>
+    </message>
+    <message>
+        <source>√(mean of |a|²) while it moves</source>
+        <translation>运动期间的 √(|a|² 的平均值)</translation>
+    </message>
+    <message>
+        <source>distance from the first to the last place of the motion / path length</source>
+        <translation>运动的起点到终点的距离 / 路程</translation>
+    </message>
+    <message>
+        <source>of the ends&apos; positions</source>
+        <translation>两端位置的误差</translation>
+    </message>
+    <message>
+        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
+        <translation>处于运动中的时间：速度大于 20 mm/s 且大于速度的三个 σ。</translation>
+    </message>
+    <message>
+        <source>of each start and stop: σ of the speed over its steepness</source>
+        <translation>每次起动和停下的误差：速度的 σ 除以速度曲线的斜率</translation>
+    </message>
+    <message>
+        <source>The pauses between the onset of motion and the last stop, counted.</source>
+        <translation>从开始运动到最后一次停下之间的停顿次数。</translation>
+    </message>
+    <message>
+        <source>time − time in motion</source>
+        <translation>用时 − 运动时间</translation>
+    </message>
+    <message>
+        <source>of each start and stop</source>
+        <translation>每次起动和停下的误差</translation>
+    </message>
+    <message>
+        <source>The speed that half of the time in motion stays below.</source>
+        <translation>运动时间的一半低于此速度。</translation>
+    </message>
+    <message>
+        <source>of the stretches within 1.5 σ of it, each by its mean</source>
+        <translation>与其相差不到 1.5 σ 的各段的误差，每段取平均值</translation>
+    </message>
+    <message>
+        <source>The speed that 95 % of the time in motion stays below.</source>
+        <translation>运动时间的 95 % 低于此速度。</translation>
+    </message>
+    <message>
+        <source>The acceleration that 95 % of the time in motion stays below.</source>
+        <translation>运动时间的 95 % 低于此加速度。</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, either way, where it less 2σ is largest.</source>
+        <translation>平滑曲线的 (vx·ay − vy·ax)/|v|²，左转或右转均可，取其减去 2σ 后最大处。</translation>
+    </message>
+    <message>
+        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴，一阶近似</translation>
+    </message>
+    <message>
+        <source>The circle with the least squared distances from the places of the motion.</source>
+        <translation>到运动中各位置的距离平方和最小的圆。</translation>
+    </message>
+    <message>
+        <source>of the distances&apos; scatter, neighbours counted as fewer by 1 + 2Σρ, and the calibration&apos;s error of scale</source>
+        <translation>距离离散的误差，相邻点因相关而按 1 + 2Σρ 折减个数；以及标定的尺度误差</translation>
+    </message>
+    <message>
+        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
+        <translation>从通过起点门到通过终点门，各自在帧与帧之间插值。</translation>
+    </message>
+    <message>
+        <source>of both passages: σ of the position across the gate over the speed</source>
+        <translation>两次通过的误差：垂直于计时门方向位置的 σ 除以速度</translation>
+    </message>
+    <message>
+        <source>Complete laps or runs, counted by the passages of the gates.</source>
+        <translation>完整的圈数或运行次数，按通过计时门计数。</translation>
+    </message>
+    <message>
+        <source>The shortest lap.</source>
+        <translation>用时最短的一圈。</translation>
+    </message>
+    <message>
+        <source>of its two passages; the calibration&apos;s error of a gate passed twice cancels</source>
+        <translation>两次通过的误差；同一计时门通过两次，标定误差相互抵消</translation>
+    </message>
+    <message>
+        <source>The mean of the laps&apos; times.</source>
+        <translation>各圈用时的平均值。</translation>
+    </message>
+    <message>
+        <source>of the first and the last passage, over the number of laps</source>
+        <translation>首次和末次通过的误差除以圈数</translation>
+    </message>
+    <message>
+        <source>The mean distance from the reference path, over the way.</source>
+        <translation>到参考路径的平均距离，按路程平均。</translation>
+    </message>
+    <message>
+        <source>of the position across the path, and of its noise, which has no sign there</source>
+        <translation>垂直于路径方向位置的误差，以及其噪声（在此不分正负）的误差</translation>
+    </message>
+    <message>
+        <source>√(mean of the squared distance from the reference path), over the way</source>
+        <translation>√(到参考路径距离平方的平均值)，按路程平均</translation>
+    </message>
+    <message>
+        <source>of the position across the path</source>
+        <translation>垂直于路径方向位置的误差</translation>
+    </message>
+    <message>
+        <source>The largest distance from the reference path.</source>
+        <translation>到参考路径的最大距离。</translation>
+    </message>
+    <message>
+        <source>of the position across the path, there</source>
+        <translation>该处垂直于路径方向位置的误差</translation>
+    </message>
+    <message>
+        <source>The mean of the distance from the reference path, to the left positive.</source>
+        <translation>到参考路径距离的平均值，偏左为正。</translation>
+    </message>
+    <message>
+        <source>of the position across the path, mostly the calibration&apos;s</source>
+        <translation>垂直于路径方向位置的误差，主要来自标定</translation>
+    </message>
+    <message>
+        <source>The share of the reference path that was followed.</source>
+        <translation>参考路径中已走过的比例。</translation>
+    </message>
+    <message>
+        <source>How often the robot&apos;s centre left a zone to stay in, or came into one to keep out of. It counts where it is beyond the edge by more than three σ of the track&apos;s own noise.</source>
+        <translation>机器人中心离开应留区域或进入禁入区域的次数。超出边界多于轨迹自身噪声的三个 σ 时才计入。</translation>
+    </message>
+    <message>
+        <source>The time in which the robot&apos;s centre was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <translation>机器人中心超出区域边界的时间，帧与帧之间插值；同时涉及两个区域时计两次。</translation>
+    </message>
+    <message>
+        <source>of each moment at an edge: σ of the position across it over the speed; and what the time differs by when the calibration puts the track nearer or further</source>
+        <translation>每个越界时刻的误差：垂直于边界方向位置的 σ 除以速度；以及标定使轨迹移近或移远时该时间的变化</translation>
+    </message>
+    <message>
+        <source>How far the robot&apos;s centre was beyond the edge of a zone at most.</source>
+        <translation>机器人中心超出区域边界的最大距离。</translation>
+    </message>
+    <message>
+        <source>of the position across the edge, there</source>
+        <translation>该处垂直于边界方向位置的误差</translation>
+    </message>
+    <message>
+        <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
+        <translation>用 Kalman 滤波器和 RTS 平滑器平滑，噪声由最大似然估计（Rauch, Tung, Striebel 1965；Bar-Shalom et al. 2001）</translation>
+    </message>
+    <message>
+        <source>smoothed by a cubic through eleven points (Savitzky and Golay 1964)</source>
+        <translation>用过十一点的三次多项式平滑（Savitzky and Golay 1964）</translation>
+    </message>
+    <message>
+        <source>differences as in Tracker, positions not smoothed</source>
+        <translation>与 Tracker 相同的差分，位置未平滑</translation>
+    </message>
+    <message>
+        <source>raw differences (Park 2018, eq. 6 to 8), nothing smoothed</source>
+        <translation>原始差分（Park 2018，式 6 至 8），未作平滑</translation>
+    </message>
+    <message>
+        <source>robot %1 high (estimated)</source>
+        <translation>机器人高 %1（估计值）</translation>
+    </message>
+    <message>
+        <source>robot %1 high</source>
+        <translation>机器人高 %1</translation>
+    </message>
+    <message>
+        <source>analysis %1 by Odograph %2</source>
+        <translation>分析 %1，由 Odograph %2 完成</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <translation>该处平滑速度的 σ，含标定的尺度误差</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>|v| = √(vx² + vy²) of the smoothed curve at this frame</source>
+        <translation>该帧处平滑曲线的 |v| = √(vx² + vy²)</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands</source>
+        <translation>该帧处平滑曲线的 a·v/|v|：沿路径方向，因此制动为负；静止时为 |a|</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed acceleration there, with the calibration&apos;s error of scale</source>
+        <translation>该处平滑加速度的 σ，含标定的尺度误差</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>航向</translation>
+    </message>
+    <message>
+        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn</source>
+        <translation>该帧处平滑曲线的 atan2(vy, vx)，自 X 轴起逆时针，不作整圈跳变</translation>
+    </message>
+    <message>
+        <source>σ of the velocity across the motion over the speed</source>
+        <translation>垂直于运动方向速度的 σ 除以速度</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>转向角速度</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame</source>
+        <translation>该帧处平滑曲线的 (vx·ay − vy·ax)/|v|²</translation>
+    </message>
+    <message>
+        <source>Position X</source>
+        <translation>位置 X</translation>
+    </message>
+    <message>
+        <source>Position Y</source>
+        <translation>位置 Y</translation>
+    </message>
+    <message>
+        <source>the smoothed curve at this frame</source>
+        <translation>该帧处的平滑曲线</translation>
+    </message>
+    <message>
+        <source>σ of the smoothed position, with the calibration&apos;s part</source>
+        <translation>平滑位置的 σ，含标定部分</translation>
+    </message>
+    <message>
+        <source>at this frame no view found the robot: the curve goes across</source>
+        <translation>该帧没有视角找到机器人：曲线由此跨过</translation>
+    </message>
+    <message>
+        <source>measured there: %1, %2 ±%3</source>
+        <translation>该处测得：%1，%2 ±%3</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>由 %1 测得</translation>
+    </message>
+    <message>
+        <source>it is flagged and not used: the curve comes from its neighbours</source>
+        <translation>已标为异常，未被采用：曲线由相邻点得出</translation>
+    </message>
+    <message>
+        <source>Jump: the place is beyond what the motion before and after allows for (χ² of two degrees of freedom, 99.9 %).</source>
+        <translation>跳变：该位置超出前后运动所允许的范围（两个自由度的 χ²，99.9 %）。</translation>
+    </message>
+    <message>
+        <source>Limit: to get there it had to be faster than the limit of the task or of the analysis.</source>
+        <translation>限值：要到达该处，速度须超过任务或分析的限值。</translation>
+    </message>
+    <message>
+        <source>Limit: to get there it had to accelerate harder than the limit of the task or of the analysis.</source>
+        <translation>限值：要到达该处，加速度须超过任务或分析的限值。</translation>
+    </message>
+    <message>
+        <source>Views disagree: their places differ by more than their errors and their usual disagreement explain (χ², 99.9 %).</source>
+        <translation>视角不一致：各视角的位置相差过大，其误差和通常的差异都不足以解释（χ²，99.9 %）。</translation>
+    </message>
+    <message>
+        <source>Low score: the tracker was not sure of what it saw.</source>
+        <translation>置信度低：跟踪器对所见没有把握。</translation>
+    </message>
+    <message>
+        <source>Lost: no view found the robot.</source>
+        <translation>丢失：没有视角找到机器人。</translation>
+    </message>
+    <message>
+        <source>Repeated picture: the camera gave the same picture twice, so its time is not known.</source>
+        <translation>重复画面：相机把同一画面给出了两次，因此其时间未知。</translation>
+    </message>
+    <message>
+        <source>Bridged: the curve goes across without a measurement.</source>
+        <translation>补接：曲线在没有测量的情况下跨过此处。</translation>
+    </message>
+    <message>
+        <source>By hand: a person judged it, over the analysis.</source>
+        <translation>手动：由人作出判断，优先于分析。</translation>
+    </message>
+    <message>
+        <source>How it is computed</source>
+        <translation>计算方法</translation>
+    </message>
+    <message>
+        <source>What ± contains (one standard deviation)</source>
+        <translation>± 的构成（一个标准差）</translation>
+    </message>
+    <message>
+        <source>What went into it</source>
+        <translation>所用数据</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>出处</translation>
+    </message>
+    <message>
+        <source>trial %1, robot %2</source>
+        <translation>试验 %1，机器人 %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples used</source>
+        <translation>采用 %1 个采样点，共 %2 个</translation>
+    </message>
+    <message>
+        <source>views: %1</source>
+        <translation>视角：%1</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3, %4 beyond the edge at most</source>
+        <translation>%1：从 %2 到 %3，最多超出边界 %4</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%2 时的%1</translation>
+    </message>
+    <message>
+        <source>Spike at %1</source>
+        <translation>%1 处的异常点</translation>
+    </message>
+    <message>
+        <source>The sample is kept, but not used for the curve.</source>
+        <translation>该采样点予以保留，但不用于曲线。</translation>
+    </message>
+    <message>
+        <source>The sample is used for the curve nevertheless: what is wrong with it was left out, or a person restored it.</source>
+        <translation>该采样点仍用于曲线：其中有问题的部分已剔除，或已由人恢复。</translation>
+    </message>
+    <message>
+        <source>the views are %1 apart there</source>
+        <translation>该处各视角相距 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExplanationDialog</name>
+    <message>
+        <source>How was this computed?</source>
+        <translation>这是如何计算的？</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>FactExplanations</name>
+    <message>
+        <source>The offset at which the tracks of the robot on the floor, as the two views see it, coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in half frames and refined by Gauss–Newton. The clocks&apos; rate is taken where it is beyond three σ.</source>
+        <translation>使机器人在地面上由两个视角所见的轨迹重合的时间偏移：对 r(t) = p₁(t) − p₂((t − 偏移)(1 + 速率)) 作最小二乘，两者之间允许有恒定位移和微小的尺度差，先以半帧为步长搜索，再用 Gauss–Newton 法细化。时钟速率只有超过三个 σ 时才采用。</translation>
+    </message>
+    <message>
+        <source>from the curvature of the sum of squares and the residual, which is taken as correlated over half a second</source>
+        <translation>由平方和的曲率与残差得出，并认为残差在半秒内相关</translation>
+    </message>
+    <message>
+        <source>The offset at which the jumps of light that both views saw fall together, taken where no other offset comes within a factor of 150 of its likelihood: the pairs&apos; weighted mean.</source>
+        <translation>使两个视角都看到的亮度突变相重合的时间偏移；只有当其他偏移的似然都不到它的 1/150 时才采用：取各对的加权平均值。</translation>
+    </message>
+    <message>
+        <source>of the pairs, of their scatter, and a tenth of a frame interval for each view, for its shutter</source>
+        <translation>各对的误差、各对的离散，以及每个视角因快门而计入的十分之一帧间隔</translation>
+    </message>
+    <message>
+        <source>Each camera&apos;s time stamps, related to this computer&apos;s clock by readings of the camera&apos;s while it recorded.</source>
+        <translation>各相机的时间戳；录制时读取相机时钟，由此与本计算机的时钟建立关系。</translation>
+    </message>
+    <message>
+        <source>of both relations of the clocks</source>
+        <translation>两个时钟关系的误差</translation>
+    </message>
+    <message>
+        <source>Times at the gates</source>
+        <translation>通过计时门的时间</translation>
+    </message>
+    <message>
+        <source>When the robot&apos;s centre crosses the gate&apos;s line between its ends, the way the gate is passed: between two frames the smoothed position is the cubic through both places and velocities. It has passed when it was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
+        <translation>机器人中心按通过方向在计时门两端之间越过门线的时刻：两帧之间的平滑位置取经过两处位置和速度的三次曲线。先在门线之前、再到门线之后，均超过轨迹自身噪声的三个 σ，才算通过。</translation>
+    </message>
+    <message>
+        <source>σ of the position across the gate over the speed across it, with the calibration&apos;s part</source>
+        <translation>垂直于计时门方向位置的 σ 除以同方向的速度，含标定部分</translation>
+    </message>
+    <message>
+        <source>From one passing of the start to the finish, or of the one gate to the next; of each split its first passing counts.</source>
+        <translation>从一次通过起点到通过终点，或从同一计时门的一次通过到下一次；每个分段门只计首次通过。</translation>
+    </message>
+    <message>
+        <source>of both passages; the calibration&apos;s error of a gate that is passed twice at one speed cancels</source>
+        <translation>两次通过的误差；以同一速度两次通过同一计时门，标定误差相互抵消</translation>
+    </message>
+    <message>
+        <source>to %1: %2</source>
+        <translation>到 %1：%2</translation>
+    </message>
+    <message>
+        <source>View %1 in step with the first</source>
+        <translation>视角 %1 与视角 1 同步</translation>
+    </message>
+    <message>
+        <source>video %1, %2 frames</source>
+        <translation>视频 %1，%2 帧</translation>
+    </message>
+    <message>
+        <source>Height of robot %1</source>
+        <translation>机器人 %1 的高度</translation>
+    </message>
+    <message>
+        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes the outlines in all views are, by weighted least squares at some forty times of the run; where no such solid explains them, the height at which all views put the robot at the same place.</source>
+        <translation>以某种几何体（立于地面的长方体或圆柱体，或位于机器人顶部的平板）的剪影来解释所有视角中的轮廓，在运行中约四十个时刻作加权最小二乘；若没有这样的几何体能解释，则取使所有视角把机器人定在同一位置的高度。</translation>
+    </message>
+</context>
+<context>
+    <name>FirstLesson</name>
+    <message>
+        <source>Play a run</source>
+        <translation>播放一次运行</translation>
+    </message>
+    <message>
+        <source>Two cameras watched a robot drive. Press Space: both videos, the map and the curves play in step. Space again stops.</source>
+        <translation>两台相机记录了一台机器人的行驶。按空格键：两段视频、地图和曲线同步播放。再按空格键则停止。</translation>
+    </message>
+    <message>
+        <source>Read a figure</source>
+        <translation>读取指标</translation>
+    </message>
+    <message>
+        <source>Click into the speed curve. The bubble tells the speed at that moment and its ±: how far off it may be. The band around the curve is where the truth lies in 95 of 100 cases.</source>
+        <translation>在速度曲线上点击。气泡会显示那一时刻的速度及其 ±：可能的偏差有多大。曲线周围的带表示：100 次中有 95 次真值落在其中。</translation>
+    </message>
+    <message>
+        <source>Look at what was flagged</source>
+        <translation>查看被标出的点</translation>
+    </message>
+    <message>
+        <source>Go through the trials with Ctrl+Page Up and Ctrl+Page Down to one whose list of spikes, at the right, is not empty. A spike is a moment at which what was measured cannot be true; the list says why.</source>
+        <translation>用 Ctrl+Page Up 和 Ctrl+Page Down 逐个浏览试验，找到右侧异常点列表不为空的一个。异常点是测得的结果不可能为真的时刻；列表会说明原因。</translation>
+    </message>
+    <message>
+        <source>Overrule it</source>
+        <translation>推翻判定</translation>
+    </message>
+    <message>
+        <source>Click a spike in the list and look at the videos: was the robot really there? Press U to use the sample all the same. Nothing that was measured is ever lost.</source>
+        <translation>点击列表中的一个异常点并查看视频：机器人真的在那里吗？按 U 即可仍然采用该采样点。测得的数据绝不会丢失。</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>撤回</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z. Whatever you change is saved at once, and can be taken back.</source>
+        <translation>按 Ctrl+Z。您的每项更改都会立即保存，也都可以撤回。</translation>
+    </message>
+    <message>
+        <source>Compare two runs</source>
+        <translation>比较两次运行</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+4. Choose two runs above the pictures: where was one faster, and is that more than the error? What is grey is not.</source>
+        <translation>按 Ctrl+4。在画面上方选择两次运行：哪一次在哪里更快，差别是否超过误差？灰色的就没有超过。</translation>
+    </message>
+    <message>
+        <source>Find it again</source>
+        <translation>再次找到它</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+5. History holds the whole year: type a team&apos;s name to search, open a run with Enter, and see under Teams who made progress.</source>
+        <translation>按 Ctrl+5。“历史”保存着全年的记录：输入小组名称即可搜索，按 Enter 打开一次运行，在“小组”下可看到谁有进步。</translation>
+    </message>
+    <message>
+        <source>That was it</source>
+        <translation>就是这些</translation>
+    </message>
+    <message>
+        <source>With your own robots: make a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or bring in videos (Ctrl+I). F1 explains each page.</source>
+        <translation>用您自己的机器人：新建项目 (Ctrl+N)，在“试验场”中设置地面 (Ctrl+1)，然后录制 (Ctrl+2) 或导入视频 (Ctrl+I)。按 F1 可查看每一页的说明。</translation>
+    </message>
+</context>
+<context>
+    <name>HealthWatch</name>
+    <message>
+        <source>The project can only be read</source>
+        <translation>项目只能读取</translation>
+    </message>
+    <message>
+        <source>Opening the cameras…</source>
+        <translation>正在打开相机…</translation>
+    </message>
+    <message>
+        <source>No camera runs</source>
+        <translation>没有相机在运行</translation>
+    </message>
+    <message>
+        <source>No camera sends pictures</source>
+        <translation>没有相机发送画面</translation>
+    </message>
+    <message>
+        <source>This project can only be read: nothing can be recorded into it.</source>
+        <translation>此项目只能读取：不能向其中录制。</translation>
+    </message>
+    <message>
+        <source>Register &amp;it in Testbed</source>
+        <translation>到“试验场”中配准(&amp;I)</translation>
+    </message>
+</context>
+<context>
+    <name>HelpDialogs</name>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>List of keys</source>
+        <translation>按键列表</translation>
+    </message>
+    <message>
+        <source>About Odograph</source>
+        <translation>关于 Odograph</translation>
+    </message>
+    <message>
+        <source>Odograph %1</source>
+        <translation>Odograph %1</translation>
+    </message>
+    <message>
+        <source>Measures how a mobile robot moved, from the videos of ordinary cameras.
+
+Free software under the GNU General Public License, version 3 or later, without any warranty.
+
+The method follows S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018.</source>
+        <translation>由普通相机的视频测量移动机器人的运动。
+
+自由软件，遵循 GNU 通用公共许可证第 3 版或更高版本，不提供任何担保。
+
+方法依据 S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018。</translation>
+    </message>
+</context>
+<context>
+    <name>MapPainting</name>
+    <message>
+        <source>grid %1 %2</source>
+        <translation>网格 %1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>Modes</name>
+    <message>
+        <source>Testbed</source>
+        <translation>试验场</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+</context>
+<context>
+    <name>OwnChanges</name>
+    <message>
+        <source>nothing was changed here</source>
+        <translation>此处未作任何更改</translation>
+    </message>
+    <message>
+        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <translation>之前的更改请在窗口的“编辑”菜单中撤销</translation>
+    </message>
+    <message>
+        <source>Done: %1. Ctrl+Z takes it back.</source>
+        <translation>已完成：%1。可用 Ctrl+Z 撤回。</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>已撤销：%1。</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Made again: %1.</source>
+        <translation>已重做：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>PageMenus</name>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>T&amp;rial</source>
+        <translation>试验(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Spikes</source>
+        <translation>异常点(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;History</source>
+        <translation>历史(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Re&amp;cord</source>
+        <translation>录制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>播放(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>工具(&amp;T)</translation>
+    </message>
+</context>
+<context>
+    <name>RangeFacts</name>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>从 %1 到 %2</translation>
+    </message>
+    <message>
+        <source>What the calibration adds to an angle is not known and not in it.</source>
+        <translation>标定给角度带来的误差未知，未计入。</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s error of place is in it.</source>
+        <translation>已计入标定的位置误差。</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s error of scale is in it.</source>
+        <translation>已计入标定的尺度误差。</translation>
+    </message>
+    <message>
+        <source>Neighbours of a smoothed curve share their error, so it is averaged out by time and not by frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
+        <translation>平滑曲线上相邻点的误差是共有的，因此误差随时间而不是随帧数平均而减小：位置的误差谱取 r/(1 + (ω/ω₀)⁶)，ω₀ = √2 σv/σx。</translation>
+    </message>
+    <message>
+        <source>Of the smoothed curve, each value for half the time to both neighbours: its mean, the median (half of the time stays below it), the least and the most beyond doubt (by the value plus or minus 2σ), and the spread √(mean of the squared distance from the mean).</source>
+        <translation>取自平滑曲线，每个值代表到前后相邻点各一半的时间：平均值、中位数（一半时间低于它）、确定的最小值和最大值（按该值加或减 2σ 判断），以及离散度 √(与平均值之差的平方的平均值)。</translation>
+    </message>
+    <message>
+        <source>no value here</source>
+        <translation>此处无数值</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1（在 %2）</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>平均值</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>中位数</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>最小值</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>最大值</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>离散度</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n 个点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not its shape: χ² is %1 times what the errors explain</source>
+        <translation>形状不符：χ² 是误差所能解释的 %1 倍</translation>
+    </message>
+    <message>
+        <source>fits; the stated errors are too large: χ² is %1 of what they let expect</source>
+        <translation>相符；所给误差偏大：χ² 是其预期值的 %1 倍</translation>
+    </message>
+    <message>
+        <source>fits: χ² is %1 of what the errors let expect</source>
+        <translation>相符：χ² 是误差预期值的 %1 倍</translation>
+    </message>
+    <message>
+        <source>Fit of %1</source>
+        <translation>%1的拟合</translation>
+    </message>
+    <message>
+        <source>The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, over what the errors let expect of it: the number of points less what the coefficients take up.</source>
+        <translation>对%1拟合 t − t₀ 的多项式，使 Σ(残差/σ)² 最小，t₀ = %2。χ² 是该总和除以误差的预期值：点数减去系数所占的个数。</translation>
+    </message>
+    <message>
+        <source>the measured places that are used</source>
+        <translation>所采用的测得位置</translation>
+    </message>
+    <message>
+        <source>the smoothed curve</source>
+        <translation>平滑曲线</translation>
+    </message>
+    <message>
+        <source>The larger of two: that of the measurements, widened by 1 + 2Σρ of the residuals where they hang together (here ×%1), and that of the smoothed curve, which knows what of their errors lasts.</source>
+        <translation>取两者中较大的：一是测量的误差，残差相关时按 1 + 2Σρ 放大（此处为 ×%1）；二是平滑曲线的误差，其中包含了测量误差中持续存在的部分。</translation>
+    </message>
+    <message>
+        <source>That the shape is the true one is taken for granted; χ² far above 1 says that it is not. Below 1 it comes of a smoother that allows for more motion than there is.</source>
+        <translation>前提是所选形状为真实形状；χ² 远大于 1 说明并非如此。小于 1 则是因为平滑器允许的运动变化多于实际。</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 个点</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>%1 to %2: %3</source>
+        <translation>%1 至 %2：%3</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>路程</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>拟合</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>在 %1</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>斜率</translation>
+    </message>
+    <message>
+        <source>slope there</source>
+        <translation>该处斜率</translation>
+    </message>
+    <message>
+        <source>times t²</source>
+        <translation>t² 的系数</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>%1 (RMS)</source>
+        <translation>%1 (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>RecordHealth</name>
+    <message>
+        <source>trouble</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>slow</source>
+        <translation>缓慢</translation>
+    </message>
+    <message>
+        <source>losses</source>
+        <translation>有丢帧</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>, %1 ms</source>
+        <translation>，%1 ms</translation>
+    </message>
+    <message>
+        <source>; not registered</source>
+        <translation>；未配准</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>未看到</translation>
+    </message>
+    <message>
+        <source>unseen</source>
+        <translation>未见</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, %3</source>
+        <translation>x %1，y %2，%3</translation>
+    </message>
+    <message>
+        <source>; one camera sees it</source>
+        <translation>；仅一台相机看到</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>可见</translation>
+    </message>
+    <message>
+        <source>fair</source>
+        <translation>尚可</translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation>不同步</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>同步</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>%1 MB written</source>
+        <translation>已写入 %1 MB</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>磁盘</translation>
+    </message>
+    <message>
+        <source>Camera %1 is not registered to the floor: it is recorded, but cannot tell where a robot is.</source>
+        <translation>相机 %1 未配准到地面：会录制，但无法由它得知机器人的位置。</translation>
+    </message>
+    <message>
+        <source>Camera %1 was registered for pictures of %2×%3, which it does not send now: it is recorded, but cannot tell where a robot is.</source>
+        <translation>相机 %1 是按 %2×%3 的画面配准的，而现在发送的画面不是这个尺寸：会录制，但无法由它得知机器人的位置。</translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation>录制：%1</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>相机 %1：%2</translation>
+    </message>
+    <message>
+        <source>The disk is hardly fast enough: record to a faster one, or with fewer cameras.</source>
+        <translation>磁盘速度勉强够用：请录制到更快的磁盘，或减少相机。</translation>
+    </message>
+    <message>
+        <source>The disk is nearly full: %1</source>
+        <translation>磁盘将满：%1</translation>
+    </message>
+    <message>
+        <source>The cameras are not in step: set both to the same rate.</source>
+        <translation>两台相机不同步：请将它们设为相同的帧率。</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>以及另外 %n 个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>ReportChart</name>
+    <message>
+        <source>Speed, %1</source>
+        <translation>速度，%1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>沿路径方向的加速度，%1</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>平滑后，含 ±95 % 置信带；点：测量值</translation>
+    </message>
+    <message>
+        <source>No curve: the robot was not seen</source>
+        <translation>无曲线：未看到机器人</translation>
+    </message>
+</context>
+<context>
+    <name>ReportMethod</name>
+    <message>
+        <source>%1: %2 frames at %3/s</source>
+        <translation>%1：%2 帧，%3/s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n missing</source>
+        <translation>
+            <numerusform>缺 %n 帧</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>lens calibrated to %1 px</source>
+        <translation>镜头已标定至 %1 px</translation>
+    </message>
+    <message>
+        <source>registered to the floor to %1 px, %2</source>
+        <translation>已配准到地面，至 %1 px，%2</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>未配准</translation>
+    </message>
+    <message>
+        <source>%1 samples: %2 measured, %3 used, %4 flagged, %5 bridged; the views disagree by %6 on average</source>
+        <translation>%1 个采样点：测得 %2，采用 %3，标为异常 %4，补接 %5；视角平均相差 %6</translation>
+    </message>
+    <message>
+        <source>t, s</source>
+        <translation>t，s</translation>
+    </message>
+    <message>
+        <source>x, %1</source>
+        <translation>x，%1</translation>
+    </message>
+    <message>
+        <source>y, %1</source>
+        <translation>y，%1</translation>
+    </message>
+    <message>
+        <source>speed, %1</source>
+        <translation>速度，%1</translation>
+    </message>
+    <message>
+        <source>± (σ)</source>
+        <translation>± (σ)</translation>
+    </message>
+    <message>
+        <source>acceleration, %1</source>
+        <translation>加速度，%1</translation>
+    </message>
+    <message>
+        <source>flags</source>
+        <translation>异常标注</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>测量数据</translation>
+    </message>
+    <message>
+        <source>every sample, smoothed</source>
+        <translation>每个采样点，平滑后</translation>
+    </message>
+    <message>
+        <source>one sample of %1, smoothed; all of them are in the exported file</source>
+        <translation>每 %1 个采样点取一个，平滑后；导出的文件中有全部采样点</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>smoother: %1</source>
+        <translation>平滑器：%1</translation>
+    </message>
+    <message>
+        <source>analysed %1, Odograph %2</source>
+        <translation>分析于 %1，Odograph %2</translation>
+    </message>
+    <message>
+        <source>%1: method</source>
+        <translation>%1：方法</translation>
+    </message>
+    <message>
+        <source>How the figures were computed</source>
+        <translation>各指标的计算方法</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>±: %1.</source>
+        <translation>±：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>ReportStills</name>
+    <message>
+        <source>no picture: the video is missing</source>
+        <translation>无画面：视频缺失</translation>
+    </message>
+</context>
+<context>
+    <name>RobotColours</name>
+    <message>
+        <source>blue</source>
+        <translation>蓝色</translation>
+    </message>
+    <message>
+        <source>vermilion</source>
+        <translation>朱红色</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>绿色</translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation>紫色</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>橙色</translation>
+    </message>
+    <message>
+        <source>sky blue</source>
+        <translation>天蓝色</translation>
+    </message>
+    <message>
+        <source>by itself</source>
+        <translation>自动</translation>
+    </message>
+</context>
+<context>
+    <name>RunEvents</name>
+    <message>
+        <source>First seen, moving already</source>
+        <translation>首次看到，已在运动</translation>
+    </message>
+    <message>
+        <source>Starts to move</source>
+        <translation>开始运动</translation>
+    </message>
+    <message>
+        <source>Last seen, still moving</source>
+        <translation>最后看到，仍在运动</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>停下</translation>
+    </message>
+    <message>
+        <source>Top speed, %1</source>
+        <translation>最大速度，%1</translation>
+    </message>
+    <message>
+        <source>Passes %1</source>
+        <translation>通过 %1</translation>
+    </message>
+    <message>
+        <source>Spike: %1</source>
+        <translation>异常点：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>(%n samples)</source>
+        <translation>
+            <numerusform>（%n 个采样点）</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SceneDisagreement</name>
+    <message>
+        <source>Only one view at a time: nothing to compare</source>
+        <translation>每一时刻只有一个视角：无从比较</translation>
+    </message>
+    <message>
+        <source>RMS %1, median %2</source>
+        <translation>RMS %1，中位数 %2</translation>
+    </message>
+    <message>
+        <source>expected by the errors: %1</source>
+        <translation>按误差预期：%1</translation>
+    </message>
+    <message>
+        <source>%1 – more than they explain</source>
+        <translation>%1 – 超出误差所能解释的程度</translation>
+    </message>
+    <message>
+        <source>Disagreement of the views</source>
+        <translation>视角差异</translation>
+    </message>
+    <message>
+        <source>Each view alone puts the robot at a place on the floor. Shown is how far these places are apart in each frame in which two views or more saw it (of more than two, the largest distance); RMS is √(mean of the squares). Samples that are not used are left out.
+Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the views&apos; step σs.
+Much more than expected means that something is not as it was told: the views are not in step (then it grows with the speed), a camera has moved or is badly registered (then it depends on the place), or the robot&apos;s height is wrong (then it points to and from the cameras).</source>
+        <translation>每个视角单独就能给出机器人在地面上的位置。这里显示在有两个或更多视角看到机器人的每一帧中，这些位置相距多远（多于两个视角时取最大距离）；RMS 为 √(平方的平均值)。未采用的采样点不计入。
+预期值为 √(tr A + tr B + (v·σs)²)，由两个视角的协方差 A 和 B（像素与标定）、速度 v 以及视角同步的 σs 得出。
+若远大于预期，说明有某项与设定不符：视角不同步（差异随速度增大），相机移动过或配准不佳（差异取决于位置），或机器人高度有误（差异沿朝向或背离相机的方向）。</translation>
+    </message>
+    <message>
+        <source>%1 frames seen by two views or more; largest %2; views in step to %3 ms</source>
+        <translation>有两个或更多视角看到的帧：%1；最大 %2；视角同步至 %3 ms</translation>
+    </message>
+</context>
+<context>
+    <name>ScoreText</name>
+    <message>
+        <source>%1: not measured, no points (%2)</source>
+        <translation>%1：未测量，不得分（%2）</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 points (%4)</source>
+        <translation>%1 %2：%3 分（%4）</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 of %4 points (%5)</source>
+        <translation>%1 %2：%3 分，满分 %4 分（%5）</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1，满分 %2</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>满分 %1</translation>
+    </message>
+    <message>
+        <source>the sum of the points of each line; a line gives points × (figure − none at) / (all at − none at), from 0 to all</source>
+        <translation>各评分项得分之和；每项得分为 分值 × (指标 − 零分界限) / (满分界限 − 零分界限)，从 0 分到满分</translation>
+    </message>
+    <message>
+        <source>of each line half of what its points differ by when its figure is one σ more or less; root of the sum of the squares</source>
+        <translation>对每个评分项，取其指标增减一个 σ 时得分之差的一半；再取平方和的平方根</translation>
+    </message>
+    <message>
+        <source>%1 points off at %2 or less, none off at %3 or more</source>
+        <translation>%2 或更低时扣 %1 分，%3 或更高时不扣分</translation>
+    </message>
+    <message>
+        <source>%1 points off at %2 or more, none off at %3 or less</source>
+        <translation>%2 或更高时扣 %1 分，%3 或更低时不扣分</translation>
+    </message>
+    <message>
+        <source>%1 points at %2 or less, none at %3 or more</source>
+        <translation>%2 或更低时得 %1 分，%3 或更高时不得分</translation>
+    </message>
+    <message>
+        <source>%1 points at %2 or more, none at %3 or less</source>
+        <translation>%2 或更高时得 %1 分，%3 或更低时不得分</translation>
+    </message>
+</context>
+<context>
+    <name>SnappedMarker</name>
+    <message>
+        <source>tag</source>
+        <translation>标签码</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>圆环</translation>
+    </message>
+    <message>
+        <source>dot</source>
+        <translation>圆点</translation>
+    </message>
+    <message>
+        <source>tape crossing</source>
+        <translation>胶带交叉</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>拐角</translation>
+    </message>
+    <message>
+        <source>crossing fields</source>
+        <translation>方格交点</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>手动</translation>
+    </message>
+</context>
+<context>
+    <name>TargetPainter</name>
+    <message>
+        <source>100 mm</source>
+        <translation>100 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Checkerboard, %1 × %2 inner corners, squares of %3</source>
+        <translation>棋盘格，%1 × %2 个内角点，方格 %3</translation>
+    </message>
+    <message>
+        <source>ChArUco board, %1 × %2 inner corners, squares of %3</source>
+        <translation>ChArUco 板，%1 × %2 个内角点，方格 %3</translation>
+    </message>
+    <message>
+        <source>Floor marker %1 (tag 36h11 number %2), %3</source>
+        <translation>地面标记 %1（标签码 36h11，编号 %2），%3</translation>
+    </message>
+    <message>
+        <source>Floor marker %1 (ring), %2</source>
+        <translation>地面标记 %1（圆环），%2</translation>
+    </message>
+    <message>
+        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and tell Odograph what you measured.</source>
+        <translation>请按 100 %（实际大小）打印。将其平整地粘在硬板上，测量一个方格，并把测得的数值告诉 Odograph。</translation>
+    </message>
+    <message>
+        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s place is its middle, where the four lines at the edges point.</source>
+        <translation>请按 100 %（实际大小）打印。平放在地面上；标记的位置是其中心，即四边的四条线所指之处。</translation>
+    </message>
+</context>
+<context>
+    <name>TestbedState</name>
+    <message>
+        <source>standard</source>
+        <translation>标准</translation>
+    </message>
+    <message>
+        <source>rational</source>
+        <translation>有理</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>鱼眼</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>镜头</translation>
+    </message>
+    <message>
+        <source>%1, f = %2 px</source>
+        <translation>%1，f = %2 px</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>标定板误差</translation>
+    </message>
+    <message>
+        <source>%1 px in %2 pictures</source>
+        <translation>%1 px，共 %2 张图片</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>留出验证误差</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>评定</translation>
+    </message>
+    <message>
+        <source>On the floor</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>registered %1</source>
+        <translation>已配准，%1</translation>
+    </message>
+    <message>
+        <source>Last check</source>
+        <translation>上次检查</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m, %3 m high</source>
+        <translation>x %1 m，y %2 m，高 %3 m</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>注意</translation>
+    </message>
+    <message>
+        <source>not calibrated: taken as free of distortion</source>
+        <translation>未标定：视为无畸变</translation>
+    </message>
+    <message>
+        <source>not registered: positions cannot be measured yet</source>
+        <translation>未配准：尚不能测量位置</translation>
+    </message>
+</context>
+<context>
+    <name>TrailPainting</name>
+    <message>
+        <source>0 to %1 %2</source>
+        <translation>0 至 %1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>TrendPainting</name>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>TrialCurves</name>
+    <message>
+        <source>No curve yet: track the trial</source>
+        <translation>尚无曲线：请跟踪该试验</translation>
+    </message>
+</context>
+<context>
+    <name>TrialExport</name>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>供程序使用的 CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>供电子表格使用的 CSV，1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>供电子表格使用的 CSV，1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Tracker text (*.txt)</source>
+        <translation>Tracker 文本 (*.txt)</translation>
+    </message>
+    <message>
+        <source>TUM trajectory (*.tum)</source>
+        <translation>TUM 轨迹 (*.tum)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Robot:</source>
+        <translation>机器人：</translation>
+    </message>
+    <message>
+        <source>export of %1</source>
+        <translation>导出 %1</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>尚未跟踪</translation>
+    </message>
+    <message>
+        <source>track it first</source>
+        <translation>请先跟踪</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>导出 %1</translation>
+    </message>
+    <message>
+        <source>%1 was exported to %2.</source>
+        <translation>%1 已导出到 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>TrialFacts</name>
+    <message>
+        <source>%1, %2 high (estimated)</source>
+        <translation>%1，高 %2（估计值）</translation>
+    </message>
+    <message>
+        <source>%1, %2 high</source>
+        <translation>%1，高 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2×%3, %4 frames</source>
+        <translation>%1：%2×%3，%4 帧</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视角</translation>
+    </message>
+    <message>
+        <source>video missing</source>
+        <translation>视频缺失</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>未配准</translation>
+    </message>
+    <message>
+        <source>In step</source>
+        <translation>同步</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>未同步</translation>
+    </message>
+    <message>
+        <source>SHA-256 %1…</source>
+        <translation>SHA-256 %1…</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Gates</source>
+        <translation>计时门</translation>
+    </message>
+    <message>
+        <source>to %1 %2</source>
+        <translation>到 %1 %2</translation>
+    </message>
+    <message>
+        <source>Lap %1</source>
+        <translation>第 %1 圈</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>第 %1 次</translation>
+    </message>
+    <message>
+        <source>off by %1 on average</source>
+        <translation>平均偏离 %1</translation>
+    </message>
+    <message>
+        <source>%1 (RMS)</source>
+        <translation>%1 (RMS)</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>最大 %1</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>偏左 %1</translation>
+    </message>
+    <message>
+        <source>%1 of it completed</source>
+        <translation>完成 %1</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>未越界</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>measured by another course</source>
+        <translation>按另一赛道测量</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>得分</translation>
+    </message>
+    <message>
+        <source>none until it is measured again: the task has another course now</source>
+        <translation>重新测量之前无得分：任务现在用的是另一赛道</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Testbed</source>
+        <translation>试验场</translation>
+    </message>
+    <message>
+        <source>markers “%1”</source>
+        <translation>标记“%1”</translation>
+    </message>
+    <message>
+        <source>Imported</source>
+        <translation>导入来源</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>Distance from the path</source>
+        <translation>到路径的距离</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Smoother</source>
+        <translation>平滑器</translation>
+    </message>
+    <message>
+        <source>Analysed</source>
+        <translation>分析</translation>
+    </message>
+    <message>
+        <source>%1, Odograph %2</source>
+        <translation>%1，Odograph %2</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+</context>
+<context>
+    <name>TrialReport</name>
+    <message>
+        <source>class median %1</source>
+        <translation>班级中位数 %1</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>得分</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>运行俯视图</translation>
+    </message>
+    <message>
+        <source>coloured by speed</source>
+        <translation>按速度着色</translation>
+    </message>
+    <message>
+        <source>The cameras’ views</source>
+        <translation>相机视角</translation>
+    </message>
+    <message>
+        <source>at %1, the top speed</source>
+        <translation>在 %1，最大速度时</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>在 %1</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>运行经过</translation>
+    </message>
+    <message>
+        <source>It did not move</source>
+        <translation>机器人未移动</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>分段</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>第 %1 次</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>到 %1</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>± one σ</source>
+        <translation>± 一个 σ</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>This trial has not been tracked yet: there are no figures.</source>
+        <translation>此试验尚未跟踪：没有指标。</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>班级</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+</context>
+<context>
+    <name>WindowTitle</name>
+    <message>
+        <source>Team %1</source>
+        <translation>小组 %1</translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>odo::AccuracyDialog</name>
+    <message>
+        <source>may hang &amp;over the floor</source>
+        <translation>可悬挂在地面上方(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Plan a camera</source>
+        <translation>规划相机(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>移除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Best place</source>
+        <translation>最佳位置(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Expected accuracy</source>
+        <translation>预期精度</translation>
+    </message>
+    <message>
+        <source>Expected accuracy in words</source>
+        <translation>预期精度说明</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>问题所在</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Cameras that count</source>
+        <translation>参与计算的相机</translation>
+    </message>
+    <message>
+        <source>All ticked cameras together</source>
+        <translation>所有勾选的相机合用</translation>
+    </message>
+    <message>
+        <source>The chosen camera alone</source>
+        <translation>仅所选相机</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>显示(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Height of the robo&amp;t</source>
+        <translation>机器人高度(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>As under a ceiling; a tripod would stand in the robots&apos; way</source>
+        <translation>例如装在天花板下；三脚架则会挡住机器人的路</translation>
+    </message>
+    <message>
+        <source>Puts the camera where, with the others that are ticked, the worst place of the floor is known best</source>
+        <translation>把相机放到这样的位置：与其他勾选的相机合用时，地面上精度最差的地方也能测得最准</translation>
+    </message>
+    <message>
+        <source>Room beyond the &amp;markers</source>
+        <translation>标记外的范围(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Planned camera</source>
+        <translation>规划的相机</translation>
+    </message>
+    <message>
+        <source>%1, registered %2</source>
+        <translation>%1，%2 配准</translation>
+    </message>
+    <message>
+        <source>Planned %1</source>
+        <translation>规划 %1</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3.</source>
+        <translation>%1：%2；%3。</translation>
+    </message>
+    <message>
+        <source>Looking for the best place…</source>
+        <translation>正在寻找最佳位置…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Badge</name>
+    <message>
+        <source>not registered</source>
+        <translation>未配准</translation>
+    </message>
+    <message>
+        <source>moved %1</source>
+        <translation>移动了 %1</translation>
+    </message>
+    <message>
+        <source>marker moved %1</source>
+        <translation>标记移动了 %1</translation>
+    </message>
+    <message>
+        <source>markers not found</source>
+        <translation>未找到标记</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoardCanvas</name>
+    <message>
+        <source>Picture of the board</source>
+        <translation>标定板图片</translation>
+    </message>
+    <message>
+        <source>residuals, longest %1 px</source>
+        <translation>残差，最长 %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoardSearchWorker</name>
+    <message>
+        <source>picture %1</source>
+        <translation>图片 %1</translation>
+    </message>
+    <message>
+        <source>in none of its pictures is a board that is still, sharp and new</source>
+        <translation>其图片中没有静止、清晰且处于新位置的标定板</translation>
+    </message>
+</context>
+<context>
+    <name>odo::BoxCanvas</name>
+    <message>
+        <source>Picture; arrow keys move the box round the robot, with Shift they change its size</source>
+        <translation>画面；方向键移动机器人周围的框，按住 Shift 则改变框的大小</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraChoiceDialog</name>
+    <message>
+        <source>Cameras to record with</source>
+        <translation>用于录制的相机</translation>
+    </message>
+    <message>
+        <source>Device that is camera %1</source>
+        <translation>用作相机 %1 的设备</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>设置…</translation>
+    </message>
+    <message>
+        <source>Settings of camera %1</source>
+        <translation>相机 %1 的设置</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>重新查找(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Use these</source>
+        <translation>使用这些</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>不使用</translation>
+    </message>
+    <message>
+        <source>in use by another program</source>
+        <translation>正被其他程序使用</translation>
+    </message>
+    <message>
+        <source>%1 (not connected)</source>
+        <translation>%1（未连接）</translation>
+    </message>
+    <message>
+        <source>Looking for cameras…</source>
+        <translation>正在查找相机…</translation>
+    </message>
+    <message>
+        <source>Choose at least one camera. With two, the place of a robot is known better, and while one cannot see it.</source>
+        <translation>请至少选择一台相机。用两台时，机器人的位置测得更准，其中一台看不到时也能测量。</translation>
+    </message>
+    <message>
+        <source>One device cannot be two cameras.</source>
+        <translation>一个设备不能同时用作两台相机。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraListModel</name>
+    <message>
+        <source>not calibrated</source>
+        <translation>未标定</translation>
+    </message>
+    <message>
+        <source>calibrated, ±%1 px</source>
+        <translation>已标定，±%1 px</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>未配准</translation>
+    </message>
+    <message>
+        <source>registered, %1</source>
+        <translation>已配准，%1</translation>
+    </message>
+    <message>
+        <source>Calibrate the lens, then register the camera to the floor.</source>
+        <translation>请先标定镜头，再将相机配准到地面。</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>镜头</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>评定</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraView</name>
+    <message>
+        <source>in step to %1 ms</source>
+        <translation>同步至 %1 ms</translation>
+    </message>
+    <message>
+        <source>offset by hand</source>
+        <translation>手动偏移</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>未同步</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Picture of the camera</source>
+        <translation>相机画面</translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <translation>%1 的画面</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraWishesDialog</name>
+    <message>
+        <source>as the camera has it</source>
+        <translation>按相机现有设置</translation>
+    </message>
+    <message>
+        <source>frames/s</source>
+        <translation>帧/s</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Ask for each picture, so that all such cameras take theirs together</source>
+        <translation>逐帧请求画面，使所有此类相机同时拍摄</translation>
+    </message>
+    <message>
+        <source>Settings of %1</source>
+        <translation>%1 的设置</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>帧率</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>曝光</translation>
+    </message>
+    <message>
+        <source>Software trigger</source>
+        <translation>软件触发</translation>
+    </message>
+    <message>
+        <source>&amp;Picture</source>
+        <translation>画面(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Rate</source>
+        <translation>帧率(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Exposure</source>
+        <translation>曝光(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Trigger</source>
+        <translation>触发(&amp;T)</translation>
+    </message>
+    <message>
+        <source>What the camera cannot do is said when it is opened.</source>
+        <translation>相机不支持的项目会在打开相机时说明。</translation>
+    </message>
+    <message>
+        <source>Use these</source>
+        <translation>使用这些</translation>
+    </message>
+    <message>
+        <source>the best for tracking</source>
+        <translation>最适合跟踪的设置</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChangeModel</name>
+    <message>
+        <source>made</source>
+        <translation>已执行</translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation>已撤销</translation>
+    </message>
+    <message>
+        <source>made again</source>
+        <translation>已重做</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>方式</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChangesDialog</name>
+    <message>
+        <source>Changes of the project</source>
+        <translation>项目的更改记录</translation>
+    </message>
+    <message>
+        <source>Nothing has been changed yet.</source>
+        <translation>尚无任何更改。</translation>
+    </message>
+    <message>
+        <source>What was changed, in this window and by the command line, the newest first. Recordings, imports and tracking are told too; they cannot be undone.</source>
+        <translation>在此窗口中和通过命令行所作的更改，最新的在前。录制、导入和跟踪也会列出，但不能撤销。</translation>
+    </message>
+    <message>
+        <source>Search the changes…</source>
+        <translation>搜索更改…</translation>
+    </message>
+    <message>
+        <source>Search the changes</source>
+        <translation>搜索更改</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>更改</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChartPicture</name>
+    <message>
+        <source>&amp;Copy as a picture</source>
+        <translation>复制为图片(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Save as a picture…</source>
+        <translation>保存为图片(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>SVG pictures (*.svg)</source>
+        <translation>SVG 图片 (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG 图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Save as a picture</source>
+        <translation>保存为图片</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ChartSpan</name>
+    <message>
+        <source>Charts: show &amp;less</source>
+        <translation>图表：缩小范围(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Charts: show &amp;more</source>
+        <translation>图表：扩大范围(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Charts: show &amp;all</source>
+        <translation>图表：显示全部(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Charts against the &amp;distance</source>
+        <translation>图表以路程为横轴(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CheckTools</name>
+    <message>
+        <source>&amp;Check the cameras…</source>
+        <translation>检查相机(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Moved?</source>
+        <translation>移动过？</translation>
+    </message>
+    <message>
+        <source>Look whether each camera still stands where it was registered, before the robots run</source>
+        <translation>在机器人运行之前，查看各相机是否仍在配准时的位置</translation>
+    </message>
+    <message>
+        <source>Check a known &amp;length…</source>
+        <translation>检查已知长度(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Length…</source>
+        <translation>长度…</translation>
+    </message>
+    <message>
+        <source>Measure something of known length in a camera&apos;s picture, and see whether the camera is as good as it promises</source>
+        <translation>在相机画面中测量一段已知长度，看相机是否达到其应有的精度</translation>
+    </message>
+    <message>
+        <source>&amp;Expected accuracy…</source>
+        <translation>预期精度(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Accuracy…</source>
+        <translation>精度…</translation>
+    </message>
+    <message>
+        <source>See how well each place of the floor will be known, also with cameras that are only planned</source>
+        <translation>查看地面各处的位置能测得多准，也可包括仅在规划中的相机</translation>
+    </message>
+    <message>
+        <source>&amp;Older calibrations…</source>
+        <translation>以前的标定(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Revisions…</source>
+        <translation>版本…</translation>
+    </message>
+    <message>
+        <source>See every calibration and registration of a camera, put an older one in force, measure trials again</source>
+        <translation>查看相机的全部标定和配准，使以前的版本生效，重新测量试验</translation>
+    </message>
+    <message>
+        <source>The cameras are checked: see their badges.</source>
+        <translation>相机已检查：请看各自的状态标志。</translation>
+    </message>
+    <message>
+        <source>Calibrations and trials are as they were chosen.</source>
+        <translation>标定和试验已按所选设定。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ClassActions</name>
+    <message>
+        <source>&amp;Tasks…</source>
+        <translation>任务(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>C&amp;lasses and teams…</source>
+        <translation>班级与小组(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>R&amp;obots…</source>
+        <translation>机器人(&amp;O)…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ClassesDialog</name>
+    <message>
+        <source>&amp;New class…</source>
+        <translation>新建班级(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>重命名(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>归档(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Dele&amp;te</source>
+        <translation>删除(&amp;T)</translation>
+    </message>
+    <message>
+        <source>New t&amp;eam…</source>
+        <translation>新建小组(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Move to</source>
+        <translation>移至(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Members and r&amp;obots…</source>
+        <translation>成员和机器人(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Import roster…</source>
+        <translation>导入名单(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Classes and teams</source>
+        <translation>班级与小组</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>已完成的操作</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>班级</translation>
+    </message>
+    <message>
+        <source>An archived class is out of the way: History, Record and the standings show its teams and trials only where it is chosen there by name</source>
+        <translation>归档的班级不再显示：只有在“历史”“录制”和排名中按名称选择它时，才会列出其小组和试验</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Pseudonym</source>
+        <translation>化名</translation>
+    </message>
+    <message>
+        <source>Members</source>
+        <translation>成员</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Teams of the class</source>
+        <translation>班级中的小组</translation>
+    </message>
+    <message>
+        <source>Double-click or F2 changes a name or a pseudonym</source>
+        <translation>双击或按 F2 可修改名称或化名</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (archived, %n team(s))</source>
+        <translation>
+            <numerusform>%1（已归档，%n 个小组）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%n team(s))</source>
+        <translation>
+            <numerusform>%1（%n 个小组）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Teams without a class</source>
+        <translation>不属于班级的小组</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>取消归档(&amp;A)</translation>
+    </message>
+    <message>
+        <source>No class</source>
+        <translation>无班级</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>名称：</translation>
+    </message>
+    <message>
+        <source>New class</source>
+        <translation>新建班级</translation>
+    </message>
+    <message>
+        <source>add class %1</source>
+        <translation>添加班级 %1</translation>
+    </message>
+    <message>
+        <source>Rename class</source>
+        <translation>重命名班级</translation>
+    </message>
+    <message>
+        <source>rename class %1 to %2</source>
+        <translation>将班级 %1 重命名为 %2</translation>
+    </message>
+    <message>
+        <source>take class %1 out of the archive</source>
+        <translation>取消归档班级 %1</translation>
+    </message>
+    <message>
+        <source>archive class %1</source>
+        <translation>归档班级 %1</translation>
+    </message>
+    <message>
+        <source>delete class %1</source>
+        <translation>删除班级 %1</translation>
+    </message>
+    <message>
+        <source>New team</source>
+        <translation>新建小组</translation>
+    </message>
+    <message>
+        <source>add team %1</source>
+        <translation>添加小组 %1</translation>
+    </message>
+    <message>
+        <source>take team %1 out of its class</source>
+        <translation>将小组 %1 移出其班级</translation>
+    </message>
+    <message>
+        <source>move team %1 to class %2</source>
+        <translation>将小组 %1 移至班级 %2</translation>
+    </message>
+    <message>
+        <source>delete team %1</source>
+        <translation>删除小组 %1</translation>
+    </message>
+    <message>
+        <source>change members and robots of team %1</source>
+        <translation>更改小组 %1 的成员和机器人</translation>
+    </message>
+    <message>
+        <source>rename team %1 to %2</source>
+        <translation>将小组 %1 重命名为 %2</translation>
+    </message>
+    <message>
+        <source>change the pseudonym of team %1</source>
+        <translation>更改小组 %1 的化名</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CompareColumn</name>
+    <message>
+        <source>Time difference</source>
+        <translation>时间差</translation>
+    </message>
+    <message>
+        <source>Sectors</source>
+        <translation>区段</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Run that is shown against the first</source>
+        <translation>与运行 1 对照的运行</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Times from gate to gate</source>
+        <translation>各计时门之间的时间</translation>
+    </message>
+    <message>
+        <source>Figures of both runs</source>
+        <translation>两次运行的指标</translation>
+    </message>
+    <message>
+        <source>s · drag the gates on the map</source>
+        <translation>s · 可在地图上拖动计时门</translation>
+    </message>
+    <message>
+        <source>grey: within the error</source>
+        <translation>灰色：在误差范围内</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>对象：</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>对象：%1</translation>
+    </message>
+    <message>
+        <source>Later at the end</source>
+        <translation>末端较晚</translation>
+    </message>
+    <message>
+        <source>Earlier at the end</source>
+        <translation>末端较早</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>末端</translation>
+    </message>
+    <message>
+        <source>Later here</source>
+        <translation>此处较晚</translation>
+    </message>
+    <message>
+        <source>Earlier here</source>
+        <translation>此处较早</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>此处</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CompareDesk</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>俯视地图</translation>
+    </message>
+    <message>
+        <source>Map of the floor with the ways of the runs and the gates of the sectors</source>
+        <translation>地面地图，含各次运行的路线和区段的计时门</translation>
+    </message>
+    <message>
+        <source>Drag a gate along the way; with the keys: Up and Down choose one, Left and Right move it</source>
+        <translation>可沿路线拖动计时门；按键：上、下选择，左、右移动</translation>
+    </message>
+    <message>
+        <source>both runs</source>
+        <translation>两次运行</translation>
+    </message>
+    <message>
+        <source>Camera of the first run</source>
+        <translation>运行 1 的相机</translation>
+    </message>
+    <message>
+        <source>Camera of the second run</source>
+        <translation>运行 2 的相机</translation>
+    </message>
+    <message>
+        <source>dashed: the task&apos;s path</source>
+        <translation>虚线：任务的路径</translation>
+    </message>
+    <message>
+        <source>along the first run&apos;s way</source>
+        <translation>沿运行 1 的路线</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>运行 1</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>运行 2</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ComparePage</name>
+    <message>
+        <source>These runs cannot be compared</source>
+        <translation>这些运行无法比较</translation>
+    </message>
+    <message>
+        <source>%1. What helps: %2.</source>
+        <translation>%1。解决办法：%2。</translation>
+    </message>
+    <message>
+        <source>Two runs are needed</source>
+        <translation>需要两次运行</translation>
+    </message>
+    <message>
+        <source>Comparing shows where one run is faster than another, and whether that is more than the error. Choose two trials that have been tracked, or bring in another one.</source>
+        <translation>比较可以看出一次运行在哪里比另一次快，以及差别是否超过误差。请选择两次已跟踪的试验，或再导入一次试验。</translation>
+    </message>
+    <message>
+        <source>Import trial from videos…</source>
+        <translation>从视频导入试验…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CoveragePanel</name>
+    <message>
+        <source>Across</source>
+        <translation>左右</translation>
+    </message>
+    <message>
+        <source>Up and down</source>
+        <translation>上下</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>远近</translation>
+    </message>
+    <message>
+        <source>Tilted</source>
+        <translation>倾斜</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>覆盖</translation>
+    </message>
+    <message>
+        <source>%1 pictures: enough. More do no harm.</source>
+        <translation>%1 张图片：已足够。更多也无妨。</translation>
+    </message>
+    <message>
+        <source>1 picture; ten or more are wanted.</source>
+        <translation>1 张图片；需要十张或更多。</translation>
+    </message>
+    <message>
+        <source>%1 pictures; ten or more are wanted.</source>
+        <translation>%1 张图片；需要十张或更多。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CrashNotice</name>
+    <message>
+        <source>Odograph ended unexpectedly</source>
+        <translation>Odograph 意外退出</translation>
+    </message>
+    <message>
+        <source>The last time, Odograph ended by a fault of its own. What was saved is safe. A recording that was cut off is kept up to its last second as soon as its project is opened again.</source>
+        <translation>上一次，Odograph 因自身故障而退出。已保存的内容是安全的。被中断的录像会在其项目再次打开时补全，直到中断前的最后一秒。</translation>
+    </message>
+    <message>
+        <source>The last time, Odograph ended by a fault of its own. What was saved is safe.</source>
+        <translation>上一次，Odograph 因自身故障而退出。已保存的内容是安全的。</translation>
+    </message>
+    <message>
+        <source>Project:</source>
+        <translation>项目：</translation>
+    </message>
+    <message>
+        <source>Report:</source>
+        <translation>报告：</translation>
+    </message>
+    <message>
+        <source>&amp;Open the project</source>
+        <translation>打开该项目(&amp;O)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DifferenceModel</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>begin</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Only one of the two has it</source>
+        <translation>两者中只有一个有此项</translation>
+    </message>
+    <message>
+        <source>%1: beyond the error (95 %)</source>
+        <translation>%1：超出误差（95 %）</translation>
+    </message>
+    <message>
+        <source>%1: within the error (95 %), no difference can be claimed</source>
+        <translation>%1：在误差范围内（95 %），不能断定有差别</translation>
+    </message>
+    <message>
+        <source>beyond the error</source>
+        <translation>超出误差</translation>
+    </message>
+    <message>
+        <source>within the error</source>
+        <translation>在误差范围内</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差值</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DistanceChart</name>
+    <message>
+        <source>Speed along the way</source>
+        <translation>沿程速度</translation>
+    </message>
+    <message>
+        <source>Time difference along the way</source>
+        <translation>沿程时间差</translation>
+    </message>
+    <message>
+        <source>%1 · smoothed ±95 %</source>
+        <translation>%1 · 平滑后 ±95 %</translation>
+    </message>
+    <message>
+        <source>s · above 0: %2 is later than %1 · ±95 % · grey: within the error</source>
+        <translation>s · 大于 0：%2 比 %1 晚 · ±95 % · 灰色：在误差范围内</translation>
+    </message>
+    <message>
+        <source>s · above 0: later than %1 · ±95 % · grey: within the error</source>
+        <translation>s · 大于 0：比 %1 晚 · ±95 % · 灰色：在误差范围内</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DockGrip</name>
+    <message>
+        <source>Drag to move, double click to float</source>
+        <translation>拖动可移动，双击可浮动</translation>
+    </message>
+</context>
+<context>
+    <name>odo::DoctorDialog</name>
+    <message>
+        <source>good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>可疑</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>不良</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Set-up doctor</source>
+        <translation>装置诊断</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>诊断结果</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>重新检查(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>正在检查…</translation>
+    </message>
+    <message>
+        <source>. What to do: %1.</source>
+        <translation>。处理办法：%1。</translation>
+    </message>
+    <message>
+        <source>Nothing was found that would disturb a recording.</source>
+        <translation>未发现会干扰录制的问题。</translation>
+    </message>
+    <message>
+        <source>There is one thing to look at.</source>
+        <translation>有一项需要注意。</translation>
+    </message>
+    <message>
+        <source>There are %1 things to look at, the worst first.</source>
+        <translation>有 %1 项需要注意，最严重的在前。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FigureGrid</name>
+    <message>
+        <source>Figures</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>No result yet: track the trial</source>
+        <translation>尚无结果：请跟踪该试验</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FigureText</name>
+    <message>
+        <source>Time</source>
+        <translation>用时</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>路程</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>最大速度</translation>
+    </message>
+    <message>
+        <source>Mean speed</source>
+        <translation>平均速度</translation>
+    </message>
+    <message>
+        <source>Speed (RMS)</source>
+        <translation>速度 (RMS)</translation>
+    </message>
+    <message>
+        <source>Top acceleration</source>
+        <translation>最大加速度</translation>
+    </message>
+    <message>
+        <source>Acceleration (RMS)</source>
+        <translation>加速度 (RMS)</translation>
+    </message>
+    <message>
+        <source>Straightness</source>
+        <translation>直线度</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>停车次数</translation>
+    </message>
+    <message>
+        <source>Fastest turn</source>
+        <translation>最大转向角速度</translation>
+    </message>
+    <message>
+        <source>Start to finish</source>
+        <translation>起点到终点</translation>
+    </message>
+    <message>
+        <source>Laps</source>
+        <translation>圈数</translation>
+    </message>
+    <message>
+        <source>Best lap</source>
+        <translation>最快圈</translation>
+    </message>
+    <message>
+        <source>Mean lap</source>
+        <translation>平均圈时</translation>
+    </message>
+    <message>
+        <source>Off the path (mean)</source>
+        <translation>路径偏离（平均）</translation>
+    </message>
+    <message>
+        <source>Off the path (RMS)</source>
+        <translation>路径偏离 (RMS)</translation>
+    </message>
+    <message>
+        <source>Off the path (most)</source>
+        <translation>路径偏离（最大）</translation>
+    </message>
+    <message>
+        <source>Left of the path</source>
+        <translation>路径偏左</translation>
+    </message>
+    <message>
+        <source>Path completed</source>
+        <translation>路径完成度</translation>
+    </message>
+    <message>
+        <source>Zones broken</source>
+        <translation>越界次数</translation>
+    </message>
+    <message>
+        <source>Time beyond zones</source>
+        <translation>越界时间</translation>
+    </message>
+    <message>
+        <source>Beyond zones (most)</source>
+        <translation>最大越界距离</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>位移</translation>
+    </message>
+    <message>
+        <source>Time in motion</source>
+        <translation>运动时间</translation>
+    </message>
+    <message>
+        <source>Views disagree by</source>
+        <translation>视角差异</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>得分</translation>
+    </message>
+    <message>
+        <source>Spikes</source>
+        <translation>异常点</translation>
+    </message>
+    <message>
+        <source>Limits broken</source>
+        <translation>超限次数</translation>
+    </message>
+    <message>
+        <source>Gates passed</source>
+        <translation>通过的计时门</translation>
+    </message>
+    <message>
+        <source>Robot&apos;s height</source>
+        <translation>机器人高度</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FileActions</name>
+    <message>
+        <source>&amp;New project…</source>
+        <translation>新建项目(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Open project…</source>
+        <translation>打开项目(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open &amp;demo lesson…</source>
+        <translation>打开演示课(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Save a &amp;copy as…</source>
+        <translation>另存副本(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>清空此列表(&amp;C)</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>新建项目</translation>
+    </message>
+    <message>
+        <source>Project.odo</source>
+        <translation>项目.odo</translation>
+    </message>
+    <message>
+        <source>Odograph projects (*.odo)</source>
+        <translation>Odograph 项目 (*.odo)</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>打开项目</translation>
+    </message>
+    <message>
+        <source>Odograph projects (*.odo);;All files (*)</source>
+        <translation>Odograph 项目 (*.odo);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Where shall the demo lesson be made?</source>
+        <translation>演示课放在哪里？</translation>
+    </message>
+    <message>
+        <source>Odograph demo</source>
+        <translation>Odograph 演示</translation>
+    </message>
+    <message>
+        <source>Making the demo lesson</source>
+        <translation>正在生成演示课</translation>
+    </message>
+    <message>
+        <source>Copy of %1</source>
+        <translation>%1 的副本</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>保存副本</translation>
+    </message>
+    <message>
+        <source>Saving a copy</source>
+        <translation>正在保存副本</translation>
+    </message>
+    <message>
+        <source>A copy was saved as %1. Its videos stay where they are.</source>
+        <translation>副本已保存为 %1。其视频仍在原处。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FilmStrip</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>取出(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Pictures that count</source>
+        <translation>参与计算的图片</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorMap</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>俯视地图</translation>
+    </message>
+    <message>
+        <source>Map: &amp;views&apos; disagreement</source>
+        <translation>地图：视角差异(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Map of the floor with the robots&apos; trails</source>
+        <translation>地面地图，含机器人的轨迹</translation>
+    </message>
+    <message>
+        <source>What colours the trails of the map</source>
+        <translation>地图上轨迹的着色依据</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Disagreement</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>Disagreement of the views: %1</source>
+        <translation>视角差异：%1</translation>
+    </message>
+    <message>
+        <source>coloured by</source>
+        <translation>着色依据</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorSketch</name>
+    <message>
+        <source>Sketch of the testbed from above</source>
+        <translation>试验场俯视草图</translation>
+    </message>
+    <message>
+        <source>%1 markers, %2 cameras</source>
+        <translation>%1 个标记，%2 台相机</translation>
+    </message>
+    <message>
+        <source>%1, %2 m high</source>
+        <translation>%1，高 %2 m</translation>
+    </message>
+    <message>
+        <source>Markers and cameras are drawn here once there is a layout or a registered camera.</source>
+        <translation>有了标记布局或已配准的相机后，标记和相机会画在这里。</translation>
+    </message>
+    <message>
+        <source>grid 0.5 m</source>
+        <translation>网格 0.5 m</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorSourcePage</name>
+    <message>
+        <source>Picture or video of the markers</source>
+        <translation>标记的图片或视频</translation>
+    </message>
+    <message>
+        <source>Markers whose places on the floor are known tell where the camera stands. Four are enough, a fifth checks them. Afterwards the camera must not be moved.</source>
+        <translation>由地面上位置已知的标记可以得出相机的位置。四个就够，第五个用于检验。此后不得移动相机。</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>相机(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Marker &amp;layout</source>
+        <translation>标记布局(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Where the markers are seen</source>
+        <translation>标记见于何处</translation>
+    </message>
+    <message>
+        <source>Its lens is measured.</source>
+        <translation>镜头已测量。</translation>
+    </message>
+    <message>
+        <source>Its lens was not measured: it is taken as free of distortion, and its focal length is estimated from the markers where they tell it.</source>
+        <translation>镜头未测量：视为无畸变，其焦距在标记足以确定时由标记估计。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorWizard</name>
+    <message>
+        <source>Register camera to the floor</source>
+        <translation>将相机配准到地面</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The camera and its markers</source>
+        <translation>相机及其标记</translation>
+    </message>
+    <message>
+        <source>The markers in the picture</source>
+        <translation>画面中的标记</translation>
+    </message>
+    <message>
+        <source>Looking for the markers…</source>
+        <translation>正在查找标记…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::GateTable</name>
+    <message>
+        <source>start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>finish</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>start and finish</source>
+        <translation>起点兼终点</translation>
+    </message>
+    <message>
+        <source>split</source>
+        <translation>分段</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>移除(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Other way</source>
+        <translation>反向(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>计时门</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>作用</translation>
+    </message>
+    <message>
+        <source>x₁, mm</source>
+        <translation>x₁，mm</translation>
+    </message>
+    <message>
+        <source>y₁, mm</source>
+        <translation>y₁，mm</translation>
+    </message>
+    <message>
+        <source>x₂, mm</source>
+        <translation>x₂，mm</translation>
+    </message>
+    <message>
+        <source>y₂, mm</source>
+        <translation>y₂，mm</translation>
+    </message>
+    <message>
+        <source>Gates in the order in which they are passed</source>
+        <translation>计时门，按通过的顺序</translation>
+    </message>
+    <message>
+        <source>&amp;Add gate</source>
+        <translation>添加计时门(&amp;A)</translation>
+    </message>
+    <message>
+        <source>The chosen gate is passed the other way</source>
+        <translation>将所选计时门改为反向通过</translation>
+    </message>
+    <message>
+        <source>Role of the gate</source>
+        <translation>计时门的作用</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>分段 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::GeneralPage</name>
+    <message>
+        <source>Odograph shows it when it is started again.</source>
+        <translation>重新启动 Odograph 后生效。</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>语言(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Units of results</source>
+        <translation>结果的单位(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Floors and targets are set up in millimetres, as they are printed. Exported files have the units that their format asks for.</source>
+        <translation>地面和靶标按印制尺寸以毫米设置。导出的文件采用其格式所要求的单位。</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>主题(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Colours of maps</source>
+        <translation>地图配色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Both can be told apart by people who do not see red or green, and in a print without colours.</source>
+        <translation>两种配色对红绿色盲者和在黑白打印件上都能区分。</translation>
+    </message>
+    <message>
+        <source>Units of results</source>
+        <translation>结果的单位</translation>
+    </message>
+    <message>
+        <source>Millimetres and metres: mm, m, m/s</source>
+        <translation>毫米和米：mm、m、m/s</translation>
+    </message>
+    <message>
+        <source>Centimetres: cm, cm/s</source>
+        <translation>厘米：cm、cm/s</translation>
+    </message>
+    <message>
+        <source>Inches and feet: in, ft, ft/s</source>
+        <translation>英寸和英尺：in、ft、ft/s</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>As the computer has it</source>
+        <translation>与计算机相同</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>As the desktop has it</source>
+        <translation>跟随系统</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Colours of maps</source>
+        <translation>地图配色</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HelpActions</name>
+    <message>
+        <source>&amp;Help on this page</source>
+        <translation>本页帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;First lesson</source>
+        <translation>入门课(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>按键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About Odograph</source>
+        <translation>关于 Odograph(&amp;A)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HelpPanel</name>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>Close the help (F1)</source>
+        <translation>关闭帮助 (F1)</translation>
+    </message>
+    <message>
+        <source>Close the help</source>
+        <translation>关闭帮助</translation>
+    </message>
+    <message>
+        <source>Help on this page</source>
+        <translation>本页帮助</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HistoryActions</name>
+    <message>
+        <source>Import &amp;roster…</source>
+        <translation>导入名单(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Changes of the project…</source>
+        <translation>项目的更改记录(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Import a roster: a table with the columns class and team, perhaps pseudonym</source>
+        <translation>导入名单：含“class”（班级）和“team”（小组）两列的表格，可另有“pseudonym”（化名）列</translation>
+    </message>
+    <message>
+        <source>CSV tables (*.csv)</source>
+        <translation>CSV 表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>The roster is imported. Teams that are new: %1, changed: %2, as before: %3.</source>
+        <translation>名单已导入。新增小组：%1，有更改：%2，不变：%3。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Export %n trial(s): choose a folder</source>
+        <translation>
+            <numerusform>导出 %n 次试验：选择文件夹</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exported trials: %1 of %2.</source>
+        <translation>已导出试验：%1，共 %2。</translation>
+    </message>
+    <message>
+        <source>Exporting %1 (%2 of %3)</source>
+        <translation>正在导出 %1（第 %2 个，共 %3 个）</translation>
+    </message>
+    <message numerus="yes">
+        <source>Videos of %n trial(s)</source>
+        <translation>
+            <numerusform>%n 次试验的视频</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Videos made: %1 of %2.</source>
+        <translation>已生成视频：%1，共 %2。</translation>
+    </message>
+    <message>
+        <source>Making the video of %1 (%2 of %3)</source>
+        <translation>正在生成 %1 的视频（第 %2 个，共 %3 个）</translation>
+    </message>
+    <message>
+        <source>Trials measured again: %1 of %2.</source>
+        <translation>已重新测量试验：%1，共 %2。</translation>
+    </message>
+    <message>
+        <source>Measuring %1 again (%2 of %3)</source>
+        <translation>正在重新测量 %1（第 %2 个，共 %3 个）</translation>
+    </message>
+    <message>
+        <source>Emptying the bin</source>
+        <translation>正在清空回收站</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) removed for good.</source>
+        <translation>
+            <numerusform>已永久移除 %n 次试验。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n trial(s) removed for good; the rest is still there.</source>
+        <translation>
+            <numerusform>已永久移除 %n 次试验中的 %1 次；其余的仍在。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 could not be deleted; delete it by hand.</source>
+        <translation>无法删除 %1，请手动删除。</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>以及另外 %1 个</translation>
+    </message>
+    <message>
+        <source>mend what stands there, and choose these trials again</source>
+        <translation>请先解决上述问题，再重新选择这些试验</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HistoryPage</name>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>比较(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Teams by &amp;pseudonym</source>
+        <translation>小组显示化名(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Tria&amp;ls</source>
+        <translation>试验(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Tea&amp;ms</source>
+        <translation>小组(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Trials or teams</source>
+        <translation>试验或小组</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>重新测量(&amp;M)</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>导出(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>报告(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Export &amp;videos…</source>
+        <translation>导出视频(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Search trials, teams, tasks, tags, notes…</source>
+        <translation>搜索试验、小组、任务、标签、备注…</translation>
+    </message>
+    <message>
+        <source>Search the trials</source>
+        <translation>搜索试验</translation>
+    </message>
+    <message>
+        <source>Searc&amp;h</source>
+        <translation>搜索(&amp;H)</translation>
+    </message>
+    <message>
+        <source>%1 (archived)</source>
+        <translation>%1（已归档）</translation>
+    </message>
+    <message>
+        <source>Compare the selected trials</source>
+        <translation>比较所选试验</translation>
+    </message>
+    <message>
+        <source>Select two trials or more (Ctrl or Shift and a click)</source>
+        <translation>请选择两次或更多试验（按住 Ctrl 或 Shift 点击）</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n 次试验</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n trial(s)</source>
+        <translation>
+            <numerusform>%n 次试验中的 %1 次</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportTracksDialog</name>
+    <message>
+        <source>Add &amp;robot</source>
+        <translation>添加机器人(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Import finished tracks</source>
+        <translation>导入现成轨迹</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Positions that another program has measured, or Odograph has exported: TUM, CSV or Tracker&apos;s text. They are measured as a run without video.</source>
+        <translation>由其他程序测得、或由 Odograph 导出的位置：TUM、CSV 或 Tracker 文本。将作为没有视频的运行来测量。</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Team</source>
+        <translation>小组(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>任务(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>轨迹</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Robot of track %1</source>
+        <translation>轨迹 %1 的机器人</translation>
+    </message>
+    <message>
+        <source>A name that is new makes a new robot</source>
+        <translation>输入新名称会新建机器人</translation>
+    </message>
+    <message>
+        <source>File of track %1</source>
+        <translation>轨迹 %1 的文件</translation>
+    </message>
+    <message>
+        <source>Tracks (*.csv *.txt *.tum *.tsv);;All files (*)</source>
+        <translation>轨迹 (*.csv *.txt *.tum *.tsv);;所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportTrialDialog</name>
+    <message>
+        <source>Robots in the trial</source>
+        <translation>试验中的机器人</translation>
+    </message>
+    <message>
+        <source>Add &amp;view</source>
+        <translation>添加视角(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Camera&apos;s real &amp;rate</source>
+        <translation>相机实际帧率(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Import trial from videos</source>
+        <translation>从视频导入试验</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>小组(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>任务(&amp;K)</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>机器人(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Videos</source>
+        <translation>视频</translation>
+    </message>
+    <message>
+        <source>In &amp;step</source>
+        <translation>同步(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Video file</source>
+        <translation>视频文件</translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> 帧/s</translation>
+    </message>
+    <message>
+        <source>Camera&apos;s real rate</source>
+        <translation>相机实际帧率</translation>
+    </message>
+    <message>
+        <source>For slow motion: the file plays slower than the camera took it</source>
+        <translation>用于慢动作：文件的播放比相机拍摄时慢</translation>
+    </message>
+    <message>
+        <source>Camera of view %1</source>
+        <translation>视角 %1 的相机</translation>
+    </message>
+    <message>
+        <source>Video of view %1</source>
+        <translation>视角 %1 的视频</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;All files (*)</source>
+        <translation>视频 (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Registration of the camera of view %1</source>
+        <translation>视角 %1 的相机的配准</translation>
+    </message>
+</context>
+<context>
+    <name>odo::JobIndicator</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Cancel the running job</source>
+        <translation>取消正在进行的操作</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>正在停止…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::JointDialog</name>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Known to, before</source>
+        <translation>原精度</translation>
+    </message>
+    <message>
+        <source>Known to, together</source>
+        <translation>联合精度</translation>
+    </message>
+    <message>
+        <source>Moves by</source>
+        <translation>移动量</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Off by, mm</source>
+        <translation>偏差，mm</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>评定</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Register all cameras together</source>
+        <translation>联合配准所有相机</translation>
+    </message>
+    <message>
+        <source>The cameras of layout %1 are fitted again at once, by the markers they were registered with: where they see the same markers, they agree better afterwards, and a marker that was measured wrongly is found.</source>
+        <translation>布局 %1 的各相机将根据其配准时所用的标记一并重新拟合：看到相同标记的相机此后更加一致，量错的标记也会被发现。</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Error of the tape measure</source>
+        <translation>卷尺误差</translation>
+    </message>
+    <message>
+        <source>The markers&apos; places were &amp;measured to</source>
+        <translation>标记位置的测量误差(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Fitting the cameras together…</source>
+        <translation>正在联合拟合各相机…</translation>
+    </message>
+    <message>
+        <source>What is known together reckons with the markers&apos; places being measured to %1 mm, which a camera that is registered by itself takes as exact. Nothing is changed before you save; trials keep the registration they were analysed with.</source>
+        <translation>联合精度计入了标记位置 %1 mm 的测量误差，而相机单独配准时视标记位置为精确。保存之前不会有任何更改；试验保留其分析时所用的配准。</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>measure it again</source>
+        <translation>请重新测量</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>相符</translation>
+    </message>
+</context>
+<context>
+    <name>odo::KeysPage</name>
+    <message>
+        <source>&amp;Use this key</source>
+        <translation>使用此键(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>不设按键(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;All as usual</source>
+        <translation>全部恢复默认(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Search for a command or a key</source>
+        <translation>搜索命令或按键</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>命令及其按键</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>New key of the chosen command</source>
+        <translation>所选命令的新按键</translation>
+    </message>
+    <message>
+        <source>Choose a command to give it another key.</source>
+        <translation>选择一个命令，为其设置其他按键。</translation>
+    </message>
+    <message>
+        <source>%1 is the key of “%2”, which would have none.</source>
+        <translation>%1 是“%2”的按键，改用后该命令将没有按键。</translation>
+    </message>
+    <message>
+        <source>Press the new key in the field.</source>
+        <translation>请在输入框中按下新按键。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LayoutDialog</name>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>表格 (*.csv *.txt);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Marker layout</source>
+        <translation>标记布局</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>问题所在</translation>
+    </message>
+    <message>
+        <source>Where the markers lie on the floor, measured with a tape: millimetres from the origin. X goes to the right, Y away from you, seen from above.</source>
+        <translation>标记在地面上的位置，用卷尺测量：以毫米为单位，从原点算起。俯视时 X 向右，Y 朝远离您的方向。</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>标号</translation>
+    </message>
+    <message>
+        <source>x, mm</source>
+        <translation>x，mm</translation>
+    </message>
+    <message>
+        <source>y, mm</source>
+        <translation>y，mm</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>添加(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>移除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>坐标轴(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;CSV</source>
+        <translation>CSV(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Origin at the chosen marker</source>
+        <translation>以所选标记为原点(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Quarter turn</source>
+        <translation>旋转 90°(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Half turn</source>
+        <translation>旋转 180°(&amp;H)</translation>
+    </message>
+    <message>
+        <source>They were &amp;centimetres</source>
+        <translation>原为厘米(&amp;C)</translation>
+    </message>
+    <message>
+        <source>They were &amp;metres</source>
+        <translation>原为米(&amp;M)</translation>
+    </message>
+    <message>
+        <source>They were &amp;inches</source>
+        <translation>原为英寸(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>导入(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <translation>标记的位置 (label,x_mm,y_mm)</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Places of the markers</source>
+        <translation>标记的位置</translation>
+    </message>
+    <message>
+        <source>The layout has no name.</source>
+        <translation>布局没有名称。</translation>
+    </message>
+    <message>
+        <source>There is a layout of that name: cameras may stand on it, so it is not overwritten. Give another name.</source>
+        <translation>已有同名的布局：可能有相机以它为依据，因此不会覆盖。请另取名称。</translation>
+    </message>
+    <message>
+        <source>A marker has no label.</source>
+        <translation>有一个标记没有标号。</translation>
+    </message>
+    <message>
+        <source>Two markers are called %1.</source>
+        <translation>有两个标记的标号都是 %1。</translation>
+    </message>
+    <message>
+        <source>The place of %1 is not a number.</source>
+        <translation>%1 的位置不是数字。</translation>
+    </message>
+    <message>
+        <source>Four markers are needed, there are %1.</source>
+        <translation>需要四个标记，现有 %1 个。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 lie at one place.</source>
+        <translation>%1 和 %2 位于同一处。</translation>
+    </message>
+    <message>
+        <source>The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.</source>
+        <translation>各标记几乎在一条直线上：无法由此确定相机的位置。请把其中一个移到旁边。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LayoutDrawing</name>
+    <message>
+        <source>Markers from above</source>
+        <translation>标记俯视图</translation>
+    </message>
+    <message>
+        <source>grid 0.5 m</source>
+        <translation>网格 0.5 m</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LengthPage</name>
+    <message>
+        <source>Take what lies &amp;near a click</source>
+        <translation>吸附到点击处附近(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Picture with both ends; arrow keys move the chosen one, Space snaps it</source>
+        <translation>含两个端点的画面；方向键移动所选端点，空格键使其吸附</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>评定</translation>
+    </message>
+    <message>
+        <source>Measured length</source>
+        <translation>测得长度</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>True length</source>
+        <translation>真实长度</translation>
+    </message>
+    <message>
+        <source>Unit of the true length</source>
+        <translation>真实长度的单位</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>lies on the floor</source>
+        <translation>位于地面</translation>
+    </message>
+    <message>
+        <source>&amp;True length</source>
+        <translation>真实长度(&amp;T)</translation>
+    </message>
+    <message>
+        <source>H&amp;eight</source>
+        <translation>高度(&amp;E)</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>端点</translation>
+    </message>
+    <message>
+        <source>Seen as</source>
+        <translation>识别为</translation>
+    </message>
+    <message>
+        <source>On the floor, mm</source>
+        <translation>地面位置，mm</translation>
+    </message>
+    <message>
+        <source>Ends of the length</source>
+        <translation>长度的端点</translation>
+    </message>
+    <message>
+        <source>Both ends</source>
+        <translation>两个端点</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>被测物</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量结果</translation>
+    </message>
+    <message>
+        <source>Lay something of known length anywhere on the floor, a metre stick or two markers of known distance, and click both its ends. By keys: the arrows move an end (Ctrl: fast, Shift: a pixel), Space snaps it.</source>
+        <translation>在地面上任意处放一件已知长度的物体，如米尺，或两个距离已知的标记，然后点击其两端。用按键：方向键移动端点（Ctrl：快速，Shift：一个像素），空格键使其吸附。</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 mm</source>
+        <translation>%1 ± %2 mm</translation>
+    </message>
+    <message>
+        <source>inside the expected error</source>
+        <translation>在预期误差之内</translation>
+    </message>
+    <message>
+        <source>outside the expected error</source>
+        <translation>超出预期误差</translation>
+    </message>
+    <message>
+        <source> Give its true length to see whether that is right.</source>
+        <translation> 请输入真实长度，以检验是否正确。</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>beyond the horizon</source>
+        <translation>在地平线以外</translation>
+    </message>
+    <message>
+        <source>not put yet</source>
+        <translation>尚未放置</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LengthWizard</name>
+    <message>
+        <source>Check a known length</source>
+        <translation>检查已知长度</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>完成(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Picture or video of the length</source>
+        <translation>长度的图片或视频</translation>
+    </message>
+    <message>
+        <source>The camera and its picture</source>
+        <translation>相机及其画面</translation>
+    </message>
+    <message>
+        <source>Both ends of the length</source>
+        <translation>长度的两个端点</translation>
+    </message>
+    <message>
+        <source>Lay something of known length on the floor, away from the markers, and see whether the camera measures it as well as it promises. Nothing is changed by it.</source>
+        <translation>在地面上远离标记处放一件已知长度的物体，看相机的测量是否达到其应有的精度。检查不会更改任何内容。</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>相机(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Where the length is seen</source>
+        <translation>长度见于何处</translation>
+    </message>
+    <message>
+        <source>Getting the picture…</source>
+        <translation>正在获取画面…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensPicturesPage</name>
+    <message>
+        <source>Move it to the left of the picture</source>
+        <translation>移向画面左侧</translation>
+    </message>
+    <message>
+        <source>Move it to the right of the picture</source>
+        <translation>移向画面右侧</translation>
+    </message>
+    <message>
+        <source>Move it up</source>
+        <translation>向上移</translation>
+    </message>
+    <message>
+        <source>Move it down</source>
+        <translation>向下移</translation>
+    </message>
+    <message>
+        <source>Closer to the camera</source>
+        <translation>靠近相机</translation>
+    </message>
+    <message>
+        <source>Farther from the camera</source>
+        <translation>远离相机</translation>
+    </message>
+    <message>
+        <source>Tilt it: the left side away from the camera</source>
+        <translation>倾斜：左侧远离相机</translation>
+    </message>
+    <message>
+        <source>Tilt it: the right side away from the camera</source>
+        <translation>倾斜：右侧远离相机</translation>
+    </message>
+    <message>
+        <source>Tilt it: the upper side away from the camera</source>
+        <translation>倾斜：上侧远离相机</translation>
+    </message>
+    <message>
+        <source>Tilt it: the lower side away from the camera</source>
+        <translation>倾斜：下侧远离相机</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>保持不动</translation>
+    </message>
+    <message>
+        <source>&amp;Take a picture now</source>
+        <translation>立即拍一张(&amp;T)</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>操作提示</translation>
+    </message>
+    <message>
+        <source>No picture from the camera</source>
+        <translation>没有来自相机的画面</translation>
+    </message>
+    <message>
+        <source>Pictures that do not count</source>
+        <translation>不参与计算的图片</translation>
+    </message>
+    <message>
+        <source>What the pictures cover</source>
+        <translation>图片的覆盖情况</translation>
+    </message>
+    <message>
+        <source>Not counted</source>
+        <translation>不计入</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera…</source>
+        <translation>正在等待相机…</translation>
+    </message>
+    <message>
+        <source>Looking for the board…</source>
+        <translation>正在查找标定板…</translation>
+    </message>
+    <message>
+        <source>Hold the board before the camera</source>
+        <translation>请将标定板举在相机前</translation>
+    </message>
+    <message>
+        <source>Looking for the board</source>
+        <translation>正在查找标定板</translation>
+    </message>
+    <message>
+        <source>A picture is taken by itself whenever the board is still, sharp and in a new place.</source>
+        <translation>只要标定板静止、清晰且处于新位置，就会自动拍摄一张图片。</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>已拍摄</translation>
+    </message>
+    <message>
+        <source>Now the dashed outline shows where the board would help most.</source>
+        <translation>现在，虚线框表示标定板放在何处最有帮助。</translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <translation>还需 %1 张</translation>
+    </message>
+    <message>
+        <source>No picture counts</source>
+        <translation>没有可用的图片</translation>
+    </message>
+    <message>
+        <source>The reasons stand at the right. Add others by dropping them here.</source>
+        <translation>原因见右侧。可把其他图片拖放到此处来添加。</translation>
+    </message>
+    <message>
+        <source>Looked at all</source>
+        <translation>已全部检查</translation>
+    </message>
+    <message>
+        <source>They are enough.</source>
+        <translation>已足够。</translation>
+    </message>
+    <message>
+        <source>More pictures can be dropped here; the bars show what is missing.</source>
+        <translation>可把更多图片拖放到此处；条形图显示还缺什么。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensResultPage</name>
+    <message>
+        <source>ordinary</source>
+        <translation>普通</translation>
+    </message>
+    <message>
+        <source>wide (rational)</source>
+        <translation>广角（有理）</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>鱼眼</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 px</source>
+        <translation>%1 ± %2 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>评定</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>正在求解</translation>
+    </message>
+    <message>
+        <source>Lens model chosen by itself</source>
+        <translation>自动选择镜头模型</translation>
+    </message>
+    <message>
+        <source>Ordinary lens</source>
+        <translation>普通镜头</translation>
+    </message>
+    <message>
+        <source>Wide lens (rational model)</source>
+        <translation>广角镜头（有理模型）</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>鱼眼</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>镜头模型</translation>
+    </message>
+    <message>
+        <source>Choose a bar to see its picture.</source>
+        <translation>选择一个条形以查看其图片。</translation>
+    </message>
+    <message>
+        <source>Stands here once the lens is known.</source>
+        <translation>镜头求解后显示在此处。</translation>
+    </message>
+    <message>
+        <source>Picture and &amp;residuals</source>
+        <translation>图片与残差(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Straightened</source>
+        <translation>校正后(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Error by picture</source>
+        <translation>各图片的误差</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>镜头</translation>
+    </message>
+    <message>
+        <source>What is known of the lens</source>
+        <translation>镜头的已知参数</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>正在求解…</translation>
+    </message>
+    <message>
+        <source>straight edges must be straight</source>
+        <translation>直边应当是直的</translation>
+    </message>
+    <message>
+        <source>Storing the lens and its pictures…</source>
+        <translation>正在存储镜头及其图片…</translation>
+    </message>
+    <message>
+        <source>The lens was not stored. %1</source>
+        <translation>镜头未能存储。%1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1，共 %2</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>标定板误差</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>留出验证误差</translation>
+    </message>
+    <message>
+        <source>needs six pictures</source>
+        <translation>需要六张图片</translation>
+    </message>
+    <message>
+        <source>Corners left out</source>
+        <translation>剔除的角点</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>焦距</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>中心 x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>中心 y</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensSourcePage</name>
+    <message>
+        <source>Be&amp;fore the camera: hold the board, pictures are taken by themselves</source>
+        <translation>相机实拍：手持标定板，自动拍摄图片(&amp;F)</translation>
+    </message>
+    <message>
+        <source>From &amp;pictures or a video that you have taken</source>
+        <translation>使用已拍好的图片或视频(&amp;P)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Prin&amp;t a board…</source>
+        <translation>打印标定板(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>A flat board of squares, seen from many sides, tells how the lens draws. Checkerboard or ChArUco, of any size: which it is, is found out. Measure one square on the paper; it decides every later length. The lens must not be refocused or zoomed afterwards.</source>
+        <translation>从多个方向拍摄一块带方格的平板，即可得知镜头的成像规律。棋盘格或 ChArUco 均可，大小不限：种类会自动识别。请测量纸上一个方格的边长，此后的一切长度都以它为准。之后不得再对镜头重新对焦或变焦。</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>相机(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Side of a &amp;square, measured</source>
+        <translation>实测方格边长(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Where the pictures of the board come from</source>
+        <translation>标定板图片的来源</translation>
+    </message>
+    <message>
+        <source>Pictures and videos of the board</source>
+        <translation>标定板的图片和视频</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>添加(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>移除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Files can also be dropped here.</source>
+        <translation>也可将文件拖放到此处。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LensWizard</name>
+    <message>
+        <source>Calibrate camera</source>
+        <translation>标定相机</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The camera and the board</source>
+        <translation>相机和标定板</translation>
+    </message>
+    <message>
+        <source>Pictures of the board</source>
+        <translation>标定板的图片</translation>
+    </message>
+    <message>
+        <source>The lens</source>
+        <translation>镜头</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LessonBar</name>
+    <message>
+        <source>Ne&amp;xt</source>
+        <translation>下一步(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the lesson</source>
+        <translation>离开课程(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>&amp;Finish</source>
+        <translation>结束(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>下一步(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Skip</source>
+        <translation>跳过(&amp;S)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveBoard</name>
+    <message>
+        <source>Top-down map</source>
+        <translation>俯视地图</translation>
+    </message>
+    <message>
+        <source>How cameras, map and disk do</source>
+        <translation>相机、地图和磁盘的状况</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>Live picture of %1</source>
+        <translation>%1 的实时画面</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>未配准</translation>
+    </message>
+    <message>
+        <source>Opening the camera…</source>
+        <translation>正在打开相机…</translation>
+    </message>
+    <message>
+        <source>live, sent to %1</source>
+        <translation>实时，发送至 %1</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>Waiting for the first picture…</source>
+        <translation>正在等待第一帧画面…</translation>
+    </message>
+    <message>
+        <source>No picture now</source>
+        <translation>当前没有画面</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 帧/s</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveCameraBox</name>
+    <message>
+        <source>Camera that is connected</source>
+        <translation>已连接的相机</translation>
+    </message>
+    <message>
+        <source>%1, %2×%3</source>
+        <translation>%1，%2×%3</translation>
+    </message>
+    <message>
+        <source>Looking for cameras…</source>
+        <translation>正在查找相机…</translation>
+    </message>
+    <message>
+        <source>No camera is connected</source>
+        <translation>未连接相机</translation>
+    </message>
+</context>
+<context>
+    <name>odo::LiveMap</name>
+    <message>
+        <source>Map of the floor with the robots as they drive</source>
+        <translation>地面地图，显示正在行驶的机器人</translation>
+    </message>
+    <message>
+        <source>No camera is registered to the floor, so that no place on it can be told</source>
+        <translation>没有相机配准到地面，因此无法给出地面上的位置</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MainWindow</name>
+    <message>
+        <source>no project is open</source>
+        <translation>没有打开的项目</translation>
+    </message>
+    <message>
+        <source>open the project that it belongs to</source>
+        <translation>请打开它所属的项目</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Pr&amp;eferences…</source>
+        <translation>首选项(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>The pages follow when the project is opened again, for a recording goes on.</source>
+        <translation>正在录制，因此各页面要到项目再次打开时才更新。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MapArea</name>
+    <message>
+        <source>0 to %1 apart</source>
+        <translation>相距 0 至 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkActions</name>
+    <message>
+        <source>&amp;Star</source>
+        <translation>加星标(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>归档(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Empty the bin…</source>
+        <translation>清空回收站(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>star %1</source>
+        <translation>为 %1 加星标</translation>
+    </message>
+    <message>
+        <source>take the star off %1</source>
+        <translation>取消 %1 的星标</translation>
+    </message>
+    <message>
+        <source>star %1 trials</source>
+        <translation>为 %1 次试验加星标</translation>
+    </message>
+    <message>
+        <source>take the star off %1 trials</source>
+        <translation>取消 %1 次试验的星标</translation>
+    </message>
+    <message>
+        <source>archive %1</source>
+        <translation>归档 %1</translation>
+    </message>
+    <message>
+        <source>take %1 out of the archive</source>
+        <translation>取消归档 %1</translation>
+    </message>
+    <message>
+        <source>archive %1 trials</source>
+        <translation>归档 %1 次试验</translation>
+    </message>
+    <message>
+        <source>take %1 trials out of the archive</source>
+        <translation>取消归档 %1 次试验</translation>
+    </message>
+    <message>
+        <source>delete %1</source>
+        <translation>删除 %1</translation>
+    </message>
+    <message>
+        <source>take %1 out of the bin</source>
+        <translation>从回收站放回 %1</translation>
+    </message>
+    <message>
+        <source>delete %1 trials</source>
+        <translation>删除 %1 次试验</translation>
+    </message>
+    <message>
+        <source>take %1 trials out of the bin</source>
+        <translation>从回收站放回 %1 次试验</translation>
+    </message>
+    <message>
+        <source>Take the &amp;star off</source>
+        <translation>取消星标(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>取消归档(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Put back</source>
+        <translation>放回(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Takes the selected trials out of the bin (Del)</source>
+        <translation>将所选试验从回收站放回 (Del)</translation>
+    </message>
+    <message>
+        <source>Puts the selected trials into the bin (Del); they can be put back</source>
+        <translation>将所选试验移入回收站 (Del)；可以放回</translation>
+    </message>
+    <message>
+        <source>change the tags of %1</source>
+        <translation>更改 %1 的标签</translation>
+    </message>
+    <message>
+        <source>Empty the bin</source>
+        <translation>清空回收站</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n trial(s) for good?</source>
+        <translation>
+            <numerusform>永久移除 %n 次试验？</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Their videos (%1), measurements and results are removed from the disk. This cannot be undone.</source>
+        <translation>其视频（%1）、测量数据和结果将从磁盘上移除。此操作不能撤销。</translation>
+    </message>
+    <message>
+        <source>&amp;Remove for good</source>
+        <translation>永久移除(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkerCanvas</name>
+    <message>
+        <source>Picture with the markers; arrow keys move the chosen one</source>
+        <translation>含标记的画面；方向键移动所选标记</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MarkerPage</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>取出(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Place, mm</source>
+        <translation>位置，mm</translation>
+    </message>
+    <message>
+        <source>Seen as</source>
+        <translation>识别为</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>已找到</translation>
+    </message>
+    <message>
+        <source>Choose a marker in the table and click where it is; what lies near the click is taken to the tenth of a pixel.</source>
+        <translation>在表中选择一个标记，然后在画面上点击它所在之处；点击处附近的图形会以十分之一像素的精度定位。</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>未看到</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MessageBar</name>
+    <message>
+        <source>Close the message</source>
+        <translation>关闭消息</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>已取消，未作任何更改。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MetricModel</name>
+    <message>
+        <source>Figure</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ModeBar</name>
+    <message>
+        <source>Modes</source>
+        <translation>模式</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MovedDialog</name>
+    <message>
+        <source>moved %1</source>
+        <translation>移动了 %1</translation>
+    </message>
+    <message>
+        <source>marker moved %1</source>
+        <translation>标记移动了 %1</translation>
+    </message>
+    <message>
+        <source>has not moved</source>
+        <translation>未移动</translation>
+    </message>
+    <message>
+        <source>&amp;Check</source>
+        <translation>检查(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Register again…</source>
+        <translation>重新配准(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Check the cameras</source>
+        <translation>检查相机</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>New picture</source>
+        <translation>新图片</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Registered cameras</source>
+        <translation>已配准的相机</translation>
+    </message>
+    <message>
+        <source>A camera that was pushed measures wrongly and nothing shows it. Before the robots run, each camera&apos;s markers are looked for again in a new picture.</source>
+        <translation>相机被碰动后会测错，而且看不出来。在机器人运行之前，会在新图片中重新查找每台相机的标记。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>检查结果</translation>
+    </message>
+    <message>
+        <source>New picture of camera %1</source>
+        <translation>相机 %1 的新图片</translation>
+    </message>
+    <message>
+        <source>Its newest recording</source>
+        <translation>其最新录像</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>不检查</translation>
+    </message>
+    <message>
+        <source>A picture or video…</source>
+        <translation>图片或视频…</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>looking…</source>
+        <translation>正在检查…</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>未能确定</translation>
+    </message>
+    <message>
+        <source>Two markers at least must be seen. Nothing is moved or changed by the check.</source>
+        <translation>至少要能看到两个标记。检查不会移动或更改任何内容。</translation>
+    </message>
+    <message>
+        <source>&amp;Register %1 again…</source>
+        <translation>重新配准 %1(&amp;R)…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::NetworkPage</name>
+    <message>
+        <source>&amp;Send live positions on the network</source>
+        <translation>在网络上发送实时位置(&amp;S)</translation>
+    </message>
+    <message>
+        <source>%1: this machine only</source>
+        <translation>%1：仅限本机</translation>
+    </message>
+    <message>
+        <source>%1: not there now</source>
+        <translation>%1：当前不可用</translation>
+    </message>
+    <message>
+        <source>The places of the robots that Record follows, as packets of SSL-Vision, for controllers and programs of your own. No name of a team or a robot is in them.</source>
+        <translation>“录制”所跟踪的机器人位置，以 SSL-Vision 数据包的形式发送，供控制器和您自己的程序使用。其中不含小组或机器人的名称。</translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation>地址(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>端口(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Interface</source>
+        <translation>接口(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Nothing is sent.</source>
+        <translation>不发送任何内容。</translation>
+    </message>
+    <message>
+        <source>This is no IPv4 address; write it like 224.5.23.2.</source>
+        <translation>这不是 IPv4 地址；请写成 224.5.23.2 这样的形式。</translation>
+    </message>
+    <message>
+        <source>They go to the one machine that has this address.</source>
+        <translation>发送到拥有该地址的那一台计算机。</translation>
+    </message>
+    <message>
+        <source>They do not leave this machine.</source>
+        <translation>不会离开本机。</translation>
+    </message>
+    <message>
+        <source>Whoever is on that network can read where the robots are.</source>
+        <translation>该网络上的任何人都能读到机器人的位置。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PathField</name>
+    <message>
+        <source>Browse…</source>
+        <translation>浏览…</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>浏览：%1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PickColourDialog</name>
+    <message>
+        <source>Robot&apos;s colour from a picture</source>
+        <translation>从图片取机器人颜色</translation>
+    </message>
+    <message>
+        <source>Another &amp;video…</source>
+        <translation>其他视频(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>录像(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Frame</source>
+        <translation>帧(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Choose a video in which the robot is seen.</source>
+        <translation>请选择一段能看到机器人的视频。</translation>
+    </message>
+    <message>
+        <source>Take this colour</source>
+        <translation>采用此颜色</translation>
+    </message>
+    <message>
+        <source>Video in which the robot is seen</source>
+        <translation>能看到机器人的视频</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mov *.mkv *.avi *.m4v);;All files (*)</source>
+        <translation>视频 (*.mp4 *.mov *.mkv *.avi *.m4v);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1，共 %2</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s colour here: %1. It fills %2 % of the box.</source>
+        <translation>机器人此处的颜色：%1。占框内的 %2 %。</translation>
+    </message>
+    <message>
+        <source>Draw a box closely round the robot with the mouse; or with the arrow keys, which move the box, and with Shift make it larger or smaller.</source>
+        <translation>请用鼠标紧贴机器人画一个框；或用方向键移动框，按住 Shift 则放大或缩小。</translation>
+    </message>
+    <message>
+        <source>%1, camera %2</source>
+        <translation>%1，相机 %2</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureArea</name>
+    <message>
+        <source>No view</source>
+        <translation>无视角</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>此时该相机没有在录制</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureBars</name>
+    <message>
+        <source>Error of each picture, with a threshold</source>
+        <translation>各图片的误差，含阈值</translation>
+    </message>
+    <message>
+        <source>%1: %2 px</source>
+        <translation>%1：%2 px</translation>
+    </message>
+    <message>
+        <source>pictures; above %1 px they do not count</source>
+        <translation>图片；超过 %1 px 的不计入</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PictureChoice</name>
+    <message>
+        <source>In the camera&apos;s &amp;newest recording</source>
+        <translation>相机的最新录像(&amp;N)</translation>
+    </message>
+    <message>
+        <source>In what a &amp;connected camera sees now</source>
+        <translation>已连接相机的当前画面(&amp;C)</translation>
+    </message>
+    <message>
+        <source>In a &amp;picture or video</source>
+        <translation>图片或视频(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PlannedCameraForm</name>
+    <message>
+        <source>Stands at x</source>
+        <translation>所在 x</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Stands at y</source>
+        <translation>所在 y</translation>
+    </message>
+    <message>
+        <source>Height of the camera</source>
+        <translation>相机高度</translation>
+    </message>
+    <message>
+        <source>Looks at x</source>
+        <translation>注视点 x</translation>
+    </message>
+    <message>
+        <source>Looks at y</source>
+        <translation>注视点 y</translation>
+    </message>
+    <message>
+        <source>Direction in which it looks</source>
+        <translation>拍摄方向</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>视场角</translation>
+    </message>
+    <message>
+        <source>0° is along X, 90° along Y; turning it turns the point that it looks at about the camera</source>
+        <translation>0° 沿 X，90° 沿 Y；改变方向会使注视点绕相机转动</translation>
+    </message>
+    <message>
+        <source>Across the picture&apos;s width: a webcam has some 60° to 80°, a phone 65°</source>
+        <translation>按画面宽度：网络摄像头约 60° 至 80°，手机约 65°</translation>
+    </message>
+    <message>
+        <source>Size of its pictures</source>
+        <translation>画面尺寸</translation>
+    </message>
+    <message>
+        <source>&amp;Stands at x, y</source>
+        <translation>所在 x、y(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>高度(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Looks at x, y</source>
+        <translation>注视点 x、y(&amp;L)</translation>
+    </message>
+    <message>
+        <source>D&amp;irection</source>
+        <translation>方向(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Field of view</source>
+        <translation>视场角(&amp;F)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>首选项</translation>
+    </message>
+    <message>
+        <source>Kinds of preferences</source>
+        <translation>首选项类别</translation>
+    </message>
+    <message>
+        <source>&amp;General</source>
+        <translation>常规(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Reports</source>
+        <translation>报告(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>按键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Network</source>
+        <translation>网络(&amp;N)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ProfileChart</name>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>航向</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>转向角速度</translation>
+    </message>
+    <message>
+        <source>Position X</source>
+        <translation>位置 X</translation>
+    </message>
+    <message>
+        <source>Position Y</source>
+        <translation>位置 Y</translation>
+    </message>
+    <message>
+        <source>Quantity that the chart shows</source>
+        <translation>图表所示的物理量</translation>
+    </message>
+    <message>
+        <source>smoothed ±95 %</source>
+        <translation>平滑后 ±95 %</translation>
+    </message>
+    <message>
+        <source>measured points</source>
+        <translation>测得的点</translation>
+    </message>
+    <message>
+        <source>1 spike</source>
+        <translation>1 个异常点</translation>
+    </message>
+    <message>
+        <source>%1 spikes</source>
+        <translation>%1 个异常点</translation>
+    </message>
+    <message>
+        <source>along the path</source>
+        <translation>沿路径方向</translation>
+    </message>
+    <message>
+        <source>of the motion, anticlockwise from X</source>
+        <translation>运动方向，自 X 轴起逆时针</translation>
+    </message>
+    <message>
+        <source>anticlockwise positive</source>
+        <translation>逆时针为正</translation>
+    </message>
+    <message>
+        <source>Chart: %1 against time</source>
+        <translation>图表：%1 随时间的变化</translation>
+    </message>
+    <message>
+        <source>Chart: %1 against the distance</source>
+        <translation>图表：%1 随路程的变化</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RangeCard</name>
+    <message>
+        <source>Range</source>
+        <translation>区间</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>拟合(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Figures of the range</source>
+        <translation>区间的指标</translation>
+    </message>
+    <message>
+        <source>Robot whose range is shown</source>
+        <translation>显示哪个机器人的区间</translation>
+    </message>
+    <message>
+        <source>What is fitted to the curve</source>
+        <translation>对曲线作何种拟合</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>常数</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>直线</translation>
+    </message>
+    <message>
+        <source>parabola</source>
+        <translation>抛物线</translation>
+    </message>
+    <message>
+        <source>Quantity that is fitted</source>
+        <translation>拟合的物理量</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RecordPage</name>
+    <message>
+        <source>No camera is connected</source>
+        <translation>未连接相机</translation>
+    </message>
+    <message>
+        <source>Connect a camera, or two, and look again. One that is connected and not found is a case for the set-up doctor.</source>
+        <translation>请连接一台或两台相机，然后重新查找。若已连接却找不到，请使用装置诊断。</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>重新查找</translation>
+    </message>
+    <message>
+        <source>Set-up doctor…</source>
+        <translation>装置诊断…</translation>
+    </message>
+    <message>
+        <source>Choose &amp;cameras…</source>
+        <translation>选择相机(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Cameras…</source>
+        <translation>相机…</translation>
+    </message>
+    <message>
+        <source>Choose which connected device is which camera of the project</source>
+        <translation>选择哪个已连接的设备是项目中的哪台相机</translation>
+    </message>
+    <message>
+        <source>Set-up &amp;doctor…</source>
+        <translation>装置诊断(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Doctor…</source>
+        <translation>诊断…</translation>
+    </message>
+    <message>
+        <source>Look for what makes cameras lose pictures, or measure wrongly, with advice</source>
+        <translation>查找导致相机丢失画面或测量错误的原因，并给出建议</translation>
+    </message>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 已测量。</translation>
+    </message>
+    <message>
+        <source>It is recorded, but could not be measured: %1</source>
+        <translation>已录制，但无法测量：%1</translation>
+    </message>
+    <message>
+        <source>%1 is recorded.</source>
+        <translation>%1 已录制。</translation>
+    </message>
+    <message>
+        <source>It could not be recorded: %1</source>
+        <translation>无法录制：%1</translation>
+    </message>
+    <message>
+        <source>Give the trial a name</source>
+        <translation>请给试验取一个名称</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RegistrationVerdict</name>
+    <message>
+        <source>Where the camera stands</source>
+        <translation>相机所在位置</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>评定</translation>
+    </message>
+    <message>
+        <source>It stands at x %1 m, y %2 m, %3 m above the floor.</source>
+        <translation>位于 x %1 m，y %2 m，距地面 %3 m。</translation>
+    </message>
+    <message>
+        <source>The registration was not stored. %1</source>
+        <translation>配准未能存储。%1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportActions</name>
+    <message>
+        <source>The trial %1</source>
+        <translation>试验 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>报告(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>The comparison of %1 and %2</source>
+        <translation>%1 与 %2 的比较</translation>
+    </message>
+    <message>
+        <source>A class</source>
+        <translation>一个班级</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s), a page each</source>
+        <translation>
+            <numerusform>%n 次试验，每次一页</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>there is no trial yet</source>
+        <translation>尚无试验</translation>
+    </message>
+    <message>
+        <source>import or record one first</source>
+        <translation>请先导入或录制一次试验</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>PDF files (*.pdf)</source>
+        <translation>PDF 文件 (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>报告已保存为 %1。</translation>
+    </message>
+    <message>
+        <source>The report is with the printer %1.</source>
+        <translation>报告已送至打印机 %1。</translation>
+    </message>
+    <message>
+        <source>Making the report</source>
+        <translation>正在生成报告</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportDialog</name>
+    <message>
+        <source>A page for each &amp;team</source>
+        <translation>每个小组一页(&amp;T)</translation>
+    </message>
+    <message>
+        <source>A second page with the &amp;method</source>
+        <translation>附一页方法说明(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>保存为 PDF(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>打印(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>班级(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Task</source>
+        <translation>任务(&amp;T)</translation>
+    </message>
+    <message>
+        <source>The usual one</source>
+        <translation>常用任务</translation>
+    </message>
+    <message>
+        <source>&amp;Figure</source>
+        <translation>指标(&amp;F)</translation>
+    </message>
+    <message>
+        <source>What tells most</source>
+        <translation>最能说明问题的指标</translation>
+    </message>
+    <message>
+        <source>Report &amp;of</source>
+        <translation>报告内容(&amp;O)</translation>
+    </message>
+    <message>
+        <source>P&amp;aper</source>
+        <translation>纸张(&amp;A)</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>School, &amp;logo and wording…</source>
+        <translation>学校、校徽和文字(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>There is nothing to print yet.</source>
+        <translation>尚无可打印的内容。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation>
+            <numerusform>%n 页</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The first %n page(s); the file has all of them.</source>
+        <translation>
+            <numerusform>前 %n 页；文件中有全部页面。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportPreview</name>
+    <message>
+        <source>Preview of the pages</source>
+        <translation>页面预览</translation>
+    </message>
+    <message>
+        <source>The pages are being painted…</source>
+        <translation>正在绘制页面…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation>
+            <numerusform>%n 页</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReportsPage</name>
+    <message>
+        <source>&amp;School</source>
+        <translation>学校(&amp;S)</translation>
+    </message>
+    <message>
+        <source>stands at the head of each page</source>
+        <translation>位于每页的页眉</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>校徽</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
+        <translation>图片 (*.png *.jpg *.jpeg *.svg)</translation>
+    </message>
+    <message>
+        <source>&amp;Logo</source>
+        <translation>校徽(&amp;L)</translation>
+    </message>
+    <message>
+        <source>How the logo looks</source>
+        <translation>校徽的样子</translation>
+    </message>
+    <message>
+        <source>&amp;At the foot</source>
+        <translation>页脚(&amp;A)</translation>
+    </message>
+    <message>
+        <source>for example: who answers questions</source>
+        <translation>例如：由谁解答问题</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReprocessDialog</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>重新测量(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>保留(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Measure trials again</source>
+        <translation>重新测量试验</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>之后</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>变化</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>变化情况</translation>
+    </message>
+    <message>
+        <source>What changes, in words</source>
+        <translation>变化情况说明</translation>
+    </message>
+    <message>
+        <source>What was seen in the videos stays as it is; where it lies on the floor is computed with the registrations in force now. Look at what changes, then keep it or not: the older analysis stays in the project too.</source>
+        <translation>视频中所见的内容保持不变；其在地面上的位置按当前生效的配准重新计算。请查看变化，再决定是否保留：以前的分析也仍留在项目中。</translation>
+    </message>
+    <message>
+        <source>&amp;Trial</source>
+        <translation>试验(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>%1 (measured with an older registration)</source>
+        <translation>%1（用以前的配准测量）</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>正在测量…</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Kept: the new analysis of %1 is the current one.</source>
+        <translation>已保留：%1 的新分析成为当前分析。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultPanel</name>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Robot whose result is shown</source>
+        <translation>显示哪个机器人的结果</translation>
+    </message>
+    <message>
+        <source>robot “%1”</source>
+        <translation>机器人“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReviewColumn</name>
+    <message>
+        <source>Trial</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>Facts of the trial</source>
+        <translation>试验概况</translation>
+    </message>
+    <message>
+        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and works out where it was and how fast.</source>
+        <translation>此试验尚未跟踪。跟踪会在视频中追随机器人，并得出它在何处、速度多大。</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>跟踪…</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReviewPage</name>
+    <message>
+        <source>No trials yet</source>
+        <translation>尚无试验</translation>
+    </message>
+    <message>
+        <source>A trial is one run of a robot. Bring in the videos that your cameras took of it, and it will be shown here.</source>
+        <translation>一次试验就是机器人的一次运行。请导入相机拍下的视频，试验就会显示在这里。</translation>
+    </message>
+    <message>
+        <source>Import trial from videos…</source>
+        <translation>从视频导入试验…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RevisionPicture</name>
+    <message>
+        <source>Picture that it was made from</source>
+        <translation>制作时所用的图片</translation>
+    </message>
+    <message>
+        <source>Reading the picture…</source>
+        <translation>正在读取图片…</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read.</source>
+        <translation>无法读取图片。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RevisionsDialog</name>
+    <message>
+        <source>&amp;Use this one</source>
+        <translation>使用此版本(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Register with this lens</source>
+        <translation>用此镜头配准(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Measure trials again…</source>
+        <translation>重新测量试验(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Calibrations and registrations</source>
+        <translation>标定与配准</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>生效</translation>
+    </message>
+    <message>
+        <source>Revisions</source>
+        <translation>版本</translation>
+    </message>
+    <message>
+        <source>Puts the chosen revision in force for what is measured from now on; trials keep theirs</source>
+        <translation>使所选版本对今后的测量生效；已有试验保留各自的版本</translation>
+    </message>
+    <message>
+        <source>Computes the registration in force anew from the same markers, with the lens in force</source>
+        <translation>用相同的标记和当前生效的镜头重新计算生效的配准</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>评定</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>相机(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The camera is neither calibrated nor registered yet.</source>
+        <translation>该相机尚未标定，也未配准。</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Calibration %1</source>
+        <translation>标定 %1</translation>
+    </message>
+    <message>
+        <source>Registration %1</source>
+        <translation>配准 %1</translation>
+    </message>
+    <message>
+        <source>in force</source>
+        <translation>生效</translation>
+    </message>
+    <message>
+        <source>No trial was measured with it.</source>
+        <translation>没有试验用它测量。</translation>
+    </message>
+    <message>
+        <source>Trials measured with it: %1.</source>
+        <translation>用它测量的试验：%1。</translation>
+    </message>
+    <message>
+        <source>%1 is in force. The registrations keep the lens that they were made with: register the camera with this one.</source>
+        <translation>%1 已生效。各配准仍保留制作时所用的镜头：请用此镜头配准相机。</translation>
+    </message>
+    <message>
+        <source>%1 is in force. Trials keep theirs until they are measured again.</source>
+        <translation>%1 已生效。试验在重新测量之前保留各自的版本。</translation>
+    </message>
+    <message>
+        <source>Registration %1 is in force: the same markers, with this lens. %2</source>
+        <translation>配准 %1 已生效：标记相同，采用此镜头。%2</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RobotDialog</name>
+    <message>
+        <source>Add robot</source>
+        <translation>添加机器人</translation>
+    </message>
+    <message>
+        <source>Found from the views</source>
+        <translation>由视角得出</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量值</translation>
+    </message>
+    <message>
+        <source>Changes while it runs (ramp)</source>
+        <translation>运行中变化（斜坡）</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Height of the robot&apos;s top</source>
+        <translation>机器人顶面高度</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>From a &amp;picture…</source>
+        <translation>从图片选取(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;Colour of its top</source>
+        <translation>顶面颜色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>In charts and maps; it is tracked by the colour of its top</source>
+        <translation>用于图表和地图；跟踪则依据顶面颜色</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn in</source>
+        <translation>绘图颜色(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Height of its top</source>
+        <translation>顶面高度(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Colour of the robot&apos;s top</source>
+        <translation>机器人顶面颜色</translation>
+    </message>
+    <message>
+        <source>Change robot</source>
+        <translation>更改机器人</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RobotsDialog</name>
+    <message>
+        <source>found from the views</source>
+        <translation>由视角得出</translation>
+    </message>
+    <message>
+        <source>changes while it runs</source>
+        <translation>运行中变化</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>添加(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit…</source>
+        <translation>编辑(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Colour of its top</source>
+        <translation>顶面颜色</translation>
+    </message>
+    <message>
+        <source>Drawn in</source>
+        <translation>绘图颜色</translation>
+    </message>
+    <message>
+        <source>Height of its top</source>
+        <translation>顶面高度</translation>
+    </message>
+    <message>
+        <source>Length × width</source>
+        <translation>长 × 宽</translation>
+    </message>
+    <message>
+        <source>Another colour or height counts from the next tracking on; what was measured before stays as it is.</source>
+        <translation>更改颜色或高度后，从下一次跟踪起生效；之前的测量结果保持不变。</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>已完成的操作</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>add robot %1</source>
+        <translation>添加机器人 %1</translation>
+    </message>
+    <message>
+        <source>change robot %1</source>
+        <translation>更改机器人 %1</translation>
+    </message>
+    <message>
+        <source>delete robot %1</source>
+        <translation>删除机器人 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunCard</name>
+    <message>
+        <source>Up now</source>
+        <translation>当前上场</translation>
+    </message>
+    <message>
+        <source>Robots that drive</source>
+        <translation>行驶的机器人</translation>
+    </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>班级(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>小组(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>任务(&amp;K)</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>机器人(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Trial &amp;name</source>
+        <translation>试验名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Be&amp;gins</source>
+        <translation>开始方式(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Laps</source>
+        <translation>圈数(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Laps until it ends</source>
+        <translation>跑满多少圈后结束</translation>
+    </message>
+    <message>
+        <source>Team that is up</source>
+        <translation>上场小组</translation>
+    </message>
+    <message>
+        <source>How the recording begins</source>
+        <translation>录制的开始方式</translation>
+    </message>
+    <message>
+        <source>no class</source>
+        <translation>无班级</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>no team</source>
+        <translation>无小组</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>立即</translation>
+    </message>
+    <message>
+        <source>after a countdown of %1 s</source>
+        <translation>%1 s 倒计时后</translation>
+    </message>
+    <message>
+        <source>when the robot passes the start</source>
+        <translation>机器人通过起点时</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunChooser</name>
+    <message>
+        <source>start gate</source>
+        <translation>起点门</translation>
+    </message>
+    <message>
+        <source>onset of motion</source>
+        <translation>开始运动</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>路程</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>First run</source>
+        <translation>运行 1</translation>
+    </message>
+    <message>
+        <source>Second run</source>
+        <translation>运行 2</translation>
+    </message>
+    <message>
+        <source>The moment that counts as the same</source>
+        <translation>视为相同的时刻</translation>
+    </message>
+    <message>
+        <source>Swap the two runs</source>
+        <translation>交换两次运行</translation>
+    </message>
+    <message>
+        <source>Further runs</source>
+        <translation>更多运行</translation>
+    </message>
+    <message>
+        <source>&amp;Shift</source>
+        <translation>偏移(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Pla&amp;ce</source>
+        <translation>位置(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>How much later the second run&apos;s moment lies</source>
+        <translation>运行 2 的该时刻晚多少</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>where all have begun</source>
+        <translation>全部已开始处</translation>
+    </message>
+    <message>
+        <source>How far along the way the runs are taken to be at the same time</source>
+        <translation>沿路线多远处视为各次运行的同一时刻</translation>
+    </message>
+    <message>
+        <source>F&amp;irst</source>
+        <translation>运行 1(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Seco&amp;nd</source>
+        <translation>运行 2(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Align by</source>
+        <translation>对齐方式(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>自动：%1</translation>
+    </message>
+    <message>
+        <source>There are no further runs</source>
+        <translation>没有更多运行</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunResultCard</name>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>&amp;Open in Review</source>
+        <translation>在“回放”中打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The figures of a run stand here a moment after it has ended.</source>
+        <translation>运行结束片刻后，其指标会显示在此处。</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>正在测量…</translation>
+    </message>
+    <message>
+        <source>Spikes flagged</source>
+        <translation>标出的异常点</translation>
+    </message>
+    <message>
+        <source>From live tracking. The final figures come from the recording, in a moment.</source>
+        <translation>来自实时跟踪。最终指标稍后由录像得出。</translation>
+    </message>
+    <message>
+        <source>Final, from every picture of the recording.</source>
+        <translation>最终结果，由录像的每一帧得出。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ScoringTable</name>
+    <message>
+        <source>Remo&amp;ve line</source>
+        <translation>移除评分项(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Each line gives all of its points where the figure is at the one bound or better, none at the other or worse, and evenly between them. Points below zero are a penalty.</source>
+        <translation>每个评分项在指标达到满分界限或更好时得满分，在零分界限或更差时不得分，两者之间按比例给分。负的分值为扣分。</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>All points at</source>
+        <translation>满分界限</translation>
+    </message>
+    <message>
+        <source>None at</source>
+        <translation>零分界限</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>分值</translation>
+    </message>
+    <message>
+        <source>Lines of the scoring</source>
+        <translation>评分项</translation>
+    </message>
+    <message>
+        <source>What the lines mean</source>
+        <translation>评分项的含义</translation>
+    </message>
+    <message>
+        <source>&amp;Add line</source>
+        <translation>添加评分项(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Figure that counts</source>
+        <translation>计分的指标</translation>
+    </message>
+    <message>
+        <source>Without a line, runs of the task are not scored.</source>
+        <translation>没有评分项时，该任务的运行不评分。</translation>
+    </message>
+    <message>
+        <source>In all %1 points.</source>
+        <translation>合计 %1 分。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SeriesKey</name>
+    <message>
+        <source>Key to the lines</source>
+        <translation>图例</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SharedPointsPage</name>
+    <message>
+        <source>&amp;Take out</source>
+        <translation>取出(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Picture of the camera to register; arrow keys move the chosen point</source>
+        <translation>待配准相机的画面；方向键移动所选的点</translation>
+    </message>
+    <message>
+        <source>Picture of the registered camera; arrow keys move the chosen point</source>
+        <translation>已配准相机的画面；方向键移动所选的点</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Seen in</source>
+        <translation>见于</translation>
+    </message>
+    <message>
+        <source>On the floor, mm</source>
+        <translation>地面位置，mm</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>Points of the floor</source>
+        <translation>地面上的点</translation>
+    </message>
+    <message>
+        <source>Camera %1, to be registered</source>
+        <translation>相机 %1，待配准</translation>
+    </message>
+    <message>
+        <source>Camera %1, registered</source>
+        <translation>相机 %1，已配准</translation>
+    </message>
+    <message>
+        <source>P%1</source>
+        <comment>a point</comment>
+        <translation>P%1</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
+        <translation>在左侧画面中点击地面上的一点，再在右侧画面中点击同一点。点击处附近的图形会以十分之一像素的精度定位；方向键移动所选的点，空格键使其吸附。</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1；%2</translation>
+    </message>
+    <message>
+        <source>beyond the horizon</source>
+        <translation>在地平线以外</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>both pictures</source>
+        <translation>两个画面</translation>
+    </message>
+    <message>
+        <source>left only</source>
+        <translation>仅左侧</translation>
+    </message>
+    <message>
+        <source>right only</source>
+        <translation>仅右侧</translation>
+    </message>
+    <message>
+        <source>not put yet</source>
+        <translation>尚未放置</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeActions</name>
+    <message>
+        <source>&amp;Use sample</source>
+        <translation>采用采样点(&amp;U)</translation>
+    </message>
+    <message>
+        <source>What was measured at this moment is right and is to be used, whatever speaks against it</source>
+        <translation>此刻的测量是正确的，无论有何反证都应采用</translation>
+    </message>
+    <message>
+        <source>Mark as &amp;spike</source>
+        <translation>标为异常点(&amp;S)</translation>
+    </message>
+    <message>
+        <source>What was measured at this moment is wrong and is not to be used</source>
+        <translation>此刻的测量是错误的，不应采用</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>自动判定(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Takes back what was said by hand at this moment</source>
+        <translation>撤回此刻的手动判定</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeList</name>
+    <message>
+        <source>Spikes</source>
+        <translation>异常点</translation>
+    </message>
+    <message>
+        <source>Spikes with time and reason</source>
+        <translation>异常点及其时间和原因</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SpikeModel</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1 flagged</source>
+        <translation>标出 %1 个</translation>
+    </message>
+    <message>
+        <source>%1 restored</source>
+        <translation>恢复 %1 个</translation>
+    </message>
+    <message>
+        <source>used, by hand</source>
+        <translation>手动采用</translation>
+    </message>
+    <message>
+        <source>%1 (restored by hand)</source>
+        <translation>%1（手动恢复）</translation>
+    </message>
+    <message>
+        <source>Restored by hand</source>
+        <translation>已手动恢复</translation>
+    </message>
+    <message>
+        <source>Flagged, not used for the curve</source>
+        <translation>已标出，未用于曲线</translation>
+    </message>
+    <message>
+        <source>Flagged, still used for the curve</source>
+        <translation>已标出，仍用于曲线</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>原因</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StandingsModel</name>
+    <message>
+        <source>choose a task</source>
+        <translation>请选择任务</translation>
+    </message>
+    <message>
+        <source>three trials at different times tell</source>
+        <translation>需要三次不同时间的试验</translation>
+    </message>
+    <message>
+        <source>within the spread (%1)</source>
+        <translation>在离散度以内（%1）</translation>
+    </message>
+    <message>
+        <source>better: %1</source>
+        <translation>变好：%1</translation>
+    </message>
+    <message>
+        <source>worse: %1</source>
+        <translation>变差：%1</translation>
+    </message>
+    <message>
+        <source>one trial</source>
+        <translation>仅一次试验</translation>
+    </message>
+    <message>
+        <source>One more than the teams that are better beyond doubt: their medians differ by more than 1.96 σ. Runs of different tasks are not ranked</source>
+        <translation>确定更好的小组数加一：其中位数相差超过 1.96 σ。不同任务的运行不排名次</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>名次</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>班级</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>最佳</translation>
+    </message>
+    <message>
+        <source>± from the spread of all teams&apos; trials</source>
+        <translation>± 由所有小组试验的离散度得出</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>中位数</translation>
+    </message>
+    <message>
+        <source>Repeatability: standard deviation of one trial about the line of progress</source>
+        <translation>重复性：单次试验相对于进步直线的标准差</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>离散度</translation>
+    </message>
+    <message>
+        <source>Change through the term by a straight line; beyond the spread by Student&apos;s test, 95 %</source>
+        <translation>一学期内的变化，按直线拟合；是否超出离散度按学生 t 检验判断，95 %</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进步</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StartCard</name>
+    <message>
+        <source>Recording</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>&amp;Record or stop</source>
+        <translation>录制或停止(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Time recorded</source>
+        <translation>已录制时间</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Writing the last pictures…</source>
+        <translation>正在写入最后的画面…</translation>
+    </message>
+    <message>
+        <source>F9 records, F9 stops</source>
+        <translation>F9 开始录制，F9 停止</translation>
+    </message>
+    <message>
+        <source>F9 records, F9 stops; %1</source>
+        <translation>F9 开始录制，F9 停止；%1</translation>
+    </message>
+    <message>
+        <source>Call off</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>%1 秒后</translation>
+    </message>
+    <message>
+        <source>Get ready</source>
+        <translation>准备</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”; it is recorded from a second before</source>
+        <translation>正在等待机器人到达“%1”；录像从一秒前开始</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StatusLine</name>
+    <message>
+        <source>No trial</source>
+        <translation>无试验</translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>尚未跟踪</translation>
+    </message>
+    <message>
+        <source>Analysis %1, Odograph %2</source>
+        <translation>分析 %1，Odograph %2</translation>
+    </message>
+    <message>
+        <source>Units of lengths, speeds and times; to be chosen in the preferences</source>
+        <translation>长度、速度和时间的单位；可在首选项中选择</translation>
+    </message>
+    <message>
+        <source>No project is open</source>
+        <translation>没有打开的项目</translation>
+    </message>
+    <message>
+        <source>Read only: nothing can be changed</source>
+        <translation>只读：不能作任何更改</translation>
+    </message>
+    <message>
+        <source>All changes saved</source>
+        <translation>所有更改均已保存</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StepDialog</name>
+    <message>
+        <source>&lt; &amp;Back</source>
+        <translation>&lt; 上一步(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>&amp;Next &gt;</source>
+        <translation>下一步(&amp;N) &gt;</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TargetDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Inner corners along the board</source>
+        <translation>标定板长边方向的内角点数</translation>
+    </message>
+    <message>
+        <source>Inner corners across the board</source>
+        <translation>标定板短边方向的内角点数</translation>
+    </message>
+    <message>
+        <source>Print targets</source>
+        <translation>打印靶标</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>保存为 PDF(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>打印(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Checkerboard</source>
+        <translation>棋盘格</translation>
+    </message>
+    <message>
+        <source>ChArUco board</source>
+        <translation>ChArUco 板</translation>
+    </message>
+    <message>
+        <source>Floor markers: tags</source>
+        <translation>地面标记：标签码</translation>
+    </message>
+    <message>
+        <source>Floor markers: rings</source>
+        <translation>地面标记：圆环</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>&amp;Target</source>
+        <translation>靶标(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Pape&amp;r</source>
+        <translation>纸张(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Inner corners</source>
+        <translation>内角点(&amp;I)</translation>
+    </message>
+    <message>
+        <source>S&amp;quare</source>
+        <translation>方格(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>尺寸(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>标号(&amp;L)</translation>
+    </message>
+    <message>
+        <source>What is printed</source>
+        <translation>打印内容</translation>
+    </message>
+    <message>
+        <source>One sheet. Afterwards measure a square on the paper: printers often shrink by 2 to 4 %.</source>
+        <translation>一张纸。打印后请测量纸上的一个方格：打印机常会缩小 2 至 4 %。</translation>
+    </message>
+    <message>
+        <source>One sheet for each marker. A tag&apos;s number is the place of its label in the layout.</source>
+        <translation>每个标记一张纸。标签码的编号即其标号在布局中的序号。</translation>
+    </message>
+    <message>
+        <source>Save targets</source>
+        <translation>保存靶标</translation>
+    </message>
+    <message>
+        <source>targets.pdf</source>
+        <translation>靶标.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>已保存为 %1。</translation>
+    </message>
+    <message>
+        <source>Sent to the printer.</source>
+        <translation>已发送至打印机。</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1：%2。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TargetPreview</name>
+    <message>
+        <source>Preview of the sheets</source>
+        <translation>页面预览</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TaskCanvas</name>
+    <message>
+        <source>The task from above</source>
+        <translation>任务俯视图</translation>
+    </message>
+    <message>
+        <source>Drag a gate or one of its ends, a zone&apos;s edge or corner. Keys: Page Up and Down choose a gate or a zone, arrows move it (Shift: 100 mm, Ctrl: 1 mm), &lt; and &gt; turn it, + and − change its width</source>
+        <translation>可拖动计时门或其一端，以及区域的边或角。按键：Page Up 和 Page Down 选择计时门或区域，方向键移动（Shift：100 mm，Ctrl：1 mm），&lt; 和 &gt; 旋转，+ 和 − 改变宽度</translation>
+    </message>
+    <message>
+        <source>Zone %1, %2: %3 mm</source>
+        <translation>区域 %1，%2：%3 mm</translation>
+    </message>
+    <message>
+        <source>No gate or zone is chosen</source>
+        <translation>未选择计时门或区域</translation>
+    </message>
+    <message>
+        <source>Gate %1 from %2, %3 to %4, %5</source>
+        <translation>计时门 %1，从 %2、%3 到 %4、%5</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TaskEditor</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>&amp;Course</source>
+        <translation>赛道(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Zones</source>
+        <translation>区域(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Sco&amp;ring</source>
+        <translation>评分(&amp;R)</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>问题所在</translation>
+    </message>
+    <message>
+        <source>Import &amp;file…</source>
+        <translation>导入文件(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Take gates, path, limits and zones from a task file (JSON)</source>
+        <translation>从任务文件 (JSON) 读取计时门、路径、限值和区域</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Speed limi&amp;t</source>
+        <translation>速度限值(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Acceleration l&amp;imit</source>
+        <translation>加速度限值(&amp;I)</translation>
+    </message>
+    <message>
+        <source>What no robot in the task can do: a measurement beyond it is a spike</source>
+        <translation>该任务中任何机器人都达不到的数值：超过它的测量即为异常点</translation>
+    </message>
+    <message>
+        <source>Task file</source>
+        <translation>任务文件</translation>
+    </message>
+    <message>
+        <source>Tasks (*.json *.yaml *.yml);;All files (*)</source>
+        <translation>任务 (*.json *.yaml *.yml);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>The task has no name.</source>
+        <translation>任务没有名称。</translation>
+    </message>
+    <message>
+        <source>There is a task of that name. Give another name.</source>
+        <translation>已有同名的任务。请另取名称。</translation>
+    </message>
+    <message>
+        <source>A gate has no name.</source>
+        <translation>有一个计时门没有名称。</translation>
+    </message>
+    <message>
+        <source>A zone has no name.</source>
+        <translation>有一个区域没有名称。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TasksDialog</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>新建(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit…</source>
+        <translation>编辑(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy…</source>
+        <translation>复制(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>重命名(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation>归档(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Measure them again</source>
+        <translation>重新测量(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>What depends on the task</source>
+        <translation>依赖该任务的内容</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>已完成的操作</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>模板</translation>
+    </message>
+    <message>
+        <source>Used by</source>
+        <translation>使用情况</translation>
+    </message>
+    <message>
+        <source>An archived task is not offered any more; its trials, results and scores stay as they are</source>
+        <translation>归档的任务不再供选择；其试验、结果和得分保持不变</translation>
+    </message>
+    <message numerus="yes">
+        <source>Show %n archived task(s)</source>
+        <translation>
+            <numerusform>显示 %n 个已归档的任务</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n 次试验</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>earlier results</source>
+        <translation>以前的结果</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1, archived</source>
+        <translation>%1，已归档</translation>
+    </message>
+    <message>
+        <source>No task yet. New makes one from a template: its gates, path and scoring say what is to be driven, and how well it was.</source>
+        <translation>尚无任务。“新建”按模板生成任务：其计时门、路径和评分规定要跑什么，以及跑得如何。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The course as it was before it was changed: %n result(s) measured by it keep it.</source>
+        <translation>
+            <numerusform>更改之前的赛道：按它测量的 %n 个结果仍保留它。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) have this task.</source>
+        <translation>
+            <numerusform>%n 次试验属于此任务。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No trial has this task.</source>
+        <translation>没有试验属于此任务。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</source>
+        <translation>
+            <numerusform>其中 %n 次是按另一赛道测量的：通过计时门的时间和到路径的距离都是按那条赛道得出的，重新测量之前没有得分。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It is scored by %n figure(s).</source>
+        <translation>
+            <numerusform>按 %n 个指标评分。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is not scored.</source>
+        <translation>不评分。</translation>
+    </message>
+    <message>
+        <source>Out of the &amp;archive</source>
+        <translation>取消归档(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Trials have this task, or were measured by it: it stays, so that their figures say what they were measured by</source>
+        <translation>有试验属于此任务，或按它测量：因此予以保留，以便说明其指标是按什么测量的</translation>
+    </message>
+    <message>
+        <source>Deletes the task (Del); Ctrl+Z takes it back</source>
+        <translation>删除任务 (Del)；可用 Ctrl+Z 撤回</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</source>
+        <translation>
+            <numerusform>按此赛道测量的 %n 个结果仍然有效：赛道更改后，原赛道作为以前的版本为它们保留。试验改用新赛道；其时间和得分在重新测量后更新。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>add task %1</source>
+        <translation>添加任务 %1</translation>
+    </message>
+    <message>
+        <source>change task %1</source>
+        <translation>更改任务 %1</translation>
+    </message>
+    <message>
+        <source>Rename task</source>
+        <translation>重命名任务</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>名称：</translation>
+    </message>
+    <message>
+        <source>rename task %1 to %2</source>
+        <translation>将任务 %1 重命名为 %2</translation>
+    </message>
+    <message>
+        <source>archive task %1</source>
+        <translation>归档任务 %1</translation>
+    </message>
+    <message>
+        <source>take task %1 out of the archive</source>
+        <translation>取消归档任务 %1</translation>
+    </message>
+    <message>
+        <source>delete task %1</source>
+        <translation>删除任务 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TeamDialog</name>
+    <message>
+        <source>Robots of the team</source>
+        <translation>小组的机器人</translation>
+    </message>
+    <message>
+        <source>Team %1</source>
+        <translation>小组 %1</translation>
+    </message>
+    <message>
+        <source>A name on each line</source>
+        <translation>每行一个名字</translation>
+    </message>
+    <message>
+        <source>Members of the team, one on each line</source>
+        <translation>小组成员，每行一人</translation>
+    </message>
+    <message>
+        <source>Record and importing propose these robots for the team&apos;s runs</source>
+        <translation>“录制”和导入会为该小组的运行默认选用这些机器人</translation>
+    </message>
+    <message>
+        <source>&amp;Members</source>
+        <translation>成员(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Robots</source>
+        <translation>机器人(&amp;R)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n member(s)</source>
+        <translation>
+            <numerusform>%n 名成员</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::TeamsPanel</name>
+    <message>
+        <source>Teams</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>班级</translation>
+    </message>
+    <message>
+        <source>All classes</source>
+        <translation>所有班级</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>任意任务</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>How the teams stand</source>
+        <translation>小组排名</translation>
+    </message>
+    <message>
+        <source>%1 (archived)</source>
+        <translation>%1（已归档）</translation>
+    </message>
+    <message>
+        <source>No team has a figure here</source>
+        <translation>此处没有小组有指标</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n team(s)</source>
+        <translation>
+            <numerusform>%n 个小组</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>choose a task to rank them: runs of different tasks cannot be compared</source>
+        <translation>选择任务即可排名：不同任务的运行不能比较</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) left out: measured by another course; measure them again</source>
+        <translation>
+            <numerusform>有 %n 次试验未计入：是按另一赛道测量的，请重新测量</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::TemplateForm</name>
+    <message>
+        <source>Straight line</source>
+        <translation>直线</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>圆</translation>
+    </message>
+    <message>
+        <source>Figure eight</source>
+        <translation>8 字形</translation>
+    </message>
+    <message>
+        <source>Slalom</source>
+        <translation>绕桩</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>自由</translation>
+    </message>
+    <message>
+        <source>Te&amp;mplate</source>
+        <translation>模板(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Centre &amp;x</source>
+        <translation>中心 x(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Centre &amp;y</source>
+        <translation>中心 y(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>长度(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>宽度(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The way it is driven: 0° along X, 90° along Y</source>
+        <translation>行驶方向：0° 沿 X，90° 沿 Y</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>方向(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Poles</source>
+        <translation>桩数(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Gates&apos; width</source>
+        <translation>计时门宽度(&amp;G)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Diam&amp;eter</source>
+        <translation>直径(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Start to finis&amp;h</source>
+        <translation>起点到终点(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>高度(&amp;H)</translation>
+    </message>
+    <message>
+        <source>S&amp;wing, side to side</source>
+        <translation>横向摆幅(&amp;W)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TestbedPage</name>
+    <message>
+        <source>From above</source>
+        <translation>俯视</translation>
+    </message>
+    <message>
+        <source>expected &amp;accuracy</source>
+        <translation>预期精度(&amp;A)</translation>
+    </message>
+    <message>
+        <source>No cameras yet</source>
+        <translation>尚无相机</translation>
+    </message>
+    <message>
+        <source>A testbed is a floor with markers and the cameras that watch it. Begin with the lens of the first camera, or with the places of the markers.</source>
+        <translation>试验场由带有标记的地面和观察它的相机组成。请从第一台相机的镜头或标记的位置开始。</translation>
+    </message>
+    <message>
+        <source>Tas&amp;ks…</source>
+        <translation>任务(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>What is driven on this floor: gates, paths, limits, scoring</source>
+        <translation>在此地面上行驶的内容：计时门、路径、限值、评分</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>What is known of the camera</source>
+        <translation>相机的已知信息</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Marker layouts</source>
+        <translation>标记布局</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TestbedTools</name>
+    <message>
+        <source>&amp;Calibrate camera…</source>
+        <translation>标定相机(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>标定…</translation>
+    </message>
+    <message>
+        <source>Measure a camera&apos;s lens from pictures of a board</source>
+        <translation>由标定板的图片测量相机镜头</translation>
+    </message>
+    <message>
+        <source>&amp;Register camera…</source>
+        <translation>配准相机(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Register…</source>
+        <translation>配准…</translation>
+    </message>
+    <message>
+        <source>Find where a camera stands from the floor markers</source>
+        <translation>由地面标记得出相机的位置</translation>
+    </message>
+    <message>
+        <source>Register t&amp;hrough another camera…</source>
+        <translation>通过另一相机配准(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Through another…</source>
+        <translation>通过另一相机…</translation>
+    </message>
+    <message>
+        <source>Find where a camera stands that sees no markers, from points of the floor that another camera sees as well</source>
+        <translation>相机看不到标记时，由另一相机也能看到的地面上的点得出其位置</translation>
+    </message>
+    <message>
+        <source>Register all cameras to&amp;gether…</source>
+        <translation>联合配准所有相机(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>All together…</source>
+        <translation>联合配准…</translation>
+    </message>
+    <message>
+        <source>Fit the cameras of the chosen layout at once, so that they agree, and find markers that were measured wrongly</source>
+        <translation>将所选布局的各相机一并拟合，使它们一致，并找出量错的标记</translation>
+    </message>
+    <message>
+        <source>Import &amp;intrinsics…</source>
+        <translation>导入内参(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Import lens…</source>
+        <translation>导入镜头…</translation>
+    </message>
+    <message>
+        <source>Take a camera&apos;s lens from a ROS or OpenCV YAML file</source>
+        <translation>从 ROS 或 OpenCV 的 YAML 文件读取相机镜头</translation>
+    </message>
+    <message>
+        <source>New marker &amp;layout…</source>
+        <translation>新建标记布局(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>New layout…</source>
+        <translation>新建布局…</translation>
+    </message>
+    <message>
+        <source>Say where the markers lie, from the start or from the layout that is chosen</source>
+        <translation>指定标记的位置，从头开始或基于所选布局</translation>
+    </message>
+    <message>
+        <source>Import &amp;marker layout…</source>
+        <translation>导入标记布局(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Import layout…</source>
+        <translation>导入布局…</translation>
+    </message>
+    <message>
+        <source>Take the places of the markers from a table</source>
+        <translation>从表格读取标记的位置</translation>
+    </message>
+    <message>
+        <source>Print &amp;targets…</source>
+        <translation>打印靶标(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>打印…</translation>
+    </message>
+    <message>
+        <source>Boards for the lens and markers for the floor, to scale</source>
+        <translation>镜头用的标定板和地面用的标记，按实际尺寸</translation>
+    </message>
+    <message>
+        <source>Camera %1 is calibrated. %2</source>
+        <translation>相机 %1 已标定。%2</translation>
+    </message>
+    <message>
+        <source>register camera %1</source>
+        <translation>配准相机 %1</translation>
+    </message>
+    <message>
+        <source>Camera %1 is registered. %2</source>
+        <translation>相机 %1 已配准。%2</translation>
+    </message>
+    <message>
+        <source>Camera %1 is registered through camera %2. %3</source>
+        <translation>相机 %1 已通过相机 %2 配准。%3</translation>
+    </message>
+    <message>
+        <source>The cameras of layout %1 are registered together. %2</source>
+        <translation>布局 %1 的各相机已联合配准。%2</translation>
+    </message>
+    <message>
+        <source>Intrinsics of a camera</source>
+        <translation>相机内参</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml);;All files (*)</source>
+        <translation>标定 (*.yaml *.yml);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Import intrinsics</source>
+        <translation>导入内参</translation>
+    </message>
+    <message>
+        <source>Camera:</source>
+        <translation>相机：</translation>
+    </message>
+    <message>
+        <source>The lens of camera %1 was taken from %2.</source>
+        <translation>相机 %1 的镜头取自 %2。</translation>
+    </message>
+    <message>
+        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <translation>标记的位置 (label,x_mm,y_mm)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>表格 (*.csv *.txt);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>add layout %1</source>
+        <translation>添加布局 %1</translation>
+    </message>
+    <message>
+        <source>Layout %1 has %2 markers.</source>
+        <translation>布局 %1 有 %2 个标记。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ThroughSourcePage</name>
+    <message>
+        <source>Picture or video of the camera to register</source>
+        <translation>待配准相机的图片或视频</translation>
+    </message>
+    <message>
+        <source>Picture or video of the registered camera</source>
+        <translation>已配准相机的图片或视频</translation>
+    </message>
+    <message>
+        <source>A camera cannot be registered through itself: choose two different ones.</source>
+        <translation>相机不能通过自身配准：请选择两台不同的相机。</translation>
+    </message>
+    <message>
+        <source>Camera to register</source>
+        <translation>待配准相机</translation>
+    </message>
+    <message>
+        <source>Registered camera</source>
+        <translation>已配准相机</translation>
+    </message>
+    <message>
+        <source>A camera that sees no markers can be registered by points of the floor that a registered camera sees as well: corners of tiles, ends of tape, screws. Four are enough, six or more spread over the common part are better. Neither camera may be moved afterwards.</source>
+        <translation>看不到标记的相机，可以用已配准相机也能看到的地面上的点来配准：地砖的角、胶带的端头、螺钉。四个就够，六个或更多且分散在公共部分更好。此后两台相机都不得移动。</translation>
+    </message>
+    <message>
+        <source>C&amp;amera to register</source>
+        <translation>待配准相机(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Through camera</source>
+        <translation>通过相机(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Its picture</source>
+        <translation>其画面</translation>
+    </message>
+    <message>
+        <source>The registered camera&apos;s picture</source>
+        <translation>已配准相机的画面</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ThroughWizard</name>
+    <message>
+        <source>Register through another camera</source>
+        <translation>通过另一相机配准</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Two cameras and their pictures</source>
+        <translation>两台相机及其画面</translation>
+    </message>
+    <message>
+        <source>The same points in both pictures</source>
+        <translation>两个画面中的相同点</translation>
+    </message>
+    <message>
+        <source>Getting the pictures…</source>
+        <translation>正在获取画面…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TimeSlider</name>
+    <message>
+        <source>Time of the trial</source>
+        <translation>试验的时间</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Timeline</name>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>播放或暂停(&amp;P)</translation>
+    </message>
+    <message>
+        <source>One frame &amp;back</source>
+        <translation>后退一帧(&amp;B)</translation>
+    </message>
+    <message>
+        <source>One frame &amp;forward</source>
+        <translation>前进一帧(&amp;F)</translation>
+    </message>
+    <message>
+        <source>One second back</source>
+        <translation>后退一秒</translation>
+    </message>
+    <message>
+        <source>One second forward</source>
+        <translation>前进一秒</translation>
+    </message>
+    <message>
+        <source>Play backwards, again: faster</source>
+        <translation>倒放，再按加快</translation>
+    </message>
+    <message>
+        <source>&amp;Stop; held, the two beside go by one frame</source>
+        <translation>停止；按住时，两侧的键逐帧移动(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Play forwards, again: faster</source>
+        <translation>正放，再按加快</translation>
+    </message>
+    <message>
+        <source>To the first frame</source>
+        <translation>到第一帧</translation>
+    </message>
+    <message>
+        <source>To the last frame</source>
+        <translation>到最后一帧</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>循环(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Range beg&amp;ins here</source>
+        <translation>区间从此处开始(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Range &amp;ends here</source>
+        <translation>区间到此处结束(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the range</source>
+        <translation>清除区间(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TimelineBar</name>
+    <message>
+        <source>Time line</source>
+        <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>播放速度</translation>
+    </message>
+    <message>
+        <source>To the first frame (Home)</source>
+        <translation>到第一帧 (Home)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>播放（空格键）</translation>
+    </message>
+    <message>
+        <source>To the last frame (End)</source>
+        <translation>到最后一帧 (End)</translation>
+    </message>
+    <message>
+        <source>no frames</source>
+        <translation>没有帧</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>第 %1 帧，共 %2 帧</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>暂停（空格键）</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrackDialog</name>
+    <message>
+        <source>Robots to follow</source>
+        <translation>要跟踪的机器人</translation>
+    </message>
+    <message>
+        <source>Track %1</source>
+        <translation>跟踪 %1</translation>
+    </message>
+    <message>
+        <source>Kalman/RTS, noise from the data (best)</source>
+        <translation>Kalman/RTS，噪声由数据估计（最佳）</translation>
+    </message>
+    <message>
+        <source>Savitzky–Golay</source>
+        <translation>Savitzky–Golay</translation>
+    </message>
+    <message>
+        <source>Differences as in Tracker</source>
+        <translation>与 Tracker 相同的差分</translation>
+    </message>
+    <message>
+        <source>None: raw differences</source>
+        <translation>无：原始差分</translation>
+    </message>
+    <message>
+        <source>&amp;Robots</source>
+        <translation>机器人(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothing</source>
+        <translation>平滑(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>跟踪</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TransferActions</name>
+    <message>
+        <source>&amp;Pack into one file…</source>
+        <translation>打包为一个文件(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;Unpack a packed project…</source>
+        <translation>解包项目(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Find &amp;lost videos…</source>
+        <translation>查找丢失的视频(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Pack the project with its videos</source>
+        <translation>将项目连同视频打包</translation>
+    </message>
+    <message>
+        <source>Packed projects (*%1)</source>
+        <translation>打包的项目 (*%1)</translation>
+    </message>
+    <message>
+        <source>Packing the project</source>
+        <translation>正在打包项目</translation>
+    </message>
+    <message>
+        <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
+        <translation>项目已打包为 %1。在别处可用“解包项目”将其解包。</translation>
+    </message>
+    <message>
+        <source>Note: %1.</source>
+        <translation>注意：%1。</translation>
+    </message>
+    <message>
+        <source>Unpack a packed project</source>
+        <translation>解包项目</translation>
+    </message>
+    <message>
+        <source>Packed projects (*%1);;All files (*)</source>
+        <translation>打包的项目 (*%1);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Where shall the project be unpacked?</source>
+        <translation>项目解包到哪里？</translation>
+    </message>
+    <message>
+        <source>Unpacking the project</source>
+        <translation>正在解包项目</translation>
+    </message>
+    <message>
+        <source>In which folder, or below, may the lost videos lie?</source>
+        <translation>丢失的视频可能在哪个文件夹或其子文件夹中？</translation>
+    </message>
+    <message>
+        <source>Looking for lost videos</source>
+        <translation>正在查找丢失的视频</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lost videos were found, by their content.</source>
+        <translation>已按内容找到丢失的视频：%1，共 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrendChart</name>
+    <message>
+        <source>Progress of the team</source>
+        <translation>小组的进步</translation>
+    </message>
+    <message>
+        <source>%1: %2 trials, progress: %3</source>
+        <translation>%1：%2 次试验，进步情况：%3</translation>
+    </message>
+    <message>
+        <source>No team is selected</source>
+        <translation>未选择小组</translation>
+    </message>
+    <message>
+        <source>Select a team to see its trials through the term.</source>
+        <translation>选择一个小组，即可查看其本学期的各次试验。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialActions</name>
+    <message>
+        <source>Trial %1</source>
+        <translation>试验 %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2 of %3 frames, spikes flagged: %4</source>
+        <translation>%1：%3 帧中的 %2 帧，标出异常点：%4</translation>
+    </message>
+    <message>
+        <source>%1 is tracked: %2.</source>
+        <translation>%1 已跟踪：%2。</translation>
+    </message>
+    <message>
+        <source>%1 is imported.</source>
+        <translation>%1 已导入。</translation>
+    </message>
+    <message>
+        <source>&amp;Import trial from videos…</source>
+        <translation>从视频导入试验(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Import finished tra&amp;cks…</source>
+        <translation>导入现成轨迹(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Track…</source>
+        <translation>跟踪(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Export &amp;video…</source>
+        <translation>导出视频(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Add &amp;robot…</source>
+        <translation>添加机器人(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>正在导入 %1</translation>
+    </message>
+    <message>
+        <source>Tracking %1</source>
+        <translation>正在跟踪 %1</translation>
+    </message>
+    <message>
+        <source>the sample</source>
+        <translation>采样点</translation>
+    </message>
+    <message>
+        <source>this project can only be read</source>
+        <translation>此项目只能读取</translation>
+    </message>
+    <message>
+        <source>save a copy and work on that</source>
+        <translation>请保存副本，在副本上继续</translation>
+    </message>
+    <message>
+        <source>Measuring %1 again</source>
+        <translation>正在重新测量 %1</translation>
+    </message>
+    <message>
+        <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
+        <translation>不采用 %2 在 %1 的采样点。可用“撤销”撤回。</translation>
+    </message>
+    <message>
+        <source>The sample at %1 of %2 is used. Undo takes it back.</source>
+        <translation>采用 %2 在 %1 的采样点。可用“撤销”撤回。</translation>
+    </message>
+    <message>
+        <source>Video of %1</source>
+        <translation>%1 的视频</translation>
+    </message>
+    <message>
+        <source>MP4 videos (*.mp4)</source>
+        <translation>MP4 视频 (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Making the video of %1</source>
+        <translation>正在生成 %1 的视频</translation>
+    </message>
+    <message>
+        <source>The video of %1 is there: %2</source>
+        <translation>%1 的视频已生成：%2</translation>
+    </message>
+    <message>
+        <source>add robot %1</source>
+        <translation>添加机器人 %1</translation>
+    </message>
+    <message>
+        <source>Robot %1 is known now.</source>
+        <translation>机器人 %1 已添加。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialBatch</name>
+    <message>
+        <source>many trials</source>
+        <translation>多次试验</translation>
+    </message>
+    <message>
+        <source>another job is running</source>
+        <translation>另一项操作正在进行</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>请等它完成，或将其取消</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialChooser</name>
+    <message>
+        <source>&amp;Previous trial</source>
+        <translation>上一次试验(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Next trial</source>
+        <translation>下一次试验(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>试验</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialDetail</name>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>班级</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>视角</translation>
+    </message>
+    <message>
+        <source>none: the track was imported</source>
+        <translation>无：轨迹为导入</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>得分</translation>
+    </message>
+    <message>
+        <source>none: it was measured by another course than its task has now; measure it again</source>
+        <translation>无：测量所按的赛道与任务现有的不同；请重新测量</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>none yet: open it and choose Track</source>
+        <translation>尚无：请打开它并选择“跟踪”</translation>
+    </message>
+    <message>
+        <source>Open in Review</source>
+        <translation>在“回放”中打开</translation>
+    </message>
+    <message>
+        <source>Facts of the trial</source>
+        <translation>试验概况</translation>
+    </message>
+    <message>
+        <source>Notes of the trial</source>
+        <translation>试验备注</translation>
+    </message>
+    <message>
+        <source>What was changed on the robot? What should be remembered?</source>
+        <translation>机器人作了哪些改动？有什么需要记住？</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>备注(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>No trials yet</source>
+        <translation>尚无试验</translation>
+    </message>
+    <message>
+        <source>No trial selected</source>
+        <translation>未选择试验</translation>
+    </message>
+    <message>
+        <source>write notes of %1</source>
+        <translation>编写 %1 的备注</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialFilterBar</name>
+    <message>
+        <source>Class</source>
+        <translation>班级</translation>
+    </message>
+    <message>
+        <source>Any class</source>
+        <translation>任意班级</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Any team</source>
+        <translation>任意小组</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>任意任务</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Any robot</source>
+        <translation>任意机器人</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Any date</source>
+        <translation>任意日期</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>今天</translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation>最近 7 天</translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation>最近 30 天</translation>
+    </message>
+    <message>
+        <source>Last 12 months</source>
+        <translation>最近 12 个月</translation>
+    </message>
+    <message>
+        <source>Between…</source>
+        <translation>指定范围…</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>归档</translation>
+    </message>
+    <message>
+        <source>Bin</source>
+        <translation>回收站</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>Starred</source>
+        <translation>星标</translation>
+    </message>
+    <message>
+        <source>Only starred trials</source>
+        <translation>仅加星标的试验</translation>
+    </message>
+    <message>
+        <source>Show starred trials only</source>
+        <translation>仅显示加星标的试验</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialModel</name>
+    <message>
+        <source>not tracked</source>
+        <translation>未跟踪</translation>
+    </message>
+    <message>
+        <source>measure again</source>
+        <translation>需重新测量</translation>
+    </message>
+    <message>
+        <source>starred</source>
+        <translation>已加星标</translation>
+    </message>
+    <message>
+        <source>not starred</source>
+        <translation>未加星标</translation>
+    </message>
+    <message>
+        <source>Tags, separated by commas: double-click or F2 changes them</source>
+        <translation>标签，以逗号分隔：双击或按 F2 修改</translation>
+    </message>
+    <message>
+        <source>Star (Ctrl+D)</source>
+        <translation>星标 (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>星标</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>班级</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>用时</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>最大速度</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>得分</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>标签</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TroubleBar</name>
+    <message>
+        <source>What is the matter</source>
+        <translation>问题所在</translation>
+    </message>
+    <message>
+        <source>Put it right</source>
+        <translation>解决</translation>
+    </message>
+</context>
+<context>
+    <name>odo::UndoActions</name>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>已撤销：%1。</translation>
+    </message>
+    <message>
+        <source>Made again: %1.</source>
+        <translation>已重做：%1。</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>撤销(&amp;U)：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>重做(&amp;R)：%1</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>a job is running on the project</source>
+        <translation>项目上有操作正在进行</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>请等它完成，或将其取消</translation>
+    </message>
+</context>
+<context>
+    <name>odo::VideoDialog</name>
+    <message>
+        <source>As it was driven</source>
+        <translation>按实际速度</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/2</source>
+        <translation>慢动作，1/2</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/4</source>
+        <translation>慢动作，1/4</translation>
+    </message>
+    <message>
+        <source>Slow motion, 1/10</source>
+        <translation>慢动作，1/10</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>One video with the pictures of all cameras, the map and the speed, to be shown or sent: whoever gets it needs no Odograph.</source>
+        <translation>一段视频，包含所有相机的画面、地图和速度，可用于展示或发送：收到者无需 Odograph。</translation>
+    </message>
+    <message>
+        <source>&amp;Speed</source>
+        <translation>速度(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>尺寸(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>主题(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Choose a place…</source>
+        <translation>选择位置…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ViewActions</name>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>重置窗口布局(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>全屏(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Colours of the &amp;desktop</source>
+        <translation>跟随系统配色(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>浅色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Da&amp;rk</source>
+        <translation>深色(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ViewSteps</name>
+    <message>
+        <source>From the motion or a flash</source>
+        <translation>由运动或闪光得出</translation>
+    </message>
+    <message>
+        <source>Begun together</source>
+        <translation>同时开始</translation>
+    </message>
+    <message>
+        <source>By hand: begun later by</source>
+        <translation>手动：晚开始</translation>
+    </message>
+    <message>
+        <source>How view %1 gets in step with the first</source>
+        <translation>视角 %1 如何与视角 1 同步</translation>
+    </message>
+    <message>
+        <source>A flash: switch the room lights on and off once while all cameras record</source>
+        <translation>闪光：在所有相机录制期间，将室内的灯开关一次</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>How much later view %1 began</source>
+        <translation>视角 %1 晚开始多少</translation>
+    </message>
+    <message>
+        <source>Below zero: it began earlier than the first view</source>
+        <translation>小于零：比视角 1 早开始</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>视角 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WelcomePage</name>
+    <message>
+        <source>Odograph</source>
+        <translation>Odograph</translation>
+    </message>
+    <message>
+        <source>Measures how a mobile robot moved, from the videos of ordinary cameras.</source>
+        <translation>由普通相机的视频测量移动机器人的运动。</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>最近的项目</translation>
+    </message>
+    <message>
+        <source>not found any more</source>
+        <translation>已找不到</translation>
+    </message>
+</context>
+<context>
+    <name>odo::Workspace</name>
+    <message>
+        <source>another job is running</source>
+        <translation>另一项操作正在进行</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>请等它完成，或将其取消</translation>
+    </message>
+    <message>
+        <source>cannot open another project</source>
+        <translation>无法打开另一个项目</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
+    </message>
+    <message>
+        <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
+        <translation>%1：%2。在此只能查看；如需更改，请先在那边关闭，再在此重新打开。</translation>
+    </message>
+    <message>
+        <source>Completing a recording that was cut off</source>
+        <translation>正在补全被中断的录像</translation>
+    </message>
+    <message>
+        <source>Making the hashes of new recordings</source>
+        <translation>正在计算新录像的哈希值</translation>
+    </message>
+    <message>
+        <source>cannot make another project</source>
+        <translation>无法新建另一个项目</translation>
+    </message>
+    <message>
+        <source>no project is open</source>
+        <translation>没有打开的项目</translation>
+    </message>
+    <message>
+        <source>open or make a project first</source>
+        <translation>请先打开或新建项目</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ZoneTable</name>
+    <message>
+        <source>stay inside</source>
+        <translation>应留在内</translation>
+    </message>
+    <message>
+        <source>keep out</source>
+        <translation>禁止进入</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve zone</source>
+        <translation>移除区域(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Zone</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>规则</translation>
+    </message>
+    <message>
+        <source>Corners: x y; x y; … in mm</source>
+        <translation>角：x y; x y; … 单位 mm</translation>
+    </message>
+    <message>
+        <source>Zones of the floor</source>
+        <translation>地面上的区域</translation>
+    </message>
+    <message>
+        <source>Add zone to sta&amp;y in</source>
+        <translation>添加应留区域(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Add zone to &amp;keep out of</source>
+        <translation>添加禁入区域(&amp;K)</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s centre must stay in a zone, or keep out of it. Each is judged by itself; how often, how long and how far it was broken can be scored. Drag corners and edges on the map.</source>
+        <translation>机器人中心必须留在区域内，或不得进入区域。各区域单独判定；越界的次数、时间和距离都可计分。可在地图上拖动角和边。</translation>
+    </message>
+    <message>
+        <source>Rule of the zone</source>
+        <translation>区域的规则</translation>
+    </message>
+    <message>
+        <source>Zone %1</source>
+        <translation>区域 %1</translation>
+    </message>
+</context>
+</TS>
