@@ -26,7 +26,7 @@ namespace odo {
 
 namespace {
 
-constexpr int columnWidth = 500, numberWidth = 112, differenceWidth = 126;
+constexpr int columnWidth = 528, nameWidth = 88; ///< of a run in a heading
 
 /// Mutes a difference that is within the error; its sign ≈ says the same.
 class DifferenceDelegate : public QStyledItemDelegate
@@ -74,11 +74,9 @@ QTableView *tableOf(DifferenceModel *model, const QString &name)
     table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 9);
     table->horizontalHeader()->setMinimumSectionSize(40);
-    table->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    // Numbers are shown whole; a long name of a figure is cut.
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table->horizontalHeader()->setSectionResizeMode(DifferenceModel::NameColumn, QHeaderView::Stretch);
-    for (int column = DifferenceModel::FirstColumn; column < DifferenceModel::ColumnCount; ++column)
-        table->setColumnWidth(column,
-                              column == DifferenceModel::DifferenceColumn ? differenceWidth : numberWidth);
     return table;
 }
 
@@ -169,7 +167,7 @@ void CompareColumn::showRun()
                   other = QString::fromStdString(m_scene->name(m_other));
     // Names of trials often differ at their ends alone.
     const auto fitted = [this](const QString &name) {
-        return fontMetrics().elidedText(name, Qt::ElideMiddle, numberWidth - 24);
+        return fontMetrics().elidedText(name, Qt::ElideMiddle, nameWidth);
     };
     for (DifferenceModel *model : {m_sectors, m_metrics})
         model->setRunNames(fitted(first), fitted(other));

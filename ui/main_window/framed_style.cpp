@@ -13,15 +13,16 @@ namespace {
 
 constexpr qreal radius = 2; // Fusion's
 
-/// Over Fusion's own, which shows by its colour which field has the focus.
+/// Over Fusion's own, which does not show which choice has the focus, but after the Tab key.
 void drawFrame(const QStyleOption &option, const QRect &rect, QPainter &painter)
 {
-    if (option.state & QStyle::State_HasFocus)
-        return;
     const ThemeColours colours = ThemeColours::of(option.palette);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(option.state & QStyle::State_Enabled ? colours.field : colours.border);
+    if (option.state & QStyle::State_HasFocus)
+        painter.setPen(colours.accent);
+    else
+        painter.setPen(option.state & QStyle::State_Enabled ? colours.field : colours.border);
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(QRectF(rect).adjusted(0.5, 0.5, -0.5, -0.5), radius, radius);
     painter.restore();

@@ -27,7 +27,7 @@ constexpr double usualRate = 240;
 
 ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     : QDialog(parent), m_cameras(offer.cameras), m_teamsRobots(offer.teamsRobots), m_name(new QLineEdit(offer.name)), m_team(new QComboBox),
-      m_task(new QLineEdit), m_robots(new CheckList(tr("Robots in the trial"))), m_videoGrid(new QGridLayout),
+      m_task(new QComboBox), m_robots(new CheckList(tr("Robots in the trial"))), m_videoGrid(new QGridLayout),
       m_addView(new QPushButton(tr("Add &view"))), m_steps(new ViewSteps),
       m_rateTold(new QCheckBox(tr("Camera's real &rate"))), m_rate(new QDoubleSpinBox),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
@@ -37,6 +37,10 @@ ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     m_team->addItem(QString());
     for (qsizetype i = 0; i < offer.teams.size(); ++i)
         m_team->addItem(offer.teamsShown.value(i, offer.teams[i]), offer.teams[i]);
+    m_task->setEditable(true);
+    m_task->addItem(QString());
+    m_task->addItems(offer.tasks);
+    m_task->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // a name may be long
     m_robots->setNames(offer.robots, offer.robots.size() == 1);
     auto *form = new QFormLayout;
     form->addRow(tr("&Name"), m_name);
@@ -174,7 +178,7 @@ ImportSettings ImportTrialDialog::settings() const
     settings.trial = m_name->text().trimmed().toStdString();
     const int team = m_team->findText(m_team->currentText().trimmed(), Qt::MatchFixedString | Qt::MatchCaseSensitive);
     settings.team = (team > 0 ? m_team->itemData(team).toString() : m_team->currentText().trimmed()).toStdString();
-    settings.task = m_task->text().trimmed().toStdString();
+    settings.task = m_task->currentText().trimmed().toStdString();
     settings.robots = m_robots->checkedNames();
     for (std::size_t view = 0; view < m_videos.size(); ++view) {
         const VideoRow &row = m_videos[view];

@@ -39,6 +39,7 @@ public:
         std::vector<OfferedCamera> cameras;
         QStringList teamsShown = {}; ///< what each team is shown as; empty: by their names
         QList<QStringList> teamsRobots = {}; ///< that belong to each team, ticked when it is chosen
+        QStringList tasks = {};
     };
     explicit ImportTrialDialog(const Offer &offer, QWidget *parent = nullptr);
     ImportSettings settings() const;
@@ -64,7 +65,7 @@ private:
     QList<QStringList> m_teamsRobots;
     QLineEdit *m_name;
     QComboBox *m_team;
-    QLineEdit *m_task;
+    QComboBox *m_task;
     CheckList *m_robots;
     QGridLayout *m_videoGrid;
     std::vector<VideoRow> m_videos;

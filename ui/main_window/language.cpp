@@ -38,7 +38,7 @@ QString languageOfComputer()
 QLocale localeOf(const QString &code)
 {
     const QLocale own = QLocale::system(), wanted(code);
-    if (own.language() == wanted.language() || (code == english && own.language() == QLocale::C))
+    if (own.language() == wanted.language())
         return own;
     // Not that of one country: 11/12 would be the twelfth of November in one and the eleventh of December in others.
     return code == english ? QLocale(QLocale::English, QLocale::World) : wanted;

@@ -162,7 +162,8 @@ void TrialActions::askImport(const QStringList &videos)
     for (const CameraRow &row : loadCameraRows(project).value_or(std::vector<CameraRow>()))
         cameras.push_back({QString::fromStdString(row.camera.name), cameraBadge(row.registration)});
     const OfferedTeams teams = teamsOf(project);
-    ImportTrialDialog dialog({freeTrialName(trials), teams.names, namesOf(project.robots().all()), std::move(cameras), teams.shown, teams.robots},
+    ImportTrialDialog dialog({freeTrialName(trials), teams.names, namesOf(project.robots().all()), std::move(cameras), teams.shown, teams.robots,
+                              namesOf(project.tasks().current())},
                              &m_window);
     for (const QString &video : videos)
         dialog.addVideo({}, video);

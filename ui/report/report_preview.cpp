@@ -65,8 +65,9 @@ protected:
             return;
         const QRect seen = visibleRegion().boundingRect();
         const QRect box(seen.left(), seen.center().y() - 24, seen.width(), 48);
-        painter.fillRect(box, colours.bubble);
-        painter.setPen(colours.bubbleText);
+        if (!m_pictures.isEmpty()) // over the pages that were there
+            painter.fillRect(box, colours.bubble);
+        painter.setPen(m_pictures.isEmpty() ? colours.text : colours.bubbleText);
         painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, m_words);
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/check_list.h"
 
+#include <QEvent>
+
 namespace odo {
 namespace {
 constexpr int fewestRows = 2, mostRows = 6;
@@ -41,8 +43,17 @@ void CheckList::setChecked(const QStringList &names)
         item(i)->setCheckState(names.contains(item(i)->text()) ? Qt::Checked : Qt::Unchecked);
 }
 
+bool CheckList::event(QEvent *event)
+{
+    const bool isHandled = QListWidget::event(event);
+    if (event->type() == QEvent::Polish)
+        doItemsLayout(); // rows that were laid out before the style sheet was known are too low
+    return isHandled;
+}
+
 QSize CheckList::sizeHint() const
 {
+    ensurePolished();
     const int row = std::max(sizeHintForRow(0), fontMetrics().height() + 6);
     return {QListWidget::sizeHint().width(),
             std::clamp(count(), fewestRows, mostRows) * row + 2 * frameWidth()};

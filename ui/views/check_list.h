@@ -18,6 +18,9 @@ public:
     /// Ticks these and no others.
     void setChecked(const QStringList &names);
     QSize sizeHint() const override;
+
+protected:
+    bool event(QEvent *event) override;
 };
 
 } // namespace odo

@@ -62,7 +62,14 @@ void TestImportTrialDialog::aTeamProposesItsRobots()
                               robots,
                               {},
                               {QStringLiteral("Team 4"), QStringLiteral("Heron")},
-                              {{QStringLiteral("Blue")}, {}}});
+                              {{QStringLiteral("Blue")}, {}},
+                              {QStringLiteral("Slalom")}});
+    auto *task = dialog.findChildren<QComboBox *>().at(1);
+    QVERIFY(dialog.settings().task.empty());
+    task->setCurrentIndex(task->findText(QStringLiteral("Slalom")));
+    QCOMPARE(dialog.settings().task, std::string("Slalom"));
+    task->setEditText(QStringLiteral(" a new one "));
+    QCOMPARE(dialog.settings().task, std::string("a new one"));
     auto *team = dialog.findChild<QComboBox *>();
     QVERIFY(dialog.settings().robots.empty());
     team->setCurrentIndex(team->findText(QStringLiteral("Team 4")));

@@ -41,6 +41,21 @@ private Q_SLOTS:
         QCOMPARE(table.columnWidth(2), figure);
     }
 
+    void theFirstGivesWayLast()
+    {
+        QTableWidget table(1, 3);
+        for (const int column : {0, 1})
+            table.setItem(0, column, new QTableWidgetItem(QString(60, u'm')));
+        const int letter = table.fontMetrics().averageCharWidth();
+        fill(table, 40 * letter);
+        const int figure = table.columnWidth(2);
+        table.resize(table.width() + 26 * letter + figure - table.viewport()->width(), table.height());
+        fitColumns(table, 1, {0, 1});
+        QCOMPARE(table.columnWidth(0), 16 * letter);
+        QCOMPARE(table.columnWidth(1), 10 * letter);
+        QCOMPARE(table.columnWidth(2), figure);
+    }
+
     void nothingBecomesTooNarrowToRead()
     {
         QTableWidget table(1, 3);
