@@ -3265,6 +3265,26 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Robot&apos;s height</source>
         <translation>Höhe des Roboters</translation>
     </message>
+    <message>
+        <source>Standing time</source>
+        <translation>Standzeit</translation>
+    </message>
+    <message>
+        <source>Median speed</source>
+        <translation>Mittlere Geschw. (Median)</translation>
+    </message>
+    <message>
+        <source>P95 speed</source>
+        <translation>Geschwindigkeit (P95)</translation>
+    </message>
+    <message>
+        <source>P95 acceleration</source>
+        <translation>Beschleunigung (P95)</translation>
+    </message>
+    <message>
+        <source>Circle&apos;s radius</source>
+        <translation>Radius des Kreises</translation>
+    </message>
 </context>
 <context>
     <name>odo::FileActions</name>
@@ -3414,8 +3434,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Marker und Kameras werden hier gezeichnet, sobald es einen Markerplan oder eine eingemessene Kamera gibt.</translation>
     </message>
     <message>
-        <source>grid 0.5 m</source>
-        <translation>Raster 0.5 m</translation>
+        <source>grid %1 m</source>
+        <translation>Raster %1 m</translation>
     </message>
 </context>
 <context>
@@ -3859,10 +3879,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Name</translation>
     </message>
     <message>
-        <source>&amp;Team</source>
-        <translation>&amp;Team</translation>
-    </message>
-    <message>
         <source>Tas&amp;k</source>
         <translation>Auf&amp;gabe</translation>
     </message>
@@ -3898,6 +3914,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Tracks (*.csv *.txt *.tum *.tsv);;All files (*)</source>
         <translation>Spuren (*.csv *.txt *.tum *.tsv);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>Te&amp;am</translation>
+    </message>
 </context>
 <context>
     <name>odo::ImportTrialDialog</name>
@@ -3923,7 +3943,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Te&amp;am</source>
-        <translation>&amp;Team</translation>
+        <translation>Te&amp;am</translation>
     </message>
     <message>
         <source>Tas&amp;k</source>
@@ -4281,8 +4301,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Marker von oben</translation>
     </message>
     <message>
-        <source>grid 0.5 m</source>
-        <translation>Raster 0.5 m</translation>
+        <source>grid %1 m</source>
+        <translation>Raster %1 m</translation>
     </message>
 </context>
 <context>
@@ -6269,7 +6289,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Te&amp;am</source>
-        <translation>&amp;Team</translation>
+        <translation>Te&amp;am</translation>
     </message>
     <message>
         <source>Tas&amp;k</source>
@@ -6600,7 +6620,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>odo::SpikeActions</name>
     <message>
         <source>&amp;Use sample</source>
-        <translation>Messpunkt &amp;verwenden</translation>
+        <translation>&amp;Verwenden</translation>
     </message>
     <message>
         <source>What was measured at this moment is right and is to be used, whatever speaks against it</source>
@@ -6608,7 +6628,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Mark as &amp;spike</source>
-        <translation>Als &amp;Ausreißer markieren</translation>
+        <translation>Als &amp;Ausreißer</translation>
     </message>
     <message>
         <source>What was measured at this moment is wrong and is not to be used</source>

@@ -3265,6 +3265,26 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Robot&apos;s height</source>
         <translation>Altura del robot</translation>
     </message>
+    <message>
+        <source>Standing time</source>
+        <translation>Tiempo parado</translation>
+    </message>
+    <message>
+        <source>Median speed</source>
+        <translation>Velocidad mediana</translation>
+    </message>
+    <message>
+        <source>P95 speed</source>
+        <translation>Velocidad (P95)</translation>
+    </message>
+    <message>
+        <source>P95 acceleration</source>
+        <translation>Aceleración (P95)</translation>
+    </message>
+    <message>
+        <source>Circle&apos;s radius</source>
+        <translation>Radio del círculo</translation>
+    </message>
 </context>
 <context>
     <name>odo::FileActions</name>
@@ -3414,8 +3434,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Los marcadores y las cámaras se dibujan aquí en cuanto hay un plano o una cámara registrada.</translation>
     </message>
     <message>
-        <source>grid 0.5 m</source>
-        <translation>cuadrícula 0.5 m</translation>
+        <source>grid %1 m</source>
+        <translation>cuadrícula de %1 m</translation>
     </message>
 </context>
 <context>
@@ -3859,10 +3879,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Nombre</translation>
     </message>
     <message>
-        <source>&amp;Team</source>
-        <translation>&amp;Equipo</translation>
-    </message>
-    <message>
         <source>Tas&amp;k</source>
         <translation>&amp;Tarea</translation>
     </message>
@@ -3897,6 +3913,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Tracks (*.csv *.txt *.tum *.tsv);;All files (*)</source>
         <translation>Trazas (*.csv *.txt *.tum *.tsv);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>Equi&amp;po</translation>
     </message>
 </context>
 <context>
@@ -4281,8 +4301,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Marcadores desde arriba</translation>
     </message>
     <message>
-        <source>grid 0.5 m</source>
-        <translation>cuadrícula 0.5 m</translation>
+        <source>grid %1 m</source>
+        <translation>cuadrícula de %1 m</translation>
     </message>
 </context>
 <context>
@@ -6600,7 +6620,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>odo::SpikeActions</name>
     <message>
         <source>&amp;Use sample</source>
-        <translation>&amp;Usar muestra</translation>
+        <translation>&amp;Usar</translation>
     </message>
     <message>
         <source>What was measured at this moment is right and is to be used, whatever speaks against it</source>
@@ -6608,7 +6628,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>Mark as &amp;spike</source>
-        <translation>&amp;Marcar como atípico</translation>
+        <translation>Es atí&amp;pico</translation>
     </message>
     <message>
         <source>What was measured at this moment is wrong and is not to be used</source>

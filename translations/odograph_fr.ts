@@ -3265,6 +3265,26 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Robot&apos;s height</source>
         <translation>Hauteur du robot</translation>
     </message>
+    <message>
+        <source>Standing time</source>
+        <translation>Temps à l’arrêt</translation>
+    </message>
+    <message>
+        <source>Median speed</source>
+        <translation>Vitesse médiane</translation>
+    </message>
+    <message>
+        <source>P95 speed</source>
+        <translation>Vitesse (P95)</translation>
+    </message>
+    <message>
+        <source>P95 acceleration</source>
+        <translation>Accélération (P95)</translation>
+    </message>
+    <message>
+        <source>Circle&apos;s radius</source>
+        <translation>Rayon du cercle</translation>
+    </message>
 </context>
 <context>
     <name>odo::FileActions</name>
@@ -3414,8 +3434,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Marqueurs et caméras sont dessinés ici dès qu’il y a un plan de marqueurs ou une caméra localisée.</translation>
     </message>
     <message>
-        <source>grid 0.5 m</source>
-        <translation>grille de 0.5 m</translation>
+        <source>grid %1 m</source>
+        <translation>grille de %1 m</translation>
     </message>
 </context>
 <context>
@@ -3859,10 +3879,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Nom</translation>
     </message>
     <message>
-        <source>&amp;Team</source>
-        <translation>É&amp;quipe</translation>
-    </message>
-    <message>
         <source>Tas&amp;k</source>
         <translation>É&amp;preuve</translation>
     </message>
@@ -3897,6 +3913,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Tracks (*.csv *.txt *.tum *.tsv);;All files (*)</source>
         <translation>Trajectoires (*.csv *.txt *.tum *.tsv);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>É&amp;quipe</translation>
     </message>
 </context>
 <context>
@@ -4281,8 +4301,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Marqueurs vus de dessus</translation>
     </message>
     <message>
-        <source>grid 0.5 m</source>
-        <translation>grille de 0.5 m</translation>
+        <source>grid %1 m</source>
+        <translation>grille de %1 m</translation>
     </message>
 </context>
 <context>
@@ -6600,7 +6620,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>odo::SpikeActions</name>
     <message>
         <source>&amp;Use sample</source>
-        <translation>&amp;Utiliser l’échantillon</translation>
+        <translation>&amp;Utiliser</translation>
     </message>
     <message>
         <source>What was measured at this moment is right and is to be used, whatever speaks against it</source>
@@ -6608,7 +6628,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>Mark as &amp;spike</source>
-        <translation>&amp;Marquer comme pic</translation>
+        <translation>&amp;Marquer</translation>
     </message>
     <message>
         <source>What was measured at this moment is wrong and is not to be used</source>

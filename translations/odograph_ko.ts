@@ -3257,6 +3257,26 @@ Much more than expected means that something is not as it was told: the views ar
         <source>Robot&apos;s height</source>
         <translation>로봇 높이</translation>
     </message>
+    <message>
+        <source>Standing time</source>
+        <translation>정지 시간</translation>
+    </message>
+    <message>
+        <source>Median speed</source>
+        <translation>속력 중앙값</translation>
+    </message>
+    <message>
+        <source>P95 speed</source>
+        <translation>속력(P95)</translation>
+    </message>
+    <message>
+        <source>P95 acceleration</source>
+        <translation>가속도(P95)</translation>
+    </message>
+    <message>
+        <source>Circle&apos;s radius</source>
+        <translation>원의 반지름</translation>
+    </message>
 </context>
 <context>
     <name>odo::FileActions</name>
@@ -3406,8 +3426,8 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>마커 배치나 정합된 카메라가 생기면 여기에 마커와 카메라를 그립니다.</translation>
     </message>
     <message>
-        <source>grid 0.5 m</source>
-        <translation>격자 0.5 m</translation>
+        <source>grid %1 m</source>
+        <translation>격자 %1 m</translation>
     </message>
 </context>
 <context>
@@ -3845,10 +3865,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>이름(&amp;N)</translation>
     </message>
     <message>
-        <source>&amp;Team</source>
-        <translation>팀(&amp;T)</translation>
-    </message>
-    <message>
         <source>Tas&amp;k</source>
         <translation>과제(&amp;K)</translation>
     </message>
@@ -3883,6 +3899,10 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Tracks (*.csv *.txt *.tum *.tsv);;All files (*)</source>
         <translation>궤적 (*.csv *.txt *.tum *.tsv);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>팀(&amp;A)</translation>
     </message>
 </context>
 <context>
@@ -4267,8 +4287,8 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>위에서 본 마커</translation>
     </message>
     <message>
-        <source>grid 0.5 m</source>
-        <translation>격자 0.5 m</translation>
+        <source>grid %1 m</source>
+        <translation>격자 %1 m</translation>
     </message>
 </context>
 <context>

@@ -3257,6 +3257,26 @@ Much more than expected means that something is not as it was told: the views ar
         <source>Robot&apos;s height</source>
         <translation>机器人高度</translation>
     </message>
+    <message>
+        <source>Standing time</source>
+        <translation>静止时间</translation>
+    </message>
+    <message>
+        <source>Median speed</source>
+        <translation>速度中位数</translation>
+    </message>
+    <message>
+        <source>P95 speed</source>
+        <translation>速度 (P95)</translation>
+    </message>
+    <message>
+        <source>P95 acceleration</source>
+        <translation>加速度 (P95)</translation>
+    </message>
+    <message>
+        <source>Circle&apos;s radius</source>
+        <translation>圆的半径</translation>
+    </message>
 </context>
 <context>
     <name>odo::FileActions</name>
@@ -3406,8 +3426,8 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>有了标记布局或已配准的相机后，标记和相机会画在这里。</translation>
     </message>
     <message>
-        <source>grid 0.5 m</source>
-        <translation>网格 0.5 m</translation>
+        <source>grid %1 m</source>
+        <translation>网格 %1 m</translation>
     </message>
 </context>
 <context>
@@ -3845,10 +3865,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>名称(&amp;N)</translation>
     </message>
     <message>
-        <source>&amp;Team</source>
-        <translation>小组(&amp;T)</translation>
-    </message>
-    <message>
         <source>Tas&amp;k</source>
         <translation>任务(&amp;K)</translation>
     </message>
@@ -3883,6 +3899,10 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Tracks (*.csv *.txt *.tum *.tsv);;All files (*)</source>
         <translation>轨迹 (*.csv *.txt *.tum *.tsv);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Te&amp;am</source>
+        <translation>小组(&amp;A)</translation>
     </message>
 </context>
 <context>
@@ -4267,8 +4287,8 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>标记俯视图</translation>
     </message>
     <message>
-        <source>grid 0.5 m</source>
-        <translation>网格 0.5 m</translation>
+        <source>grid %1 m</source>
+        <translation>网格 %1 m</translation>
     </message>
 </context>
 <context>

@@ -35,7 +35,7 @@ ImportTracksDialog::ImportTracksDialog(const Offer &offer, QWidget *parent)
     words->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("&Name"), m_name);
-    form->addRow(tr("&Team"), m_team);
+    form->addRow(tr("Te&am"), m_team);
     form->addRow(tr("Tas&k"), m_task);
     form->addRow(tr("Tracks"), makeTracks());
     QPushButton *accept = m_buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);

@@ -118,7 +118,7 @@ QString metricName(const std::string &name)
     {
         const char *name, *words;
     };
-    static constexpr std::array<Word, 30> words = {{
+    static constexpr std::array<Word, 35> words = {{
         {"duration", QT_TRANSLATE_NOOP("odo::FigureText", "Time")},
         {"path_length", QT_TRANSLATE_NOOP("odo::FigureText", "Path")},
         {"max_speed", QT_TRANSLATE_NOOP("odo::FigureText", "Top speed")},
@@ -149,6 +149,11 @@ QString metricName(const std::string &name)
         {"limit_breaches", QT_TRANSLATE_NOOP("odo::FigureText", "Limits broken")},
         {"gates_passed", QT_TRANSLATE_NOOP("odo::FigureText", "Gates passed")},
         {"height", QT_TRANSLATE_NOOP("odo::FigureText", "Robot's height")},
+        {"standing_time", QT_TRANSLATE_NOOP("odo::FigureText", "Standing time")},
+        {"median_speed", QT_TRANSLATE_NOOP("odo::FigureText", "Median speed")},
+        {"p95_speed", QT_TRANSLATE_NOOP("odo::FigureText", "P95 speed")},
+        {"p95_accel", QT_TRANSLATE_NOOP("odo::FigureText", "P95 acceleration")},
+        {"circle_radius", QT_TRANSLATE_NOOP("odo::FigureText", "Circle's radius")},
     }};
     for (const Word &word : words) {
         if (name == word.name)

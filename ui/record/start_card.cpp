@@ -88,10 +88,10 @@ void StartCard::setState(const State &state)
         able = true;
         break;
     }
-    if (m_button->text() != text || m_button->icon().isNull()) {
+    if (m_button->text() != text || m_button->icon().isNull() || m_button->isEnabled() != able) {
         m_button->setText(text);
         m_button->setAccessibleName(text);
-        m_button->setIcon(themeIcon(sign, Qt::white));
+        m_button->setIcon(able ? themeIcon(sign, Qt::white) : themeIcon(sign)); // white would be lost on grey
     }
     const bool isOn = state.phase != RunPhase::Ready;
     if (m_button->property("on").toBool() != isOn) {

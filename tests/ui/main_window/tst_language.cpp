@@ -2,6 +2,7 @@
 #include "ui/history/history_page.h"
 #include "ui/history/teams_panel.h"
 #include "ui/main_window/language.h"
+#include "ui/models/figure_text.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -43,6 +44,7 @@ private Q_SLOTS:
     void wordsAndNumbersFollowTheLanguage_data();
     void wordsAndNumbersFollowTheLanguage();
     void whatIsNotKnownIsTheComputers();
+    void everyFigureHasAName();
 
 private:
     static void eachLanguage()
@@ -194,6 +196,27 @@ void TestLanguage::whatIsNotKnownIsTheComputers()
     QCOMPARE(chosenLanguage(), QStringLiteral("fr"));
     chooseLanguage({});
     QVERIFY(chosenLanguage().isEmpty());
+}
+
+/// None that core computes is shown by the name that files have for it.
+void TestLanguage::everyFigureHasAName()
+{
+    installLanguage(*qApp, QStringLiteral("fr"));
+    static const QRegularExpression figure(QStringLiteral("\"([a-z0-9_]+)\",\\s*\"(?:1|s|m|m/s|m/s²|rad/s)\""));
+    int count = 0;
+    for (const char *file : {"metrics", "task_metrics"}) {
+        QFile source(m_root + QStringLiteral("/core/trajectory/%1.cpp").arg(QLatin1String(file)));
+        QVERIFY(source.open(QIODevice::ReadOnly));
+        auto each = figure.globalMatch(QString::fromUtf8(source.readAll()));
+        while (each.hasNext()) {
+            const QString name = each.next().captured(1);
+            QString plain = name;
+            plain.replace(u'_', u' ');
+            QVERIFY2(metricName(name.toStdString()).compare(plain, Qt::CaseInsensitive) != 0, qPrintable(name));
+            ++count;
+        }
+    }
+    QVERIFY(count > 15);
 }
 
 QTEST_MAIN(TestLanguage)

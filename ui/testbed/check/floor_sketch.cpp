@@ -6,6 +6,7 @@
 #include "ui/views/theme.h"
 
 #include <QMouseEvent>
+#include <QLocale>
 #include <QPainter>
 #include <cmath>
 
@@ -175,7 +176,7 @@ void FloorSketch::paintEvent(QPaintEvent *)
     for (std::size_t i = 0; i < m_cameras.size(); ++i)
         paintCamera(painter, m_cameras[i], seriesColour(static_cast<int>(i), palette()));
     painter.setPen(colours.muted);
-    painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignRight | Qt::AlignBottom, tr("grid 0.5 m"));
+    painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignRight | Qt::AlignBottom, tr("grid %1 m").arg(QLocale().toString(0.5)));
     if (m_accuracy)
         drawAccuracyKey(painter, *m_accuracy, rect(), palette());
 }

@@ -4,6 +4,7 @@
 #include "ui/views/theme.h"
 
 #include <QMouseEvent>
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,7 @@ void LayoutDrawing::paintEvent(QPaintEvent *)
         painter.drawText(at + QPointF(10, 16), QString::fromStdString(marker.label));
     }
     painter.setPen(colours.muted);
-    painter.drawText(rect().adjusted(8, 6, -8, -6), Qt::AlignRight | Qt::AlignBottom, step > 0 ? tr("grid 0.5 m") : QString());
+    painter.drawText(rect().adjusted(8, 6, -8, -6), Qt::AlignRight | Qt::AlignBottom, step > 0 ? tr("grid %1 m").arg(QLocale().toString(0.5)) : QString());
 }
 
 void LayoutDrawing::mousePressEvent(QMouseEvent *event)
