@@ -422,6 +422,1189 @@
     </message>
 </context>
 <context>
+    <name>CoreWords</name>
+    <message>
+        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <translation>Das Objektiv der Kamera &apos;%1&apos; wurde nie kalibriert, seine Verzeichnung wird als null angenommen</translation>
+    </message>
+    <message>
+        <source>calibrate it</source>
+        <translation>kalibrieren Sie es</translation>
+    </message>
+    <message>
+        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>Die Objektivkalibrierung der Kamera &apos;%1&apos; ist %2 Tage alt</translation>
+    </message>
+    <message>
+        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again</source>
+        <translation>wenn seither Zoom, Fokus oder Einstellungen der Kamera verändert wurden, kalibrieren Sie neu</translation>
+    </message>
+    <message>
+        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
+        <translation>Die neueste Aufnahme der Kamera &apos;%1&apos; hat %2, ihr Objektiv wurde bei %3 kalibriert</translation>
+    </message>
+    <message>
+        <source>calibrate it at the size it records</source>
+        <translation>kalibrieren Sie sie bei der Größe, in der sie aufnimmt</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>Die Einmessung der Kamera &apos;%1&apos; ist %2 Tage alt</translation>
+    </message>
+    <message>
+        <source>check that the camera has not moved, or register it again</source>
+        <translation>prüfen Sie, dass sich die Kamera nicht bewegt hat, oder messen Sie sie neu ein</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
+        <translation>Die Einmessung der Kamera &apos;%1&apos; wurde gemacht, bevor ihr Objektiv kalibriert war</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <translation>Die Einmessung der Kamera &apos;%1&apos; wurde mit einer anderen Kalibrierung als der gültigen gemacht</translation>
+    </message>
+    <message>
+        <source>register it again</source>
+        <translation>messen Sie sie neu ein</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>Roboter &apos;%1&apos; im Versuch &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>Sicht &apos;%1&apos; im Versuch &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos;</source>
+        <translation>Sicht &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>Sichten &apos;%1&apos; und &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>no view sees it from %1 s to %2 s (it was at X %3 m, Y %4 m)</source>
+        <translation>keine Sicht sieht ihn von %1 s bis %2 s (er war bei X %3 m, Y %4 m)</translation>
+    </message>
+    <message>
+        <source>no view sees it after %1 s (it was at X %2 m, Y %3 m)</source>
+        <translation>keine Sicht sieht ihn nach %1 s (er war bei X %2 m, Y %3 m)</translation>
+    </message>
+    <message>
+        <source>move or add a camera so that the whole task is seen</source>
+        <translation>versetzen oder ergänzen Sie eine Kamera, so dass die ganze Aufgabe zu sehen ist</translation>
+    </message>
+    <message>
+        <source>the figures are of the part that was seen</source>
+        <translation>die Kennwerte gelten für den Teil, der zu sehen war</translation>
+    </message>
+    <message>
+        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <translation>sie ist nicht synchronisiert, sondern gilt als mit der ersten Sicht begonnen, so dass ein fahrender Roboter nicht dort ist, wo ihn die beiden Sichten sehen</translation>
+    </message>
+    <message>
+        <source>import the videos again and let the offset be found, or tell it</source>
+        <translation>importieren Sie die Videos neu und lassen Sie den Versatz finden, oder geben Sie ihn an</translation>
+    </message>
+    <message>
+        <source>it is in step to %1 ms only, which is %2 mm at 1 m/s</source>
+        <translation>sie ist nur auf %1 ms synchron, das sind %2 mm bei 1 m/s</translation>
+    </message>
+    <message>
+        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <translation>lassen Sie den Roboter wenden oder das Raumlicht aufblitzen, wo es beide Kameras sehen</translation>
+    </message>
+    <message>
+        <source>its colour %1 is also that of the floor (%2 % of view %3&apos;s picture)</source>
+        <translation>seine Farbe %1 ist auch die des Bodens (%2 % des Bildes der Sicht %3)</translation>
+    </message>
+    <message>
+        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <translation>setzen Sie eine Platte anderer Farbe darauf, oder geben Sie seine wirkliche Farbe an</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; is new</source>
+        <translation>Roboter &apos;%1&apos; ist neu</translation>
+    </message>
+    <message>
+        <source>it was added with the colour %1</source>
+        <translation>er wurde mit der Farbe %1 aufgenommen</translation>
+    </message>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>Video &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>synchronisation of view &apos;%1&apos;</source>
+        <translation>Synchronisierung der Sicht &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor, so it is taken as begun together</source>
+        <translation>die Kamera &apos;%1&apos; ist nicht eingemessen, darum gilt sie als gemeinsam begonnen</translation>
+    </message>
+    <message>
+        <source>the project has no robot to look for, so it is taken as begun together</source>
+        <translation>das Projekt hat keinen Roboter, nach dem zu suchen wäre, darum gilt sie als gemeinsam begonnen</translation>
+    </message>
+    <message>
+        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
+        <translation>Roboter %1 ergibt einen Versatz von %2, Roboter %3 %4, der genommen wurde</translation>
+    </message>
+    <message>
+        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
+        <translation>die Bewegung ergibt einen Versatz von %1, der genommen wurde, und der Lichtblitz %2</translation>
+    </message>
+    <message>
+        <source>%1 s and %2 s long, %3 s in common</source>
+        <translation>%1 s und %2 s lang, %3 s gemeinsam</translation>
+    </message>
+    <message>
+        <source>outside it only one view measures, so check that both belong to one run</source>
+        <translation>außerhalb misst nur eine Sicht; prüfen Sie, ob beide zu einer Fahrt gehören</translation>
+    </message>
+    <message>
+        <source>%1 and %2 frames/s</source>
+        <translation>%1 und %2 Bilder/s</translation>
+    </message>
+    <message>
+        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <translation>die Sichten werden über die Zeit verbunden; prüfen Sie --rate, falls eine in Zeitlupe ist</translation>
+    </message>
+    <message>
+        <source>it is left out, because nothing was recorded of it</source>
+        <translation>sie wird weggelassen, weil nichts von ihr aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>check its cable, and whether another program uses it</source>
+        <translation>prüfen Sie ihr Kabel, und ob ein anderes Programm sie benutzt</translation>
+    </message>
+    <message>
+        <source>it ended early, because %1</source>
+        <translation>sie endete vorzeitig, denn %1</translation>
+    </message>
+    <message>
+        <source>nothing came for %1 s, because %2</source>
+        <translation>%1 s lang kam nichts, denn %2</translation>
+    </message>
+    <message>
+        <source>pictures waited up to %1 s for the disk, and none was lost</source>
+        <translation>Bilder warteten bis zu %1 s auf die Platte, keines ging verloren</translation>
+    </message>
+    <message>
+        <source>record to a faster disk</source>
+        <translation>nehmen Sie auf eine schnellere Platte auf</translation>
+    </message>
+    <message>
+        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <translation>1 Bild ging verloren, weil dieser Rechner oder seine Platte zu langsam war</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <translation>%1 Bilder gingen verloren, weil dieser Rechner oder seine Platte zu langsam war</translation>
+    </message>
+    <message>
+        <source>record to a faster disk, or fewer cameras at once</source>
+        <translation>nehmen Sie auf eine schnellere Platte oder mit weniger Kameras zugleich auf</translation>
+    </message>
+    <message>
+        <source>1 picture was lost between the camera and this program</source>
+        <translation>1 Bild ging zwischen Kamera und Programm verloren</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost between the camera and this program</source>
+        <translation>%1 Bilder gingen zwischen Kamera und Programm verloren</translation>
+    </message>
+    <message>
+        <source>check cable, bandwidth and what else this machine does</source>
+        <translation>prüfen Sie Kabel, Bandbreite und was dieser Rechner sonst tut</translation>
+    </message>
+    <message>
+        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <translation>1 Bild ging verloren, weil dieser Rechner zu langsam war, es rechtzeitig zu erzeugen</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <translation>%1 Bilder gingen verloren, weil dieser Rechner zu langsam war, sie rechtzeitig zu erzeugen</translation>
+    </message>
+    <message>
+        <source>close other programs, or take fewer such cameras at once</source>
+        <translation>schließen Sie andere Programme, oder nehmen Sie weniger solche Kameras zugleich</translation>
+    </message>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <translation>das Video der Kamera %1 im Versuch &apos;%2&apos; fehlt und ist nicht im gepackten Projekt</translation>
+    </message>
+    <message>
+        <source>trial &apos;%1&apos;</source>
+        <translation>Versuch &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>seine Aufnahme wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>nothing of it had reached the disk, and it is left out</source>
+        <translation>nichts davon war auf der Platte, er wird weggelassen</translation>
+    </message>
+    <message>
+        <source>record it again</source>
+        <translation>nehmen Sie ihn neu auf</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 view are kept, all but the last second at most</source>
+        <translation>%1 s von %2 Sicht sind erhalten, alles bis auf höchstens die letzte Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 views are kept, all but the last second at most</source>
+        <translation>%1 s von %2 Sichten sind erhalten, alles bis auf höchstens die letzte Sekunde</translation>
+    </message>
+    <message>
+        <source>Good: %1</source>
+        <translation>Gut: %1</translation>
+    </message>
+    <message>
+        <source>Usable: %1</source>
+        <translation>Brauchbar: %1</translation>
+    </message>
+    <message>
+        <source>Poor: %1</source>
+        <translation>Schlecht: %1</translation>
+    </message>
+    <message>
+        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <translation>keine Angabe in Millimetern, weil diese Objektivdaten nur für einen Teil des Bildes gelten</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle and ±%2 mm at worst (%3) on %4, as far as the lens is concerned</source>
+        <translation>±%1 mm in der Mitte und schlimmstenfalls ±%2 mm (%3) auf %4, soweit es am Objektiv liegt</translation>
+    </message>
+    <message>
+        <source>in the far left corner</source>
+        <translation>in der hinteren linken Ecke</translation>
+    </message>
+    <message>
+        <source>in the far right corner</source>
+        <translation>in der hinteren rechten Ecke</translation>
+    </message>
+    <message>
+        <source>in the near left corner</source>
+        <translation>in der vorderen linken Ecke</translation>
+    </message>
+    <message>
+        <source>in the near right corner</source>
+        <translation>in der vorderen rechten Ecke</translation>
+    </message>
+    <message>
+        <source>at the far edge</source>
+        <translation>am hinteren Rand</translation>
+    </message>
+    <message>
+        <source>at the near edge</source>
+        <translation>am vorderen Rand</translation>
+    </message>
+    <message>
+        <source>at the left edge</source>
+        <translation>am linken Rand</translation>
+    </message>
+    <message>
+        <source>at the right edge</source>
+        <translation>am rechten Rand</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>a %1 m × %2 m floor seen from %3 m above</source>
+        <translation>einem Boden von %1 m × %2 m, gesehen aus %3 m Höhe</translation>
+    </message>
+    <message>
+        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %</source>
+        <translation>%1 Bilder passen auf %2 px, Brennweite %3 px ± %4 %</translation>
+    </message>
+    <message>
+        <source>each half of them foretells the other to %1 px, %2 mm apart at worst on that floor</source>
+        <translation>jede Hälfte sagt die andere auf %1 px voraus, auf diesem Boden höchstens %2 mm auseinander</translation>
+    </message>
+    <message>
+        <source>each half of them foretells the other to %1 px</source>
+        <translation>jede Hälfte sagt die andere auf %1 px voraus</translation>
+    </message>
+    <message>
+        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %, %5 mm apart at worst on that floor</source>
+        <translation>%1 Bilder passen auf %2 px, Brennweite %3 px ± %4 %, auf diesem Boden höchstens %5 mm auseinander</translation>
+    </message>
+    <message>
+        <source>Standard lens</source>
+        <translation>Standardobjektiv</translation>
+    </message>
+    <message>
+        <source>Rational lens</source>
+        <translation>Rationales Objektivmodell</translation>
+    </message>
+    <message>
+        <source>Fisheye lens</source>
+        <translation>Fischauge</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>rational</source>
+        <translation>rationale</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>Fischauge</translation>
+    </message>
+    <message>
+        <source>told</source>
+        <translation>vorgegeben</translation>
+    </message>
+    <message>
+        <source>no other model fits</source>
+        <translation>kein anderes Modell passt</translation>
+    </message>
+    <message>
+        <source>not all</source>
+        <translation>nicht alle</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <translation>es sagt zurückgehaltene Bilder auf %1 voraus, das Modell „%2“ auf %3, was Zufall sein kann</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <translation>es sagt zurückgehaltene Bilder auf %1 voraus, das Modell „%2“ nicht besser (%3)</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <translation>es sagt zurückgehaltene Bilder auf %1 voraus, das Modell „%2“ nur auf %3</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners disagree, in %2</source>
+        <translation>%1 % der Ecken widersprechen sich, in %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners disagree, most in %2</source>
+        <translation>%1 % der Ecken widersprechen sich, die meisten in %2</translation>
+    </message>
+    <message>
+        <source>they were kept</source>
+        <translation>sie wurden behalten</translation>
+    </message>
+    <message>
+        <source>look at these pictures and leave out those that are blurred, bent or of another board</source>
+        <translation>sehen Sie diese Bilder an und lassen Sie unscharfe, verbogene oder solche einer anderen Tafel weg</translation>
+    </message>
+    <message>
+        <source>1 corner that stands out was left out, in %1</source>
+        <translation>1 herausfallende Ecke wurde weggelassen, in %1</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out were left out, in %2</source>
+        <translation>%1 herausfallende Ecken wurden weggelassen, in %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out were left out, most in %2</source>
+        <translation>%1 herausfallende Ecken wurden weggelassen, die meisten in %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <translation>%1 nebeneinander herausfallende Ecken wurden behalten, in %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <translation>%1 nebeneinander herausfallende Ecken wurden behalten, die meisten in %2</translation>
+    </message>
+    <message>
+        <source>leave out these pictures if the board is bent, cut or covered there</source>
+        <translation>lassen Sie diese Bilder weg, wenn die Tafel dort verbogen, abgeschnitten oder verdeckt ist</translation>
+    </message>
+    <message>
+        <source>More pictures (%1 or more) would make it surer</source>
+        <translation>Mehr Bilder (%1 oder mehr) würden es sicherer machen</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the picture was covered</source>
+        <translation>Nur %1 % des Bildes wurden abgedeckt</translation>
+    </message>
+    <message>
+        <source>show the board near its edges too</source>
+        <translation>zeigen Sie die Tafel auch nahe den Rändern</translation>
+    </message>
+    <message>
+        <source>Look at %1</source>
+        <translation>Sehen Sie %1 an</translation>
+    </message>
+    <message>
+        <source>its %1 px stand out</source>
+        <translation>seine %1 px fallen heraus</translation>
+    </message>
+    <message>
+        <source>mark frame %1 of %2 as a spike</source>
+        <translation>Bild %1 von %2 als Ausreißer markieren</translation>
+    </message>
+    <message>
+        <source>use frame %1 of %2</source>
+        <translation>Bild %1 von %2 verwenden</translation>
+    </message>
+    <message>
+        <source>leave frame %1 of %2 to the program</source>
+        <translation>Bild %1 von %2 dem Programm überlassen</translation>
+    </message>
+    <message>
+        <source>import the roster %1</source>
+        <translation>Klassenliste %1 importieren</translation>
+    </message>
+    <message>
+        <source>put the axes of layout %1 elsewhere</source>
+        <translation>Achsen des Plans %1 verlegen</translation>
+    </message>
+    <message>
+        <source>choose calibration %1 of camera %2</source>
+        <translation>Kalibrierung %1 der Kamera %2 wählen</translation>
+    </message>
+    <message>
+        <source>choose registration %1 of camera %2</source>
+        <translation>Einmessung %1 der Kamera %2 wählen</translation>
+    </message>
+    <message>
+        <source>link a lost video</source>
+        <translation>ein fehlendes Video verknüpfen</translation>
+    </message>
+    <message>
+        <source>link %1 lost videos</source>
+        <translation>%1 fehlende Videos verknüpfen</translation>
+    </message>
+    <message>
+        <source>give %1 the task %2</source>
+        <translation>%1 die Aufgabe %2 geben</translation>
+    </message>
+    <message>
+        <source>import trial %1</source>
+        <translation>Versuch %1 importieren</translation>
+    </message>
+    <message>
+        <source>leave out %1, of which nothing was recorded</source>
+        <translation>%1 weglassen, von dem nichts aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>complete %1, whose recording was cut off</source>
+        <translation>%1 vervollständigen, dessen Aufnahme abgebrochen wurde</translation>
+    </message>
+    <message>
+        <source>calibrated from %1 pictures</source>
+        <translation>kalibriert aus %1 Bildern</translation>
+    </message>
+    <message>
+        <source>imported from %1</source>
+        <translation>importiert aus %1</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;, lens not calibrated</source>
+        <translation>Plan &apos;%1&apos;, Objektiv nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <translation>Plan &apos;%1&apos;, Objektiv der Kalibrierung %2</translation>
+    </message>
+    <message>
+        <source>register camera %1</source>
+        <translation>Kamera %1 einmessen</translation>
+    </message>
+    <message>
+        <source>register camera %1 again</source>
+        <translation>Kamera %1 neu einmessen</translation>
+    </message>
+    <message>
+        <source>register camera %1 through camera %2</source>
+        <translation>Kamera %1 über Kamera %2 einmessen</translation>
+    </message>
+    <message>
+        <source>register the cameras of layout %1 together</source>
+        <translation>Kameras des Plans %1 gemeinsam einmessen</translation>
+    </message>
+    <message>
+        <source>calibrate camera %1</source>
+        <translation>Kamera %1 kalibrieren</translation>
+    </message>
+    <message>
+        <source>import the lens of camera %1 from %2</source>
+        <translation>Objektivdaten der Kamera %1 aus %2 importieren</translation>
+    </message>
+    <message>
+        <source>check whether camera %1 has moved</source>
+        <translation>prüfen, ob sich Kamera %1 bewegt hat</translation>
+    </message>
+    <message>
+        <source>remove %1 for good</source>
+        <translation>%1 endgültig löschen</translation>
+    </message>
+    <message>
+        <source>track %1</source>
+        <translation>%1 verfolgen</translation>
+    </message>
+    <message>
+        <source>measure %1 again</source>
+        <translation>%1 neu auswerten</translation>
+    </message>
+    <message>
+        <source>record %1</source>
+        <translation>%1 aufnehmen</translation>
+    </message>
+    <message>
+        <source>connect camera %1</source>
+        <translation>Kamera %1 verbinden</translation>
+    </message>
+    <message>
+        <source>waiting for the first picture</source>
+        <translation>wartet auf das erste Bild</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, none lost</source>
+        <translation>%1 Bilder/s, keins verloren</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), none lost</source>
+        <translation>%1 Bilder/s (zu langsam), keins verloren</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost</source>
+        <translation>%1 Bilder/s, %2 verloren</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost</source>
+        <translation>%1 Bilder/s (zu langsam), %2 verloren</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost because this machine is too slow</source>
+        <translation>%1 Bilder/s, %2 verloren, weil dieser Rechner zu langsam ist</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost because this machine is too slow</source>
+        <translation>%1 Bilder/s (zu langsam), %2 verloren, weil dieser Rechner zu langsam ist</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1 Bilder/s, %2 verloren (%3 auf der Leitung, %4 hier)</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1 Bilder/s (zu langsam), %2 verloren (%3 auf der Leitung, %4 hier)</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost on the wire</source>
+        <translation>%1 Bilder/s, %2 auf der Leitung verloren</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost on the wire</source>
+        <translation>%1 Bilder/s (zu langsam), %2 auf der Leitung verloren</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost here</source>
+        <translation>%1 Bilder/s, %2 hier verloren</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost here</source>
+        <translation>%1 Bilder/s (zu langsam), %2 hier verloren</translation>
+    </message>
+    <message>
+        <source>in step to %1 ms</source>
+        <translation>synchron auf %1 ms</translation>
+    </message>
+    <message>
+        <source>at %1 m/s that is %2 mm</source>
+        <translation>bei %1 m/s sind das %2 mm</translation>
+    </message>
+    <message>
+        <source>room for %1 s</source>
+        <translation>Platz für %1 s</translation>
+    </message>
+    <message>
+        <source>room for %1 min</source>
+        <translation>Platz für %1 min</translation>
+    </message>
+    <message>
+        <source>room for %1 h</source>
+        <translation>Platz für %1 h</translation>
+    </message>
+    <message>
+        <source>the map is %1 ms behind, none skipped</source>
+        <translation>die Karte hinkt %1 ms nach, nichts übersprungen</translation>
+    </message>
+    <message>
+        <source>the map is %1 ms behind, %2 skipped</source>
+        <translation>die Karte hinkt %1 ms nach, %2 übersprungen</translation>
+    </message>
+    <message>
+        <source>analysing %1</source>
+        <translation>%1 wird ausgewertet</translation>
+    </message>
+    <message>
+        <source>analysing</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>copying the project</source>
+        <translation>Projekt wird kopiert</translation>
+    </message>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>Marker werden in %1 gesucht</translation>
+    </message>
+    <message>
+        <source>looking for the markers again</source>
+        <translation>Marker werden wieder gesucht</translation>
+    </message>
+    <message>
+        <source>looking for files</source>
+        <translation>Dateien werden gesucht</translation>
+    </message>
+    <message>
+        <source>computing the intrinsics</source>
+        <translation>Objektivdaten werden berechnet</translation>
+    </message>
+    <message>
+        <source>keeping the pictures</source>
+        <translation>Bilder werden abgelegt</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>writing the last pictures</source>
+        <translation>die letzten Bilder werden geschrieben</translation>
+    </message>
+    <message>
+        <source>calibrating camera %1</source>
+        <translation>Kamera %1 wird kalibriert</translation>
+    </message>
+    <message>
+        <source>settling which robot is which</source>
+        <translation>Roboter werden zugeordnet</translation>
+    </message>
+    <message>
+        <source>fitting %1 cameras together</source>
+        <translation>%1 Kameras werden gemeinsam eingemessen</translation>
+    </message>
+    <message>
+        <source>Poor, measure the markers again: %1</source>
+        <translation>Schlecht, messen Sie die Marker neu: %1</translation>
+    </message>
+    <message>
+        <source>%1 markers fit to %2 mm RMS (worst %3, %4 mm), and the floor among them is known to ±%5 mm</source>
+        <translation>%1 Marker passen auf %2 mm RMS (am schlechtesten %3, %4 mm), und der Boden zwischen ihnen ist auf ±%5 mm bekannt</translation>
+    </message>
+    <message>
+        <source>Four markers hardly check one another</source>
+        <translation>Vier Marker prüfen einander kaum</translation>
+    </message>
+    <message>
+        <source>Four points hardly check one another</source>
+        <translation>Vier Punkte prüfen einander kaum</translation>
+    </message>
+    <message>
+        <source>a fifth would</source>
+        <translation>ein fünfter täte es</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 px ± %2)</source>
+        <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite aus den Markern geschätzt (%1 px ± %2)</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length guessed (%1 px), since this view does not determine it</source>
+        <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite geraten (%1 px), weil diese Sicht sie nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length as %1 px</source>
+        <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite als %1 px</translation>
+    </message>
+    <message>
+        <source>Calibrate it for positions to rely on</source>
+        <translation>Kalibrieren Sie sie, um verlässliche Orte zu bekommen</translation>
+    </message>
+    <message>
+        <source>The camera would stand only %1 mm above the floor</source>
+        <translation>Die Kamera stünde nur %1 mm über dem Boden</translation>
+    </message>
+    <message>
+        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <translation>wenn das falsch ist, sind die Zahlen des Plans keine mm</translation>
+    </message>
+    <message>
+        <source>convert its unit</source>
+        <translation>rechnen Sie seine Einheit um</translation>
+    </message>
+    <message>
+        <source>through %1 %2 points of the floor fit to %3 mm RMS (worst %4, %5 mm), and the floor among them is known to ±%6 mm, of which ±%7 mm come from %8</source>
+        <translation>über %1 passen %2 Punkte des Bodens auf %3 mm RMS (am schlechtesten %4, %5 mm), und der Boden zwischen ihnen ist auf ±%6 mm bekannt, davon kommen ±%7 mm von %8</translation>
+    </message>
+    <message>
+        <source>with %1 together %2 markers fit to %3 mm RMS, and the floor among them is known to ±%4 mm</source>
+        <translation>zusammen mit %1 passen %2 Marker auf %3 mm RMS, und der Boden zwischen ihnen ist auf ±%4 mm bekannt</translation>
+    </message>
+    <message>
+        <source>The markers and the cameras agree with one another</source>
+        <translation>Die Marker und die Kameras stimmen überein</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm off by all cameras</source>
+        <translation>%1 liegt nach allen Kameras %2 mm daneben</translation>
+    </message>
+    <message>
+        <source>measure it again</source>
+        <translation>messen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm off by the one camera that sees it</source>
+        <translation>%1 liegt nach der einen Kamera, die ihn sieht, %2 mm daneben</translation>
+    </message>
+    <message>
+        <source>measure it, or mark it in the picture, again</source>
+        <translation>messen Sie ihn neu oder markieren Sie ihn im Bild neu</translation>
+    </message>
+    <message>
+        <source>%1 sees %2 %3 px from where the others do</source>
+        <translation>%1 sieht %2 um %3 px neben der Stelle, an der die anderen ihn sehen</translation>
+    </message>
+    <message>
+        <source>mark it there again</source>
+        <translation>markieren Sie ihn dort neu</translation>
+    </message>
+    <message>
+        <source>None of the floor among the markers is seen</source>
+        <translation>Vom Boden zwischen den Markern ist nichts zu sehen</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm in the corner near %3</source>
+        <translation>±%1 mm in der Mitte, ±%2 mm in der Ecke bei %3</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm at the edge near %3</source>
+        <translation>±%1 mm in der Mitte, ±%2 mm am Rand bei %3</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm near %3</source>
+        <translation>±%1 mm in der Mitte, ±%2 mm bei %3</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm in the corner near %2</source>
+        <translation>Die Mitte ist nicht zu sehen, ±%1 mm in der Ecke bei %2</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm at the edge near %2</source>
+        <translation>Die Mitte ist nicht zu sehen, ±%1 mm am Rand bei %2</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm near %2</source>
+        <translation>Die Mitte ist nicht zu sehen, ±%1 mm bei %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the floor among the markers is not seen</source>
+        <translation>%1 % des Bodens zwischen den Markern sind nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>%1 stands where it was registered</source>
+        <translation>%1 steht, wo sie eingemessen wurde</translation>
+    </message>
+    <message>
+        <source>%1 markers lie within %2 px = %3 mm of their places</source>
+        <translation>%1 Marker liegen innerhalb von %2 px = %3 mm an ihren Plätzen</translation>
+    </message>
+    <message>
+        <source>%1 has moved %2 px = %3 mm</source>
+        <translation>%1 hat sich um %2 px = %3 mm bewegt</translation>
+    </message>
+    <message>
+        <source>register it again before you record</source>
+        <translation>messen Sie sie vor der Aufnahme neu ein</translation>
+    </message>
+    <message>
+        <source>Marker %1 has moved %2 px = %3 mm, %4 has not</source>
+        <translation>Marker %1 hat sich um %2 px = %3 mm bewegt, %4 nicht</translation>
+    </message>
+    <message>
+        <source>Markers %1 have moved %2 px = %3 mm, %4 has not</source>
+        <translation>Die Marker %1 haben sich um %2 px = %3 mm bewegt, %4 nicht</translation>
+    </message>
+    <message>
+        <source>put it back, or measure again and register all cameras</source>
+        <translation>legen Sie ihn zurück, oder messen Sie neu und messen Sie alle Kameras neu ein</translation>
+    </message>
+    <message>
+        <source>put them back, or measure again and register all cameras</source>
+        <translation>legen Sie sie zurück, oder messen Sie neu und messen Sie alle Kameras neu ein</translation>
+    </message>
+    <message>
+        <source>Not found again: %1</source>
+        <translation>Nicht wiedergefunden: %1</translation>
+    </message>
+    <message>
+        <source>The length is %1 mm ± %2 mm</source>
+        <translation>Die Länge beträgt %1 mm ± %2 mm</translation>
+    </message>
+    <message>
+        <source>It is %1 mm shorter than the %2 mm told</source>
+        <translation>Sie ist %1 mm kürzer als die angegebenen %2 mm</translation>
+    </message>
+    <message>
+        <source>It is %1 mm longer than the %2 mm told</source>
+        <translation>Sie ist %1 mm länger als die angegebenen %2 mm</translation>
+    </message>
+    <message>
+        <source>inside the expected error of %1 mm</source>
+        <translation>innerhalb des erwarteten Fehlers von %1 mm</translation>
+    </message>
+    <message>
+        <source>outside the expected error of %1 mm</source>
+        <translation>außerhalb des erwarteten Fehlers von %1 mm</translation>
+    </message>
+    <message>
+        <source>Check the length itself, whether it lies on the floor, and the places of the markers</source>
+        <translation>Prüfen Sie die Länge selbst, ob sie auf dem Boden liegt, und die Plätze der Marker</translation>
+    </message>
+    <message>
+        <source>Camera &apos;%1&apos; alone says %2 mm</source>
+        <translation>Kamera &apos;%1&apos; allein sagt %2 mm</translation>
+    </message>
+    <message>
+        <source>look whether the same ends are marked in each picture, and register it again if they are</source>
+        <translation>sehen Sie nach, ob in jedem Bild dieselben Enden markiert sind, und messen Sie sie neu ein, wenn ja</translation>
+    </message>
+    <message>
+        <source>No place was measured by both analyses</source>
+        <translation>Kein Ort wurde von beiden Auswertungen gemessen</translation>
+    </message>
+    <message>
+        <source>Positions change by %1 mm RMS, at most by %2 mm (at %3 s)</source>
+        <translation>Die Orte ändern sich um %1 mm RMS, höchstens um %2 mm (bei %3 s)</translation>
+    </message>
+    <message>
+        <source>Spikes: %1 instead of %2</source>
+        <translation>Ausreißer: %1 statt %2</translation>
+    </message>
+    <message>
+        <source>USB buses</source>
+        <translation>USB-Busse</translation>
+    </message>
+    <message>
+        <source>each USB camera has a bus of its own</source>
+        <translation>jede USB-Kamera hat einen eigenen Bus</translation>
+    </message>
+    <message>
+        <source>no USB camera is used</source>
+        <translation>keine USB-Kamera wird benutzt</translation>
+    </message>
+    <message>
+        <source>cameras %1 share the bus %2, of %3 Mbit/s</source>
+        <translation>die Kameras %1 teilen den Bus %2 mit %3 Mbit/s</translation>
+    </message>
+    <message>
+        <source>cameras %1 share the bus %2</source>
+        <translation>die Kameras %1 teilen den Bus %2</translation>
+    </message>
+    <message>
+        <source>plug one into a port on the other side of the computer, or a card of its own</source>
+        <translation>stecken Sie eine an einen Anschluss auf der anderen Seite des Rechners oder an eine eigene Karte</translation>
+    </message>
+    <message>
+        <source>or let both send MJPEG, or smaller pictures</source>
+        <translation>oder lassen Sie beide MJPEG oder kleinere Bilder senden</translation>
+    </message>
+    <message>
+        <source>Access to cameras</source>
+        <translation>Zugriff auf Kameras</translation>
+    </message>
+    <message>
+        <source>you may not use %1</source>
+        <translation>Sie dürfen %1 nicht benutzen</translation>
+    </message>
+    <message>
+        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
+        <translation>nehmen Sie sich in die Gruppe video auf (sudo usermod -aG video $USER), dann melden Sie sich ab und wieder an</translation>
+    </message>
+    <message>
+        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
+        <translation>dieser Rechner zeigt keine USB- oder eingebaute Kamera (/dev/video*)</translation>
+    </message>
+    <message>
+        <source>if one is connected, try another cable and port, without a hub</source>
+        <translation>wenn eine angeschlossen ist, versuchen Sie ein anderes Kabel und einen anderen Anschluss, ohne Hub</translation>
+    </message>
+    <message>
+        <source>you may use all %1 video devices</source>
+        <translation>Sie dürfen alle %1 Videogeräte benutzen</translation>
+    </message>
+    <message>
+        <source>Receive buffer</source>
+        <translation>Empfangspuffer</translation>
+    </message>
+    <message>
+        <source>the system does not say how large it may be (net.core.rmem_max)</source>
+        <translation>das System sagt nicht, wie groß er sein darf (net.core.rmem_max)</translation>
+    </message>
+    <message>
+        <source>up to %1 MiB, enough for network cameras</source>
+        <translation>bis %1 MiB, genug für Netzwerkkameras</translation>
+    </message>
+    <message>
+        <source>%1 MiB, which only network cameras would find too small</source>
+        <translation>%1 MiB, nur für Netzwerkkameras zu wenig</translation>
+    </message>
+    <message>
+        <source>only %1 MiB</source>
+        <translation>nur %1 MiB</translation>
+    </message>
+    <message>
+        <source>%1 will lose pictures</source>
+        <translation>%1 werden Bilder verlieren</translation>
+    </message>
+    <message>
+        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
+        <translation>sudo sysctl -w net.core.rmem_max=%1, und dasselbe nach /etc/sysctl.d/, damit es bleibt</translation>
+    </message>
+    <message>
+        <source>Packet size</source>
+        <translation>Paketgröße</translation>
+    </message>
+    <message>
+        <source>no network camera is used</source>
+        <translation>keine Netzwerkkamera wird benutzt</translation>
+    </message>
+    <message>
+        <source>large packets are allowed</source>
+        <translation>große Pakete sind erlaubt</translation>
+    </message>
+    <message>
+        <source>small packets on %1</source>
+        <translation>kleine Pakete auf %1</translation>
+    </message>
+    <message>
+        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
+        <translation>geben Sie dem Anschluss der Kamera eine MTU von 9000 (sudo ip link set dev NAME mtu 9000), wenn Kamera und Switch es zulassen</translation>
+    </message>
+    <message>
+        <source>Lamps&apos; flicker, camera %1</source>
+        <translation>Lampenflimmern, Kamera %1</translation>
+    </message>
+    <message>
+        <source>filtered by the camera (%1)</source>
+        <translation>von der Kamera gefiltert (%1)</translation>
+    </message>
+    <message>
+        <source>its filter is off</source>
+        <translation>ihr Filter ist aus</translation>
+    </message>
+    <message>
+        <source>pictures may pulse under lamps</source>
+        <translation>Bilder können unter Lampen pulsieren</translation>
+    </message>
+    <message>
+        <source>set &apos;%1&apos; to your mains</source>
+        <translation>stellen Sie &apos;%1&apos; auf Ihr Stromnetz</translation>
+    </message>
+    <message>
+        <source>50 Hz in most countries, 60 Hz in the Americas</source>
+        <translation>50 Hz in den meisten Ländern, 60 Hz in Amerika</translation>
+    </message>
+    <message>
+        <source>it does not tell its exposure</source>
+        <translation>sie nennt ihre Belichtung nicht</translation>
+    </message>
+    <message>
+        <source>exposed for %1 ms, which suits lamps</source>
+        <translation>%1 ms belichtet, das passt zu Lampen</translation>
+    </message>
+    <message>
+        <source>exposed for %1 ms</source>
+        <translation>%1 ms belichtet</translation>
+    </message>
+    <message>
+        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
+        <translation>belichten Sie 10 oder 20 ms bei 50 Hz Netzfrequenz, 8.3 oder 16.7 ms bei 60 Hz</translation>
+    </message>
+    <message>
+        <source>or use daylight</source>
+        <translation>oder nutzen Sie Tageslicht</translation>
+    </message>
+    <message>
+        <source>Automatics, camera %1</source>
+        <translation>Automatik, Kamera %1</translation>
+    </message>
+    <message>
+        <source>%1 go on changing by themselves</source>
+        <translation>%1 ändern sich weiter von selbst</translation>
+    </message>
+    <message>
+        <source>%1 goes on changing by itself</source>
+        <translation>%1 ändert sich weiter von selbst</translation>
+    </message>
+    <message>
+        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
+        <translation>schalten Sie es im Programm der Kamera aus, oder halten Sie das Licht gleichmäßig, während Roboter fahren</translation>
+    </message>
+    <message>
+        <source>exposure, gain, white balance and focus are held</source>
+        <translation>Belichtung, Verstärkung, Weißabgleich und Fokus sind festgehalten</translation>
+    </message>
+    <message>
+        <source>it has none</source>
+        <translation>sie hat keine</translation>
+    </message>
+    <message>
+        <source>they are held while recording</source>
+        <translation>sie werden bei der Aufnahme festgehalten</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Synchronität</translation>
+    </message>
+    <message>
+        <source>one camera is always in step</source>
+        <translation>eine Kamera ist immer synchron</translation>
+    </message>
+    <message>
+        <source>a camera does not deliver</source>
+        <translation>eine Kamera liefert nicht</translation>
+    </message>
+    <message>
+        <source>see its own line</source>
+        <translation>siehe ihre eigene Zeile</translation>
+    </message>
+    <message>
+        <source>the cameras run at %1 and %2 frames/s</source>
+        <translation>die Kameras laufen mit %1 und %2 Bildern/s</translation>
+    </message>
+    <message>
+        <source>set both to one rate</source>
+        <translation>stellen Sie beide auf eine Rate</translation>
+    </message>
+    <message>
+        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
+        <translation>bei wenig Licht halbiert eine Kamera ihre Rate von selbst, wenn die Belichtungsautomatik nicht aus ist</translation>
+    </message>
+    <message>
+        <source>no two pictures have been taken together yet</source>
+        <translation>noch wurden keine zwei Bilder zusammen aufgenommen</translation>
+    </message>
+    <message>
+        <source>wait a few seconds, and look again</source>
+        <translation>warten Sie einige Sekunden und sehen Sie wieder nach</translation>
+    </message>
+    <message>
+        <source>set both to one rate, or trigger them together</source>
+        <translation>stellen Sie beide auf eine Rate, oder lösen Sie sie gemeinsam aus</translation>
+    </message>
+    <message>
+        <source>Picture size, camera %1</source>
+        <translation>Bildgröße, Kamera %1</translation>
+    </message>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>sie ist nicht eingemessen</translation>
+    </message>
+    <message>
+        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
+        <translation>messen Sie sie im Messplatz ein, sonst können ihre Bilder nicht sagen, wo ein Roboter ist</translation>
+    </message>
+    <message>
+        <source>%1, as it was registered</source>
+        <translation>%1, wie sie eingemessen wurde</translation>
+    </message>
+    <message>
+        <source>%1, but registered at %2</source>
+        <translation>%1, aber bei %2 eingemessen</translation>
+    </message>
+    <message>
+        <source>let it send the size it was registered at, or calibrate and register it anew</source>
+        <translation>lassen Sie sie die Größe der Einmessung senden, oder kalibrieren und messen Sie sie neu ein</translation>
+    </message>
+    <message>
+        <source>views disagree by %1 mm</source>
+        <translation>die Sichten weichen um %1 mm voneinander ab</translation>
+    </message>
+    <message>
+        <source>none could be trusted</source>
+        <translation>keine war verlässlich</translation>
+    </message>
+    <message>
+        <source>one left out</source>
+        <translation>eine wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>jump of %1 mm</source>
+        <translation>Sprung von %1 mm</translation>
+    </message>
+    <message>
+        <source>jump</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>stands out in position and speed</source>
+        <translation>fällt in Ort und Geschwindigkeit heraus</translation>
+    </message>
+    <message>
+        <source>stands out in position</source>
+        <translation>fällt im Ort heraus</translation>
+    </message>
+    <message>
+        <source>stands out in speed</source>
+        <translation>fällt in der Geschwindigkeit heraus</translation>
+    </message>
+    <message>
+        <source>faster than the limit</source>
+        <translation>schneller als der Grenzwert</translation>
+    </message>
+    <message>
+        <source>harder than the limit of acceleration</source>
+        <translation>stärker beschleunigt als der Grenzwert</translation>
+    </message>
+    <message>
+        <source>called a spike by hand</source>
+        <translation>von Hand als Ausreißer markiert</translation>
+    </message>
+    <message>
+        <source>cut by the picture&apos;s edge</source>
+        <translation>vom Bildrand abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the tracker was not sure (score %1 %)</source>
+        <translation>die Verfolgung war unsicher (Güte %1 %)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
     <name>Explanation</name>
     <message>
         <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>

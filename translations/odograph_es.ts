@@ -422,6 +422,1189 @@
     </message>
 </context>
 <context>
+    <name>CoreWords</name>
+    <message>
+        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <translation>La lente de la cámara &apos;%1&apos; nunca se calibró, su distorsión se toma como nula</translation>
+    </message>
+    <message>
+        <source>calibrate it</source>
+        <translation>calíbrela</translation>
+    </message>
+    <message>
+        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>La calibración de la lente de la cámara &apos;%1&apos; tiene %2 días</translation>
+    </message>
+    <message>
+        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again</source>
+        <translation>si desde entonces se tocaron el zoom, el enfoque o los ajustes de la cámara, calíbrela de nuevo</translation>
+    </message>
+    <message>
+        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
+        <translation>La grabación más reciente de la cámara &apos;%1&apos; es de %2, su lente se calibró a %3</translation>
+    </message>
+    <message>
+        <source>calibrate it at the size it records</source>
+        <translation>calíbrela con el tamaño con que graba</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>El registro al suelo de la cámara &apos;%1&apos; tiene %2 días</translation>
+    </message>
+    <message>
+        <source>check that the camera has not moved, or register it again</source>
+        <translation>compruebe que la cámara no se haya movido, o regístrela de nuevo</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
+        <translation>El registro al suelo de la cámara &apos;%1&apos; se hizo antes de calibrar su lente</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <translation>El registro al suelo de la cámara &apos;%1&apos; se hizo con otra calibración de su lente que la vigente</translation>
+    </message>
+    <message>
+        <source>register it again</source>
+        <translation>regístrela de nuevo</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>robot &apos;%1&apos; en el ensayo &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>vista &apos;%1&apos; en el ensayo &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos;</source>
+        <translation>vista &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>vistas &apos;%1&apos; y &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>no view sees it from %1 s to %2 s (it was at X %3 m, Y %4 m)</source>
+        <translation>ninguna vista lo ve de %1 s a %2 s (estaba en X %3 m, Y %4 m)</translation>
+    </message>
+    <message>
+        <source>no view sees it after %1 s (it was at X %2 m, Y %3 m)</source>
+        <translation>ninguna vista lo ve después de %1 s (estaba en X %2 m, Y %3 m)</translation>
+    </message>
+    <message>
+        <source>move or add a camera so that the whole task is seen</source>
+        <translation>mueva o añada una cámara para que se vea toda la tarea</translation>
+    </message>
+    <message>
+        <source>the figures are of the part that was seen</source>
+        <translation>los indicadores son de la parte que se vio</translation>
+    </message>
+    <message>
+        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <translation>no está sincronizada sino tomada como iniciada con la primera vista, de modo que un robot en movimiento no está donde lo sitúan las dos vistas</translation>
+    </message>
+    <message>
+        <source>import the videos again and let the offset be found, or tell it</source>
+        <translation>importe de nuevo los videos y deje que se encuentre el desfase, o indíquelo</translation>
+    </message>
+    <message>
+        <source>it is in step to %1 ms only, which is %2 mm at 1 m/s</source>
+        <translation>está sincronizada solo a %1 ms, que son %2 mm a 1 m/s</translation>
+    </message>
+    <message>
+        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <translation>haga girar el robot, o destelle la luz de la sala, donde lo vean ambas cámaras</translation>
+    </message>
+    <message>
+        <source>its colour %1 is also that of the floor (%2 % of view %3&apos;s picture)</source>
+        <translation>su color %1 es también el del suelo (%2 % de la imagen de la vista %3)</translation>
+    </message>
+    <message>
+        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <translation>póngale una placa de otro color, o indique el color que tiene en realidad</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; is new</source>
+        <translation>el robot &apos;%1&apos; es nuevo</translation>
+    </message>
+    <message>
+        <source>it was added with the colour %1</source>
+        <translation>se añadió con el color %1</translation>
+    </message>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>video &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>synchronisation of view &apos;%1&apos;</source>
+        <translation>sincronización de la vista &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor, so it is taken as begun together</source>
+        <translation>la cámara &apos;%1&apos; no está registrada respecto al suelo, así que se toma como iniciada a la vez</translation>
+    </message>
+    <message>
+        <source>the project has no robot to look for, so it is taken as begun together</source>
+        <translation>el proyecto no tiene ningún robot que buscar, así que se toma como iniciada a la vez</translation>
+    </message>
+    <message>
+        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
+        <translation>el robot %1 indica un desfase de %2, el robot %3 %4, que fue el tomado</translation>
+    </message>
+    <message>
+        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
+        <translation>el movimiento indica un desfase de %1, que fue el tomado, y el destello de luz %2</translation>
+    </message>
+    <message>
+        <source>%1 s and %2 s long, %3 s in common</source>
+        <translation>%1 s y %2 s de duración, %3 s en común</translation>
+    </message>
+    <message>
+        <source>outside it only one view measures, so check that both belong to one run</source>
+        <translation>fuera de eso solo mide una vista, así que compruebe que ambas sean de un mismo recorrido</translation>
+    </message>
+    <message>
+        <source>%1 and %2 frames/s</source>
+        <translation>%1 y %2 fotogramas/s</translation>
+    </message>
+    <message>
+        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <translation>las vistas se unen por el tiempo; compruebe --rate si una está en cámara lenta</translation>
+    </message>
+    <message>
+        <source>it is left out, because nothing was recorded of it</source>
+        <translation>se omite, porque no se grabó nada de ella</translation>
+    </message>
+    <message>
+        <source>check its cable, and whether another program uses it</source>
+        <translation>compruebe su cable y si otro programa la usa</translation>
+    </message>
+    <message>
+        <source>it ended early, because %1</source>
+        <translation>terminó antes de tiempo, porque %1</translation>
+    </message>
+    <message>
+        <source>nothing came for %1 s, because %2</source>
+        <translation>no llegó nada durante %1 s, porque %2</translation>
+    </message>
+    <message>
+        <source>pictures waited up to %1 s for the disk, and none was lost</source>
+        <translation>las imágenes esperaron hasta %1 s al disco y ninguna se perdió</translation>
+    </message>
+    <message>
+        <source>record to a faster disk</source>
+        <translation>grabe en un disco más rápido</translation>
+    </message>
+    <message>
+        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <translation>se perdió 1 imagen porque esta computadora o su disco eran demasiado lentos</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <translation>se perdieron %1 imágenes porque esta computadora o su disco eran demasiado lentos</translation>
+    </message>
+    <message>
+        <source>record to a faster disk, or fewer cameras at once</source>
+        <translation>grabe en un disco más rápido, o con menos cámaras a la vez</translation>
+    </message>
+    <message>
+        <source>1 picture was lost between the camera and this program</source>
+        <translation>se perdió 1 imagen entre la cámara y este programa</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost between the camera and this program</source>
+        <translation>se perdieron %1 imágenes entre la cámara y este programa</translation>
+    </message>
+    <message>
+        <source>check cable, bandwidth and what else this machine does</source>
+        <translation>compruebe el cable, el ancho de banda y qué más hace esta computadora</translation>
+    </message>
+    <message>
+        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <translation>se perdió 1 imagen porque esta computadora era demasiado lenta para generarla a tiempo</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <translation>se perdieron %1 imágenes porque esta computadora era demasiado lenta para generarlas a tiempo</translation>
+    </message>
+    <message>
+        <source>close other programs, or take fewer such cameras at once</source>
+        <translation>cierre otros programas, o use menos cámaras de este tipo a la vez</translation>
+    </message>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <translation>el video de la cámara %1 en el ensayo &apos;%2&apos; se perdió y no está en el proyecto empaquetado</translation>
+    </message>
+    <message>
+        <source>trial &apos;%1&apos;</source>
+        <translation>ensayo &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>su grabación se interrumpió</translation>
+    </message>
+    <message>
+        <source>nothing of it had reached the disk, and it is left out</source>
+        <translation>nada había llegado al disco, y se omite</translation>
+    </message>
+    <message>
+        <source>record it again</source>
+        <translation>grábelo de nuevo</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 view are kept, all but the last second at most</source>
+        <translation>se conservan %1 s de %2 vista, todo salvo como mucho el último segundo</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 views are kept, all but the last second at most</source>
+        <translation>se conservan %1 s de %2 vistas, todo salvo como mucho el último segundo</translation>
+    </message>
+    <message>
+        <source>Good: %1</source>
+        <translation>Bueno: %1</translation>
+    </message>
+    <message>
+        <source>Usable: %1</source>
+        <translation>Utilizable: %1</translation>
+    </message>
+    <message>
+        <source>Poor: %1</source>
+        <translation>Deficiente: %1</translation>
+    </message>
+    <message>
+        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <translation>sin valor en milímetros, porque esta lente solo vale para una parte de la imagen</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle and ±%2 mm at worst (%3) on %4, as far as the lens is concerned</source>
+        <translation>±%1 mm en el centro y ±%2 mm en el peor caso (%3) en %4, en lo que respecta a la lente</translation>
+    </message>
+    <message>
+        <source>in the far left corner</source>
+        <translation>en la esquina izquierda lejana</translation>
+    </message>
+    <message>
+        <source>in the far right corner</source>
+        <translation>en la esquina derecha lejana</translation>
+    </message>
+    <message>
+        <source>in the near left corner</source>
+        <translation>en la esquina izquierda cercana</translation>
+    </message>
+    <message>
+        <source>in the near right corner</source>
+        <translation>en la esquina derecha cercana</translation>
+    </message>
+    <message>
+        <source>at the far edge</source>
+        <translation>en el borde lejano</translation>
+    </message>
+    <message>
+        <source>at the near edge</source>
+        <translation>en el borde cercano</translation>
+    </message>
+    <message>
+        <source>at the left edge</source>
+        <translation>en el borde izquierdo</translation>
+    </message>
+    <message>
+        <source>at the right edge</source>
+        <translation>en el borde derecho</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>en el interior</translation>
+    </message>
+    <message>
+        <source>a %1 m × %2 m floor seen from %3 m above</source>
+        <translation>un suelo de %1 m × %2 m visto desde %3 m de altura</translation>
+    </message>
+    <message>
+        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %</source>
+        <translation>%1 imágenes se ajustan a %2 px, distancia focal %3 px ± %4 %</translation>
+    </message>
+    <message>
+        <source>each half of them foretells the other to %1 px, %2 mm apart at worst on that floor</source>
+        <translation>cada mitad predice la otra a %1 px, con %2 mm de separación como máximo en ese suelo</translation>
+    </message>
+    <message>
+        <source>each half of them foretells the other to %1 px</source>
+        <translation>cada mitad predice la otra a %1 px</translation>
+    </message>
+    <message>
+        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %, %5 mm apart at worst on that floor</source>
+        <translation>%1 imágenes se ajustan a %2 px, distancia focal %3 px ± %4 %, con %5 mm de separación como máximo en ese suelo</translation>
+    </message>
+    <message>
+        <source>Standard lens</source>
+        <translation>Lente estándar</translation>
+    </message>
+    <message>
+        <source>Rational lens</source>
+        <translation>Lente racional</translation>
+    </message>
+    <message>
+        <source>Fisheye lens</source>
+        <translation>Lente ojo de pez</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>estándar</translation>
+    </message>
+    <message>
+        <source>rational</source>
+        <translation>racional</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>ojo de pez</translation>
+    </message>
+    <message>
+        <source>told</source>
+        <translation>indicado</translation>
+    </message>
+    <message>
+        <source>no other model fits</source>
+        <translation>ningún otro modelo se ajusta</translation>
+    </message>
+    <message>
+        <source>not all</source>
+        <translation>no todas</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <translation>predice imágenes reservadas a %1, el modelo %2 a %3, lo que puede ser casualidad</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <translation>predice imágenes reservadas a %1, el modelo %2 no lo hace mejor (%3)</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <translation>predice imágenes reservadas a %1, el modelo %2 solo a %3</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners disagree, in %2</source>
+        <translation>el %1 % de las esquinas discrepan, en %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners disagree, most in %2</source>
+        <translation>el %1 % de las esquinas discrepan, la mayoría en %2</translation>
+    </message>
+    <message>
+        <source>they were kept</source>
+        <translation>se conservaron</translation>
+    </message>
+    <message>
+        <source>look at these pictures and leave out those that are blurred, bent or of another board</source>
+        <translation>mire estas imágenes y omita las borrosas, dobladas o de otro tablero</translation>
+    </message>
+    <message>
+        <source>1 corner that stands out was left out, in %1</source>
+        <translation>se omitió 1 esquina que se aparta, en %1</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out were left out, in %2</source>
+        <translation>se omitieron %1 esquinas que se apartan, en %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out were left out, most in %2</source>
+        <translation>se omitieron %1 esquinas que se apartan, la mayoría en %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <translation>se conservaron %1 esquinas contiguas que se apartan, en %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <translation>se conservaron %1 esquinas contiguas que se apartan, la mayoría en %2</translation>
+    </message>
+    <message>
+        <source>leave out these pictures if the board is bent, cut or covered there</source>
+        <translation>omita estas imágenes si el tablero está doblado, cortado o tapado ahí</translation>
+    </message>
+    <message>
+        <source>More pictures (%1 or more) would make it surer</source>
+        <translation>Más imágenes (%1 o más) lo harían más seguro</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the picture was covered</source>
+        <translation>Solo se cubrió el %1 % de la imagen</translation>
+    </message>
+    <message>
+        <source>show the board near its edges too</source>
+        <translation>muestre el tablero también cerca de los bordes</translation>
+    </message>
+    <message>
+        <source>Look at %1</source>
+        <translation>Mire %1</translation>
+    </message>
+    <message>
+        <source>its %1 px stand out</source>
+        <translation>sus %1 px se apartan</translation>
+    </message>
+    <message>
+        <source>mark frame %1 of %2 as a spike</source>
+        <translation>marcar el fotograma %1 de %2 como atípico</translation>
+    </message>
+    <message>
+        <source>use frame %1 of %2</source>
+        <translation>usar el fotograma %1 de %2</translation>
+    </message>
+    <message>
+        <source>leave frame %1 of %2 to the program</source>
+        <translation>dejar el fotograma %1 de %2 al programa</translation>
+    </message>
+    <message>
+        <source>import the roster %1</source>
+        <translation>importar la lista de clase %1</translation>
+    </message>
+    <message>
+        <source>put the axes of layout %1 elsewhere</source>
+        <translation>poner los ejes del plano %1 en otro lugar</translation>
+    </message>
+    <message>
+        <source>choose calibration %1 of camera %2</source>
+        <translation>elegir la calibración %1 de la cámara %2</translation>
+    </message>
+    <message>
+        <source>choose registration %1 of camera %2</source>
+        <translation>elegir el registro %1 de la cámara %2</translation>
+    </message>
+    <message>
+        <source>link a lost video</source>
+        <translation>vincular un video perdido</translation>
+    </message>
+    <message>
+        <source>link %1 lost videos</source>
+        <translation>vincular %1 videos perdidos</translation>
+    </message>
+    <message>
+        <source>give %1 the task %2</source>
+        <translation>dar a %1 la tarea %2</translation>
+    </message>
+    <message>
+        <source>import trial %1</source>
+        <translation>importar el ensayo %1</translation>
+    </message>
+    <message>
+        <source>leave out %1, of which nothing was recorded</source>
+        <translation>omitir %1, del que no se grabó nada</translation>
+    </message>
+    <message>
+        <source>complete %1, whose recording was cut off</source>
+        <translation>completar %1, cuya grabación se interrumpió</translation>
+    </message>
+    <message>
+        <source>calibrated from %1 pictures</source>
+        <translation>calibrada con %1 imágenes</translation>
+    </message>
+    <message>
+        <source>imported from %1</source>
+        <translation>importada de %1</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;, lens not calibrated</source>
+        <translation>plano &apos;%1&apos;, lente sin calibrar</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <translation>plano &apos;%1&apos;, lente de la calibración %2</translation>
+    </message>
+    <message>
+        <source>register camera %1</source>
+        <translation>registrar la cámara %1</translation>
+    </message>
+    <message>
+        <source>register camera %1 again</source>
+        <translation>registrar de nuevo la cámara %1</translation>
+    </message>
+    <message>
+        <source>register camera %1 through camera %2</source>
+        <translation>registrar la cámara %1 mediante la cámara %2</translation>
+    </message>
+    <message>
+        <source>register the cameras of layout %1 together</source>
+        <translation>registrar juntas las cámaras del plano %1</translation>
+    </message>
+    <message>
+        <source>calibrate camera %1</source>
+        <translation>calibrar la cámara %1</translation>
+    </message>
+    <message>
+        <source>import the lens of camera %1 from %2</source>
+        <translation>importar la lente de la cámara %1 de %2</translation>
+    </message>
+    <message>
+        <source>check whether camera %1 has moved</source>
+        <translation>comprobar si la cámara %1 se ha movido</translation>
+    </message>
+    <message>
+        <source>remove %1 for good</source>
+        <translation>eliminar %1 definitivamente</translation>
+    </message>
+    <message>
+        <source>track %1</source>
+        <translation>rastrear %1</translation>
+    </message>
+    <message>
+        <source>measure %1 again</source>
+        <translation>volver a medir %1</translation>
+    </message>
+    <message>
+        <source>record %1</source>
+        <translation>grabar %1</translation>
+    </message>
+    <message>
+        <source>connect camera %1</source>
+        <translation>conectar la cámara %1</translation>
+    </message>
+    <message>
+        <source>waiting for the first picture</source>
+        <translation>esperando la primera imagen</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, none lost</source>
+        <translation>%1 fotogramas/s, ninguno perdido</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), none lost</source>
+        <translation>%1 fotogramas/s (demasiado lento), ninguno perdido</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost</source>
+        <translation>%1 fotogramas/s, %2 perdidos</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost</source>
+        <translation>%1 fotogramas/s (demasiado lento), %2 perdidos</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost because this machine is too slow</source>
+        <translation>%1 fotogramas/s, %2 perdidos porque esta computadora es demasiado lenta</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost because this machine is too slow</source>
+        <translation>%1 fotogramas/s (demasiado lento), %2 perdidos porque esta computadora es demasiado lenta</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1 fotogramas/s, %2 perdidos (%3 en el cable, %4 aquí)</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1 fotogramas/s (demasiado lento), %2 perdidos (%3 en el cable, %4 aquí)</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost on the wire</source>
+        <translation>%1 fotogramas/s, %2 perdidos en el cable</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost on the wire</source>
+        <translation>%1 fotogramas/s (demasiado lento), %2 perdidos en el cable</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost here</source>
+        <translation>%1 fotogramas/s, %2 perdidos aquí</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost here</source>
+        <translation>%1 fotogramas/s (demasiado lento), %2 perdidos aquí</translation>
+    </message>
+    <message>
+        <source>in step to %1 ms</source>
+        <translation>sincronizada a %1 ms</translation>
+    </message>
+    <message>
+        <source>at %1 m/s that is %2 mm</source>
+        <translation>a %1 m/s son %2 mm</translation>
+    </message>
+    <message>
+        <source>room for %1 s</source>
+        <translation>espacio para %1 s</translation>
+    </message>
+    <message>
+        <source>room for %1 min</source>
+        <translation>espacio para %1 min</translation>
+    </message>
+    <message>
+        <source>room for %1 h</source>
+        <translation>espacio para %1 h</translation>
+    </message>
+    <message>
+        <source>the map is %1 ms behind, none skipped</source>
+        <translation>el mapa va %1 ms por detrás, nada omitido</translation>
+    </message>
+    <message>
+        <source>the map is %1 ms behind, %2 skipped</source>
+        <translation>el mapa va %1 ms por detrás, %2 omitidos</translation>
+    </message>
+    <message>
+        <source>analysing %1</source>
+        <translation>analizando %1</translation>
+    </message>
+    <message>
+        <source>analysing</source>
+        <translation>analizando</translation>
+    </message>
+    <message>
+        <source>copying the project</source>
+        <translation>copiando el proyecto</translation>
+    </message>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>buscando los marcadores en %1</translation>
+    </message>
+    <message>
+        <source>looking for the markers again</source>
+        <translation>buscando los marcadores de nuevo</translation>
+    </message>
+    <message>
+        <source>looking for files</source>
+        <translation>buscando archivos</translation>
+    </message>
+    <message>
+        <source>computing the intrinsics</source>
+        <translation>calculando los parámetros intrínsecos</translation>
+    </message>
+    <message>
+        <source>keeping the pictures</source>
+        <translation>guardando las imágenes</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>grabando</translation>
+    </message>
+    <message>
+        <source>writing the last pictures</source>
+        <translation>escribiendo las últimas imágenes</translation>
+    </message>
+    <message>
+        <source>calibrating camera %1</source>
+        <translation>calibrando la cámara %1</translation>
+    </message>
+    <message>
+        <source>settling which robot is which</source>
+        <translation>determinando qué robot es cuál</translation>
+    </message>
+    <message>
+        <source>fitting %1 cameras together</source>
+        <translation>ajustando %1 cámaras juntas</translation>
+    </message>
+    <message>
+        <source>Poor, measure the markers again: %1</source>
+        <translation>Deficiente, mida de nuevo los marcadores: %1</translation>
+    </message>
+    <message>
+        <source>%1 markers fit to %2 mm RMS (worst %3, %4 mm), and the floor among them is known to ±%5 mm</source>
+        <translation>%1 marcadores se ajustan a %2 mm RMS (el peor %3, %4 mm), y el suelo entre ellos se conoce a ±%5 mm</translation>
+    </message>
+    <message>
+        <source>Four markers hardly check one another</source>
+        <translation>Cuatro marcadores apenas se comprueban entre sí</translation>
+    </message>
+    <message>
+        <source>Four points hardly check one another</source>
+        <translation>Cuatro puntos apenas se comprueban entre sí</translation>
+    </message>
+    <message>
+        <source>a fifth would</source>
+        <translation>un quinto sí lo haría</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 px ± %2)</source>
+        <translation>La cámara se tomó como libre de distorsión y su distancia focal se estimó a partir de los marcadores (%1 px ± %2)</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length guessed (%1 px), since this view does not determine it</source>
+        <translation>La cámara se tomó como libre de distorsión y su distancia focal se supuso (%1 px), porque esta vista no la determina</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length as %1 px</source>
+        <translation>La cámara se tomó como libre de distorsión y su distancia focal como %1 px</translation>
+    </message>
+    <message>
+        <source>Calibrate it for positions to rely on</source>
+        <translation>Calíbrela para obtener posiciones fiables</translation>
+    </message>
+    <message>
+        <source>The camera would stand only %1 mm above the floor</source>
+        <translation>La cámara estaría a solo %1 mm del suelo</translation>
+    </message>
+    <message>
+        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <translation>si no es así, los números del plano no son mm</translation>
+    </message>
+    <message>
+        <source>convert its unit</source>
+        <translation>convierta su unidad</translation>
+    </message>
+    <message>
+        <source>through %1 %2 points of the floor fit to %3 mm RMS (worst %4, %5 mm), and the floor among them is known to ±%6 mm, of which ±%7 mm come from %8</source>
+        <translation>mediante %1, %2 puntos del suelo se ajustan a %3 mm RMS (el peor %4, %5 mm), y el suelo entre ellos se conoce a ±%6 mm, de los que ±%7 mm vienen de %8</translation>
+    </message>
+    <message>
+        <source>with %1 together %2 markers fit to %3 mm RMS, and the floor among them is known to ±%4 mm</source>
+        <translation>junto con %1, %2 marcadores se ajustan a %3 mm RMS, y el suelo entre ellos se conoce a ±%4 mm</translation>
+    </message>
+    <message>
+        <source>The markers and the cameras agree with one another</source>
+        <translation>Los marcadores y las cámaras concuerdan entre sí</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm off by all cameras</source>
+        <translation>%1 está desviado %2 mm según todas las cámaras</translation>
+    </message>
+    <message>
+        <source>measure it again</source>
+        <translation>mídalo de nuevo</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm off by the one camera that sees it</source>
+        <translation>%1 está desviado %2 mm según la única cámara que lo ve</translation>
+    </message>
+    <message>
+        <source>measure it, or mark it in the picture, again</source>
+        <translation>mídalo de nuevo, o márquelo de nuevo en la imagen</translation>
+    </message>
+    <message>
+        <source>%1 sees %2 %3 px from where the others do</source>
+        <translation>%1 ve %2 a %3 px de donde lo ven las demás</translation>
+    </message>
+    <message>
+        <source>mark it there again</source>
+        <translation>márquelo ahí de nuevo</translation>
+    </message>
+    <message>
+        <source>None of the floor among the markers is seen</source>
+        <translation>No se ve nada del suelo entre los marcadores</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm in the corner near %3</source>
+        <translation>±%1 mm en el centro, ±%2 mm en la esquina cercana a %3</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm at the edge near %3</source>
+        <translation>±%1 mm en el centro, ±%2 mm en el borde cercano a %3</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm near %3</source>
+        <translation>±%1 mm en el centro, ±%2 mm cerca de %3</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm in the corner near %2</source>
+        <translation>El centro no se ve, ±%1 mm en la esquina cercana a %2</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm at the edge near %2</source>
+        <translation>El centro no se ve, ±%1 mm en el borde cercano a %2</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm near %2</source>
+        <translation>El centro no se ve, ±%1 mm cerca de %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the floor among the markers is not seen</source>
+        <translation>No se ve el %1 % del suelo entre los marcadores</translation>
+    </message>
+    <message>
+        <source>%1 stands where it was registered</source>
+        <translation>%1 está donde se registró</translation>
+    </message>
+    <message>
+        <source>%1 markers lie within %2 px = %3 mm of their places</source>
+        <translation>%1 marcadores están a menos de %2 px = %3 mm de su sitio</translation>
+    </message>
+    <message>
+        <source>%1 has moved %2 px = %3 mm</source>
+        <translation>%1 se ha movido %2 px = %3 mm</translation>
+    </message>
+    <message>
+        <source>register it again before you record</source>
+        <translation>regístrela de nuevo antes de grabar</translation>
+    </message>
+    <message>
+        <source>Marker %1 has moved %2 px = %3 mm, %4 has not</source>
+        <translation>El marcador %1 se ha movido %2 px = %3 mm, %4 no</translation>
+    </message>
+    <message>
+        <source>Markers %1 have moved %2 px = %3 mm, %4 has not</source>
+        <translation>Los marcadores %1 se han movido %2 px = %3 mm, %4 no</translation>
+    </message>
+    <message>
+        <source>put it back, or measure again and register all cameras</source>
+        <translation>vuelva a ponerlo en su sitio, o mida de nuevo y registre todas las cámaras</translation>
+    </message>
+    <message>
+        <source>put them back, or measure again and register all cameras</source>
+        <translation>vuelva a ponerlos en su sitio, o mida de nuevo y registre todas las cámaras</translation>
+    </message>
+    <message>
+        <source>Not found again: %1</source>
+        <translation>No encontrados de nuevo: %1</translation>
+    </message>
+    <message>
+        <source>The length is %1 mm ± %2 mm</source>
+        <translation>La longitud es %1 mm ± %2 mm</translation>
+    </message>
+    <message>
+        <source>It is %1 mm shorter than the %2 mm told</source>
+        <translation>Es %1 mm más corta que los %2 mm indicados</translation>
+    </message>
+    <message>
+        <source>It is %1 mm longer than the %2 mm told</source>
+        <translation>Es %1 mm más larga que los %2 mm indicados</translation>
+    </message>
+    <message>
+        <source>inside the expected error of %1 mm</source>
+        <translation>dentro del error esperado de %1 mm</translation>
+    </message>
+    <message>
+        <source>outside the expected error of %1 mm</source>
+        <translation>fuera del error esperado de %1 mm</translation>
+    </message>
+    <message>
+        <source>Check the length itself, whether it lies on the floor, and the places of the markers</source>
+        <translation>Compruebe la longitud misma, si está en el suelo y los lugares de los marcadores</translation>
+    </message>
+    <message>
+        <source>Camera &apos;%1&apos; alone says %2 mm</source>
+        <translation>La cámara &apos;%1&apos; por sí sola indica %2 mm</translation>
+    </message>
+    <message>
+        <source>look whether the same ends are marked in each picture, and register it again if they are</source>
+        <translation>mire si están marcados los mismos extremos en cada imagen y, si lo están, regístrela de nuevo</translation>
+    </message>
+    <message>
+        <source>No place was measured by both analyses</source>
+        <translation>Ningún lugar fue medido por ambos análisis</translation>
+    </message>
+    <message>
+        <source>Positions change by %1 mm RMS, at most by %2 mm (at %3 s)</source>
+        <translation>Las posiciones cambian %1 mm RMS, como máximo %2 mm (a los %3 s)</translation>
+    </message>
+    <message>
+        <source>Spikes: %1 instead of %2</source>
+        <translation>Valores atípicos: %1 en lugar de %2</translation>
+    </message>
+    <message>
+        <source>USB buses</source>
+        <translation>Buses USB</translation>
+    </message>
+    <message>
+        <source>each USB camera has a bus of its own</source>
+        <translation>cada cámara USB tiene un bus propio</translation>
+    </message>
+    <message>
+        <source>no USB camera is used</source>
+        <translation>no se usa ninguna cámara USB</translation>
+    </message>
+    <message>
+        <source>cameras %1 share the bus %2, of %3 Mbit/s</source>
+        <translation>las cámaras %1 comparten el bus %2, de %3 Mbit/s</translation>
+    </message>
+    <message>
+        <source>cameras %1 share the bus %2</source>
+        <translation>las cámaras %1 comparten el bus %2</translation>
+    </message>
+    <message>
+        <source>plug one into a port on the other side of the computer, or a card of its own</source>
+        <translation>conecte una a un puerto del otro lado de la computadora, o a una tarjeta propia</translation>
+    </message>
+    <message>
+        <source>or let both send MJPEG, or smaller pictures</source>
+        <translation>o haga que ambas envíen MJPEG, o imágenes más pequeñas</translation>
+    </message>
+    <message>
+        <source>Access to cameras</source>
+        <translation>Acceso a las cámaras</translation>
+    </message>
+    <message>
+        <source>you may not use %1</source>
+        <translation>no tiene permiso para usar %1</translation>
+    </message>
+    <message>
+        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
+        <translation>añádase al grupo video (sudo usermod -aG video $USER), luego cierre la sesión y vuelva a entrar</translation>
+    </message>
+    <message>
+        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
+        <translation>esta computadora no muestra ninguna cámara USB ni integrada (/dev/video*)</translation>
+    </message>
+    <message>
+        <source>if one is connected, try another cable and port, without a hub</source>
+        <translation>si hay una conectada, pruebe otro cable y otro puerto, sin concentrador</translation>
+    </message>
+    <message>
+        <source>you may use all %1 video devices</source>
+        <translation>puede usar los %1 dispositivos de video</translation>
+    </message>
+    <message>
+        <source>Receive buffer</source>
+        <translation>Búfer de recepción</translation>
+    </message>
+    <message>
+        <source>the system does not say how large it may be (net.core.rmem_max)</source>
+        <translation>el sistema no dice qué tamaño puede tener (net.core.rmem_max)</translation>
+    </message>
+    <message>
+        <source>up to %1 MiB, enough for network cameras</source>
+        <translation>hasta %1 MiB, suficiente para cámaras de red</translation>
+    </message>
+    <message>
+        <source>%1 MiB, which only network cameras would find too small</source>
+        <translation>%1 MiB, que solo sería poco para cámaras de red</translation>
+    </message>
+    <message>
+        <source>only %1 MiB</source>
+        <translation>solo %1 MiB</translation>
+    </message>
+    <message>
+        <source>%1 will lose pictures</source>
+        <translation>%1 perderá imágenes</translation>
+    </message>
+    <message>
+        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
+        <translation>sudo sysctl -w net.core.rmem_max=%1, y ponga lo mismo en /etc/sysctl.d/ para conservarlo</translation>
+    </message>
+    <message>
+        <source>Packet size</source>
+        <translation>Tamaño de paquete</translation>
+    </message>
+    <message>
+        <source>no network camera is used</source>
+        <translation>no se usa ninguna cámara de red</translation>
+    </message>
+    <message>
+        <source>large packets are allowed</source>
+        <translation>se permiten paquetes grandes</translation>
+    </message>
+    <message>
+        <source>small packets on %1</source>
+        <translation>paquetes pequeños en %1</translation>
+    </message>
+    <message>
+        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
+        <translation>dé al puerto de la cámara una MTU de 9000 (sudo ip link set dev NAME mtu 9000), si la cámara y el conmutador lo admiten</translation>
+    </message>
+    <message>
+        <source>Lamps&apos; flicker, camera %1</source>
+        <translation>Parpadeo de lámparas, cámara %1</translation>
+    </message>
+    <message>
+        <source>filtered by the camera (%1)</source>
+        <translation>filtrado por la cámara (%1)</translation>
+    </message>
+    <message>
+        <source>its filter is off</source>
+        <translation>su filtro está desactivado</translation>
+    </message>
+    <message>
+        <source>pictures may pulse under lamps</source>
+        <translation>las imágenes pueden pulsar bajo lámparas</translation>
+    </message>
+    <message>
+        <source>set &apos;%1&apos; to your mains</source>
+        <translation>ajuste &apos;%1&apos; a su red eléctrica</translation>
+    </message>
+    <message>
+        <source>50 Hz in most countries, 60 Hz in the Americas</source>
+        <translation>50 Hz en la mayoría de los países, 60 Hz en América</translation>
+    </message>
+    <message>
+        <source>it does not tell its exposure</source>
+        <translation>no indica su exposición</translation>
+    </message>
+    <message>
+        <source>exposed for %1 ms, which suits lamps</source>
+        <translation>expuesta %1 ms, adecuado para lámparas</translation>
+    </message>
+    <message>
+        <source>exposed for %1 ms</source>
+        <translation>expuesta %1 ms</translation>
+    </message>
+    <message>
+        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
+        <translation>exponga 10 o 20 ms con red de 50 Hz, 8.3 o 16.7 ms con 60 Hz</translation>
+    </message>
+    <message>
+        <source>or use daylight</source>
+        <translation>o use luz natural</translation>
+    </message>
+    <message>
+        <source>Automatics, camera %1</source>
+        <translation>Automatismos, cámara %1</translation>
+    </message>
+    <message>
+        <source>%1 go on changing by themselves</source>
+        <translation>%1 siguen cambiando por sí mismos</translation>
+    </message>
+    <message>
+        <source>%1 goes on changing by itself</source>
+        <translation>%1 sigue cambiando por sí mismo</translation>
+    </message>
+    <message>
+        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
+        <translation>desactívelo en el programa de la cámara, o mantenga la luz constante mientras corren los robots</translation>
+    </message>
+    <message>
+        <source>exposure, gain, white balance and focus are held</source>
+        <translation>exposición, ganancia, balance de blancos y enfoque están fijos</translation>
+    </message>
+    <message>
+        <source>it has none</source>
+        <translation>no tiene ninguno</translation>
+    </message>
+    <message>
+        <source>they are held while recording</source>
+        <translation>se mantienen fijos al grabar</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Sincronía</translation>
+    </message>
+    <message>
+        <source>one camera is always in step</source>
+        <translation>una sola cámara siempre está sincronizada</translation>
+    </message>
+    <message>
+        <source>a camera does not deliver</source>
+        <translation>una cámara no entrega imágenes</translation>
+    </message>
+    <message>
+        <source>see its own line</source>
+        <translation>vea su propia línea</translation>
+    </message>
+    <message>
+        <source>the cameras run at %1 and %2 frames/s</source>
+        <translation>las cámaras van a %1 y %2 fotogramas/s</translation>
+    </message>
+    <message>
+        <source>set both to one rate</source>
+        <translation>ponga ambas a la misma frecuencia</translation>
+    </message>
+    <message>
+        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
+        <translation>con poca luz una cámara reduce sola su frecuencia a la mitad, salvo que la exposición automática esté desactivada</translation>
+    </message>
+    <message>
+        <source>no two pictures have been taken together yet</source>
+        <translation>aún no se han tomado dos imágenes a la vez</translation>
+    </message>
+    <message>
+        <source>wait a few seconds, and look again</source>
+        <translation>espere unos segundos y vuelva a mirar</translation>
+    </message>
+    <message>
+        <source>set both to one rate, or trigger them together</source>
+        <translation>ponga ambas a la misma frecuencia, o dispárelas juntas</translation>
+    </message>
+    <message>
+        <source>Picture size, camera %1</source>
+        <translation>Tamaño de imagen, cámara %1</translation>
+    </message>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>no está registrada respecto al suelo</translation>
+    </message>
+    <message>
+        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
+        <translation>regístrela en Banco, o sus imágenes no podrán decir dónde está un robot</translation>
+    </message>
+    <message>
+        <source>%1, as it was registered</source>
+        <translation>%1, como se registró</translation>
+    </message>
+    <message>
+        <source>%1, but registered at %2</source>
+        <translation>%1, pero registrada a %2</translation>
+    </message>
+    <message>
+        <source>let it send the size it was registered at, or calibrate and register it anew</source>
+        <translation>haga que envíe el tamaño con que se registró, o calíbrela y regístrela de nuevo</translation>
+    </message>
+    <message>
+        <source>views disagree by %1 mm</source>
+        <translation>las vistas discrepan en %1 mm</translation>
+    </message>
+    <message>
+        <source>none could be trusted</source>
+        <translation>ninguna era fiable</translation>
+    </message>
+    <message>
+        <source>one left out</source>
+        <translation>se omitió una</translation>
+    </message>
+    <message>
+        <source>jump of %1 mm</source>
+        <translation>salto de %1 mm</translation>
+    </message>
+    <message>
+        <source>jump</source>
+        <translation>salto</translation>
+    </message>
+    <message>
+        <source>stands out in position and speed</source>
+        <translation>se aparta en posición y velocidad</translation>
+    </message>
+    <message>
+        <source>stands out in position</source>
+        <translation>se aparta en posición</translation>
+    </message>
+    <message>
+        <source>stands out in speed</source>
+        <translation>se aparta en velocidad</translation>
+    </message>
+    <message>
+        <source>faster than the limit</source>
+        <translation>más rápido que el límite</translation>
+    </message>
+    <message>
+        <source>harder than the limit of acceleration</source>
+        <translation>aceleración mayor que el límite</translation>
+    </message>
+    <message>
+        <source>called a spike by hand</source>
+        <translation>marcado como atípico a mano</translation>
+    </message>
+    <message>
+        <source>cut by the picture&apos;s edge</source>
+        <translation>cortado por el borde de la imagen</translation>
+    </message>
+    <message>
+        <source>the tracker was not sure (score %1 %)</source>
+        <translation>el rastreador no estaba seguro (puntuación %1 %)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
     <name>Explanation</name>
     <message>
         <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>

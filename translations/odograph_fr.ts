@@ -422,6 +422,1189 @@
     </message>
 </context>
 <context>
+    <name>CoreWords</name>
+    <message>
+        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <translation>L’objectif de la caméra &apos;%1&apos; n’a jamais été étalonné, sa distorsion est prise comme nulle</translation>
+    </message>
+    <message>
+        <source>calibrate it</source>
+        <translation>étalonnez-le</translation>
+    </message>
+    <message>
+        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>L’étalonnage de l’objectif de la caméra &apos;%1&apos; date de %2 jours</translation>
+    </message>
+    <message>
+        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again</source>
+        <translation>si le zoom, la mise au point ou les réglages de la caméra ont changé depuis, étalonnez-la à nouveau</translation>
+    </message>
+    <message>
+        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
+        <translation>Le dernier enregistrement de la caméra &apos;%1&apos; est en %2, son objectif a été étalonné en %3</translation>
+    </message>
+    <message>
+        <source>calibrate it at the size it records</source>
+        <translation>étalonnez-la à la taille à laquelle elle filme</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>La localisation de la caméra &apos;%1&apos; date de %2 jours</translation>
+    </message>
+    <message>
+        <source>check that the camera has not moved, or register it again</source>
+        <translation>vérifiez que la caméra n’a pas bougé, ou localisez-la à nouveau</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
+        <translation>La localisation de la caméra &apos;%1&apos; a été faite avant l’étalonnage de son objectif</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <translation>La localisation de la caméra &apos;%1&apos; a été faite avec un autre étalonnage de l’objectif que celui en vigueur</translation>
+    </message>
+    <message>
+        <source>register it again</source>
+        <translation>localisez-la à nouveau</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>robot &apos;%1&apos; dans l’essai &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>vue &apos;%1&apos; dans l’essai &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos;</source>
+        <translation>vue &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>vues &apos;%1&apos; et &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>no view sees it from %1 s to %2 s (it was at X %3 m, Y %4 m)</source>
+        <translation>aucune vue ne le voit de %1 s à %2 s (il était en X %3 m, Y %4 m)</translation>
+    </message>
+    <message>
+        <source>no view sees it after %1 s (it was at X %2 m, Y %3 m)</source>
+        <translation>aucune vue ne le voit après %1 s (il était en X %2 m, Y %3 m)</translation>
+    </message>
+    <message>
+        <source>move or add a camera so that the whole task is seen</source>
+        <translation>déplacez ou ajoutez une caméra pour que toute l’épreuve soit vue</translation>
+    </message>
+    <message>
+        <source>the figures are of the part that was seen</source>
+        <translation>les valeurs portent sur la partie vue</translation>
+    </message>
+    <message>
+        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <translation>elle n’est pas synchronisée mais prise comme commencée avec la première vue, si bien qu’un robot en mouvement n’est pas là où les deux vues le placent</translation>
+    </message>
+    <message>
+        <source>import the videos again and let the offset be found, or tell it</source>
+        <translation>réimportez les vidéos et laissez trouver le décalage, ou indiquez-le</translation>
+    </message>
+    <message>
+        <source>it is in step to %1 ms only, which is %2 mm at 1 m/s</source>
+        <translation>elle n’est synchronisée qu’à %1 ms près, soit %2 mm à 1 m/s</translation>
+    </message>
+    <message>
+        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <translation>faites tourner le robot, ou clignoter la lumière de la salle, là où les deux caméras le voient</translation>
+    </message>
+    <message>
+        <source>its colour %1 is also that of the floor (%2 % of view %3&apos;s picture)</source>
+        <translation>sa couleur %1 est aussi celle du sol (%2&#xa0;% de l’image de la vue %3)</translation>
+    </message>
+    <message>
+        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <translation>posez dessus une plaque d’une autre couleur, ou indiquez sa vraie couleur</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; is new</source>
+        <translation>le robot &apos;%1&apos; est nouveau</translation>
+    </message>
+    <message>
+        <source>it was added with the colour %1</source>
+        <translation>il a été ajouté avec la couleur %1</translation>
+    </message>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>vidéo &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>synchronisation of view &apos;%1&apos;</source>
+        <translation>synchronisation de la vue &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor, so it is taken as begun together</source>
+        <translation>la caméra &apos;%1&apos; n’est pas localisée au sol, elle est donc prise comme commencée en même temps</translation>
+    </message>
+    <message>
+        <source>the project has no robot to look for, so it is taken as begun together</source>
+        <translation>le projet n’a pas de robot à chercher, elle est donc prise comme commencée en même temps</translation>
+    </message>
+    <message>
+        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
+        <translation>le robot %1 donne un décalage de %2, le robot %3 %4, qui a été retenu</translation>
+    </message>
+    <message>
+        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
+        <translation>le mouvement donne un décalage de %1, retenu, et l’éclair de lumière %2</translation>
+    </message>
+    <message>
+        <source>%1 s and %2 s long, %3 s in common</source>
+        <translation>durées %1 s et %2 s, dont %3 s en commun</translation>
+    </message>
+    <message>
+        <source>outside it only one view measures, so check that both belong to one run</source>
+        <translation>en dehors, une seule vue mesure&#xa0;; vérifiez que les deux sont du même passage</translation>
+    </message>
+    <message>
+        <source>%1 and %2 frames/s</source>
+        <translation>%1 et %2 images/s</translation>
+    </message>
+    <message>
+        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <translation>les vues sont réunies par le temps&#xa0;; vérifiez --rate si l’une est au ralenti</translation>
+    </message>
+    <message>
+        <source>it is left out, because nothing was recorded of it</source>
+        <translation>elle est écartée, car rien n’en a été enregistré</translation>
+    </message>
+    <message>
+        <source>check its cable, and whether another program uses it</source>
+        <translation>vérifiez son câble, et si un autre programme l’utilise</translation>
+    </message>
+    <message>
+        <source>it ended early, because %1</source>
+        <translation>elle s’est terminée trop tôt, car %1</translation>
+    </message>
+    <message>
+        <source>nothing came for %1 s, because %2</source>
+        <translation>rien n’est venu pendant %1 s, car %2</translation>
+    </message>
+    <message>
+        <source>pictures waited up to %1 s for the disk, and none was lost</source>
+        <translation>des images ont attendu le disque jusqu’à %1 s, aucune n’a été perdue</translation>
+    </message>
+    <message>
+        <source>record to a faster disk</source>
+        <translation>enregistrez sur un disque plus rapide</translation>
+    </message>
+    <message>
+        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <translation>1 image a été perdue car cet ordinateur ou son disque était trop lent</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <translation>%1 images ont été perdues car cet ordinateur ou son disque était trop lent</translation>
+    </message>
+    <message>
+        <source>record to a faster disk, or fewer cameras at once</source>
+        <translation>enregistrez sur un disque plus rapide, ou avec moins de caméras à la fois</translation>
+    </message>
+    <message>
+        <source>1 picture was lost between the camera and this program</source>
+        <translation>1 image a été perdue entre la caméra et ce programme</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost between the camera and this program</source>
+        <translation>%1 images ont été perdues entre la caméra et ce programme</translation>
+    </message>
+    <message>
+        <source>check cable, bandwidth and what else this machine does</source>
+        <translation>vérifiez le câble, la bande passante et ce que fait d’autre cet ordinateur</translation>
+    </message>
+    <message>
+        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <translation>1 image a été perdue car cet ordinateur était trop lent pour la produire à temps</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <translation>%1 images ont été perdues car cet ordinateur était trop lent pour les produire à temps</translation>
+    </message>
+    <message>
+        <source>close other programs, or take fewer such cameras at once</source>
+        <translation>fermez d’autres programmes, ou prenez moins de caméras de ce genre à la fois</translation>
+    </message>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <translation>la vidéo de la caméra %1 dans l’essai &apos;%2&apos; est perdue, et absente du projet empaqueté</translation>
+    </message>
+    <message>
+        <source>trial &apos;%1&apos;</source>
+        <translation>essai &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>son enregistrement a été interrompu</translation>
+    </message>
+    <message>
+        <source>nothing of it had reached the disk, and it is left out</source>
+        <translation>rien n’avait atteint le disque, il est écarté</translation>
+    </message>
+    <message>
+        <source>record it again</source>
+        <translation>filmez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 view are kept, all but the last second at most</source>
+        <translation>%1 s de %2 vue sont gardées, tout sauf au plus la dernière seconde</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 views are kept, all but the last second at most</source>
+        <translation>%1 s de %2 vues sont gardées, tout sauf au plus la dernière seconde</translation>
+    </message>
+    <message>
+        <source>Good: %1</source>
+        <translation>Bon&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Usable: %1</source>
+        <translation>Utilisable&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Poor: %1</source>
+        <translation>Médiocre&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <translation>pas de valeur en millimètres, car cet objectif ne vaut que pour une partie de l’image</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle and ±%2 mm at worst (%3) on %4, as far as the lens is concerned</source>
+        <translation>±%1 mm au milieu et ±%2 mm au pire (%3) sur %4, pour ce qui tient à l’objectif</translation>
+    </message>
+    <message>
+        <source>in the far left corner</source>
+        <translation>dans le coin gauche éloigné</translation>
+    </message>
+    <message>
+        <source>in the far right corner</source>
+        <translation>dans le coin droit éloigné</translation>
+    </message>
+    <message>
+        <source>in the near left corner</source>
+        <translation>dans le coin gauche proche</translation>
+    </message>
+    <message>
+        <source>in the near right corner</source>
+        <translation>dans le coin droit proche</translation>
+    </message>
+    <message>
+        <source>at the far edge</source>
+        <translation>au bord éloigné</translation>
+    </message>
+    <message>
+        <source>at the near edge</source>
+        <translation>au bord proche</translation>
+    </message>
+    <message>
+        <source>at the left edge</source>
+        <translation>au bord gauche</translation>
+    </message>
+    <message>
+        <source>at the right edge</source>
+        <translation>au bord droit</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>à l’intérieur</translation>
+    </message>
+    <message>
+        <source>a %1 m × %2 m floor seen from %3 m above</source>
+        <translation>un sol de %1 m × %2 m vu de %3 m de haut</translation>
+    </message>
+    <message>
+        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %</source>
+        <translation>%1 photos s’ajustent à %2 px, distance focale %3 px ± %4&#xa0;%</translation>
+    </message>
+    <message>
+        <source>each half of them foretells the other to %1 px, %2 mm apart at worst on that floor</source>
+        <translation>chaque moitié prédit l’autre à %1 px, à %2 mm l’une de l’autre au pire sur ce sol</translation>
+    </message>
+    <message>
+        <source>each half of them foretells the other to %1 px</source>
+        <translation>chaque moitié prédit l’autre à %1 px</translation>
+    </message>
+    <message>
+        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %, %5 mm apart at worst on that floor</source>
+        <translation>%1 photos s’ajustent à %2 px, distance focale %3 px ± %4&#xa0;%, à %5 mm l’une de l’autre au pire sur ce sol</translation>
+    </message>
+    <message>
+        <source>Standard lens</source>
+        <translation>Objectif standard</translation>
+    </message>
+    <message>
+        <source>Rational lens</source>
+        <translation>Objectif rationnel</translation>
+    </message>
+    <message>
+        <source>Fisheye lens</source>
+        <translation>Objectif fisheye</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>standard</translation>
+    </message>
+    <message>
+        <source>rational</source>
+        <translation>rationnel</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>fisheye</translation>
+    </message>
+    <message>
+        <source>told</source>
+        <translation>indiqué</translation>
+    </message>
+    <message>
+        <source>no other model fits</source>
+        <translation>aucun autre modèle ne convient</translation>
+    </message>
+    <message>
+        <source>not all</source>
+        <translation>pas toutes</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <translation>il prédit les photos mises à part à %1, le modèle %2 à %3, ce qui peut être un hasard</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <translation>il prédit les photos mises à part à %1, le modèle %2 pas mieux (%3)</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <translation>il prédit les photos mises à part à %1, le modèle %2 seulement à %3</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners disagree, in %2</source>
+        <translation>%1&#xa0;% des coins ne concordent pas, dans %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners disagree, most in %2</source>
+        <translation>%1&#xa0;% des coins ne concordent pas, surtout dans %2</translation>
+    </message>
+    <message>
+        <source>they were kept</source>
+        <translation>ils ont été gardés</translation>
+    </message>
+    <message>
+        <source>look at these pictures and leave out those that are blurred, bent or of another board</source>
+        <translation>regardez ces photos et écartez celles qui sont floues, déformées ou d’une autre mire</translation>
+    </message>
+    <message>
+        <source>1 corner that stands out was left out, in %1</source>
+        <translation>1 coin qui s’écarte a été écarté, dans %1</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out were left out, in %2</source>
+        <translation>%1 coins qui s’écartent ont été écartés, dans %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out were left out, most in %2</source>
+        <translation>%1 coins qui s’écartent ont été écartés, surtout dans %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <translation>%1 coins voisins qui s’écartent ont été gardés, dans %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <translation>%1 coins voisins qui s’écartent ont été gardés, surtout dans %2</translation>
+    </message>
+    <message>
+        <source>leave out these pictures if the board is bent, cut or covered there</source>
+        <translation>écartez ces photos si la mire y est déformée, coupée ou masquée</translation>
+    </message>
+    <message>
+        <source>More pictures (%1 or more) would make it surer</source>
+        <translation>Davantage de photos (%1 ou plus) le rendraient plus sûr</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the picture was covered</source>
+        <translation>Seulement %1&#xa0;% de l’image ont été couverts</translation>
+    </message>
+    <message>
+        <source>show the board near its edges too</source>
+        <translation>montrez la mire aussi près des bords</translation>
+    </message>
+    <message>
+        <source>Look at %1</source>
+        <translation>Regardez %1</translation>
+    </message>
+    <message>
+        <source>its %1 px stand out</source>
+        <translation>ses %1 px sortent du lot</translation>
+    </message>
+    <message>
+        <source>mark frame %1 of %2 as a spike</source>
+        <translation>signalement de l’image %1 de %2 comme pic</translation>
+    </message>
+    <message>
+        <source>use frame %1 of %2</source>
+        <translation>utilisation de l’image %1 de %2</translation>
+    </message>
+    <message>
+        <source>leave frame %1 of %2 to the program</source>
+        <translation>image %1 de %2 laissée au programme</translation>
+    </message>
+    <message>
+        <source>import the roster %1</source>
+        <translation>import de la liste de classe %1</translation>
+    </message>
+    <message>
+        <source>put the axes of layout %1 elsewhere</source>
+        <translation>déplacement des axes du plan %1</translation>
+    </message>
+    <message>
+        <source>choose calibration %1 of camera %2</source>
+        <translation>choix de l’étalonnage %1 de la caméra %2</translation>
+    </message>
+    <message>
+        <source>choose registration %1 of camera %2</source>
+        <translation>choix de la localisation %1 de la caméra %2</translation>
+    </message>
+    <message>
+        <source>link a lost video</source>
+        <translation>reliure d’une vidéo perdue</translation>
+    </message>
+    <message>
+        <source>link %1 lost videos</source>
+        <translation>reliure de %1 vidéos perdues</translation>
+    </message>
+    <message>
+        <source>give %1 the task %2</source>
+        <translation>épreuve %2 donnée à %1</translation>
+    </message>
+    <message>
+        <source>import trial %1</source>
+        <translation>import de l’essai %1</translation>
+    </message>
+    <message>
+        <source>leave out %1, of which nothing was recorded</source>
+        <translation>écart de %1, dont rien n’a été enregistré</translation>
+    </message>
+    <message>
+        <source>complete %1, whose recording was cut off</source>
+        <translation>achèvement de %1, dont l’enregistrement a été interrompu</translation>
+    </message>
+    <message>
+        <source>calibrated from %1 pictures</source>
+        <translation>étalonné d’après %1 photos</translation>
+    </message>
+    <message>
+        <source>imported from %1</source>
+        <translation>importé de %1</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;, lens not calibrated</source>
+        <translation>plan &apos;%1&apos;, objectif non étalonné</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <translation>plan &apos;%1&apos;, objectif de l’étalonnage %2</translation>
+    </message>
+    <message>
+        <source>register camera %1</source>
+        <translation>localisation de la caméra %1</translation>
+    </message>
+    <message>
+        <source>register camera %1 again</source>
+        <translation>nouvelle localisation de la caméra %1</translation>
+    </message>
+    <message>
+        <source>register camera %1 through camera %2</source>
+        <translation>localisation de la caméra %1 par la caméra %2</translation>
+    </message>
+    <message>
+        <source>register the cameras of layout %1 together</source>
+        <translation>localisation commune des caméras du plan %1</translation>
+    </message>
+    <message>
+        <source>calibrate camera %1</source>
+        <translation>étalonnage de la caméra %1</translation>
+    </message>
+    <message>
+        <source>import the lens of camera %1 from %2</source>
+        <translation>import de l’objectif de la caméra %1 depuis %2</translation>
+    </message>
+    <message>
+        <source>check whether camera %1 has moved</source>
+        <translation>vérification du déplacement de la caméra %1</translation>
+    </message>
+    <message>
+        <source>remove %1 for good</source>
+        <translation>suppression définitive de %1</translation>
+    </message>
+    <message>
+        <source>track %1</source>
+        <translation>suivi de %1</translation>
+    </message>
+    <message>
+        <source>measure %1 again</source>
+        <translation>nouvelle mesure de %1</translation>
+    </message>
+    <message>
+        <source>record %1</source>
+        <translation>enregistrement de %1</translation>
+    </message>
+    <message>
+        <source>connect camera %1</source>
+        <translation>connexion de la caméra %1</translation>
+    </message>
+    <message>
+        <source>waiting for the first picture</source>
+        <translation>attend la première image</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, none lost</source>
+        <translation>%1 images/s, aucune perdue</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), none lost</source>
+        <translation>%1 images/s (trop lent), aucune perdue</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost</source>
+        <translation>%1 images/s, %2 perdues</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost</source>
+        <translation>%1 images/s (trop lent), %2 perdues</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost because this machine is too slow</source>
+        <translation>%1 images/s, %2 perdues car cet ordinateur est trop lent</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost because this machine is too slow</source>
+        <translation>%1 images/s (trop lent), %2 perdues car cet ordinateur est trop lent</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1 images/s, %2 perdues (%3 sur le câble, %4 ici)</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1 images/s (trop lent), %2 perdues (%3 sur le câble, %4 ici)</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost on the wire</source>
+        <translation>%1 images/s, %2 perdues sur le câble</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost on the wire</source>
+        <translation>%1 images/s (trop lent), %2 perdues sur le câble</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost here</source>
+        <translation>%1 images/s, %2 perdues ici</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost here</source>
+        <translation>%1 images/s (trop lent), %2 perdues ici</translation>
+    </message>
+    <message>
+        <source>in step to %1 ms</source>
+        <translation>synchronisé à %1 ms près</translation>
+    </message>
+    <message>
+        <source>at %1 m/s that is %2 mm</source>
+        <translation>à %1 m/s, cela fait %2 mm</translation>
+    </message>
+    <message>
+        <source>room for %1 s</source>
+        <translation>place pour %1 s</translation>
+    </message>
+    <message>
+        <source>room for %1 min</source>
+        <translation>place pour %1 min</translation>
+    </message>
+    <message>
+        <source>room for %1 h</source>
+        <translation>place pour %1 h</translation>
+    </message>
+    <message>
+        <source>the map is %1 ms behind, none skipped</source>
+        <translation>la carte a %1 ms de retard, rien de sauté</translation>
+    </message>
+    <message>
+        <source>the map is %1 ms behind, %2 skipped</source>
+        <translation>la carte a %1 ms de retard, %2 sautées</translation>
+    </message>
+    <message>
+        <source>analysing %1</source>
+        <translation>analyse de %1</translation>
+    </message>
+    <message>
+        <source>analysing</source>
+        <translation>analyse</translation>
+    </message>
+    <message>
+        <source>copying the project</source>
+        <translation>copie du projet</translation>
+    </message>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>recherche des marqueurs dans %1</translation>
+    </message>
+    <message>
+        <source>looking for the markers again</source>
+        <translation>nouvelle recherche des marqueurs</translation>
+    </message>
+    <message>
+        <source>looking for files</source>
+        <translation>recherche de fichiers</translation>
+    </message>
+    <message>
+        <source>computing the intrinsics</source>
+        <translation>calcul des paramètres intrinsèques</translation>
+    </message>
+    <message>
+        <source>keeping the pictures</source>
+        <translation>conservation des photos</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>enregistrement</translation>
+    </message>
+    <message>
+        <source>writing the last pictures</source>
+        <translation>écriture des dernières images</translation>
+    </message>
+    <message>
+        <source>calibrating camera %1</source>
+        <translation>étalonnage de la caméra %1</translation>
+    </message>
+    <message>
+        <source>settling which robot is which</source>
+        <translation>identification des robots</translation>
+    </message>
+    <message>
+        <source>fitting %1 cameras together</source>
+        <translation>ajustement de %1 caméras ensemble</translation>
+    </message>
+    <message>
+        <source>Poor, measure the markers again: %1</source>
+        <translation>Médiocre, mesurez à nouveau les marqueurs&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 markers fit to %2 mm RMS (worst %3, %4 mm), and the floor among them is known to ±%5 mm</source>
+        <translation>%1 marqueurs s’ajustent à %2 mm RMS (le pire %3, %4 mm), et le sol entre eux est connu à ±%5 mm</translation>
+    </message>
+    <message>
+        <source>Four markers hardly check one another</source>
+        <translation>Quatre marqueurs ne se contrôlent guère</translation>
+    </message>
+    <message>
+        <source>Four points hardly check one another</source>
+        <translation>Quatre points ne se contrôlent guère</translation>
+    </message>
+    <message>
+        <source>a fifth would</source>
+        <translation>un cinquième le ferait</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 px ± %2)</source>
+        <translation>La caméra a été prise comme sans distorsion, sa distance focale estimée d’après les marqueurs (%1 px ± %2)</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length guessed (%1 px), since this view does not determine it</source>
+        <translation>La caméra a été prise comme sans distorsion, sa distance focale supposée (%1 px), car cette vue ne la détermine pas</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length as %1 px</source>
+        <translation>La caméra a été prise comme sans distorsion, sa distance focale comme %1 px</translation>
+    </message>
+    <message>
+        <source>Calibrate it for positions to rely on</source>
+        <translation>Étalonnez-la pour des positions fiables</translation>
+    </message>
+    <message>
+        <source>The camera would stand only %1 mm above the floor</source>
+        <translation>La caméra ne serait qu’à %1 mm du sol</translation>
+    </message>
+    <message>
+        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <translation>si c’est faux, les nombres du plan ne sont pas des mm</translation>
+    </message>
+    <message>
+        <source>convert its unit</source>
+        <translation>convertissez son unité</translation>
+    </message>
+    <message>
+        <source>through %1 %2 points of the floor fit to %3 mm RMS (worst %4, %5 mm), and the floor among them is known to ±%6 mm, of which ±%7 mm come from %8</source>
+        <translation>par %1, %2 points du sol s’ajustent à %3 mm RMS (le pire %4, %5 mm), et le sol entre eux est connu à ±%6 mm, dont ±%7 mm viennent de %8</translation>
+    </message>
+    <message>
+        <source>with %1 together %2 markers fit to %3 mm RMS, and the floor among them is known to ±%4 mm</source>
+        <translation>avec %1, %2 marqueurs s’ajustent à %3 mm RMS, et le sol entre eux est connu à ±%4 mm</translation>
+    </message>
+    <message>
+        <source>The markers and the cameras agree with one another</source>
+        <translation>Les marqueurs et les caméras concordent</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm off by all cameras</source>
+        <translation>%1 est décalé de %2 mm selon toutes les caméras</translation>
+    </message>
+    <message>
+        <source>measure it again</source>
+        <translation>mesurez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm off by the one camera that sees it</source>
+        <translation>%1 est décalé de %2 mm selon la seule caméra qui le voit</translation>
+    </message>
+    <message>
+        <source>measure it, or mark it in the picture, again</source>
+        <translation>mesurez-le, ou pointez-le dans l’image, à nouveau</translation>
+    </message>
+    <message>
+        <source>%1 sees %2 %3 px from where the others do</source>
+        <translation>%1 voit %2 à %3 px de là où les autres le voient</translation>
+    </message>
+    <message>
+        <source>mark it there again</source>
+        <translation>pointez-le là à nouveau</translation>
+    </message>
+    <message>
+        <source>None of the floor among the markers is seen</source>
+        <translation>Rien du sol entre les marqueurs n’est vu</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm in the corner near %3</source>
+        <translation>±%1 mm au milieu, ±%2 mm dans le coin près de %3</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm at the edge near %3</source>
+        <translation>±%1 mm au milieu, ±%2 mm au bord près de %3</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm near %3</source>
+        <translation>±%1 mm au milieu, ±%2 mm près de %3</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm in the corner near %2</source>
+        <translation>Le milieu n’est pas vu, ±%1 mm dans le coin près de %2</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm at the edge near %2</source>
+        <translation>Le milieu n’est pas vu, ±%1 mm au bord près de %2</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm near %2</source>
+        <translation>Le milieu n’est pas vu, ±%1 mm près de %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the floor among the markers is not seen</source>
+        <translation>%1&#xa0;% du sol entre les marqueurs ne sont pas vus</translation>
+    </message>
+    <message>
+        <source>%1 stands where it was registered</source>
+        <translation>%1 est là où elle a été localisée</translation>
+    </message>
+    <message>
+        <source>%1 markers lie within %2 px = %3 mm of their places</source>
+        <translation>%1 marqueurs sont à moins de %2 px = %3 mm de leur place</translation>
+    </message>
+    <message>
+        <source>%1 has moved %2 px = %3 mm</source>
+        <translation>%1 a bougé de %2 px = %3 mm</translation>
+    </message>
+    <message>
+        <source>register it again before you record</source>
+        <translation>localisez-la à nouveau avant de filmer</translation>
+    </message>
+    <message>
+        <source>Marker %1 has moved %2 px = %3 mm, %4 has not</source>
+        <translation>Le marqueur %1 a bougé de %2 px = %3 mm, %4 non</translation>
+    </message>
+    <message>
+        <source>Markers %1 have moved %2 px = %3 mm, %4 has not</source>
+        <translation>Les marqueurs %1 ont bougé de %2 px = %3 mm, %4 non</translation>
+    </message>
+    <message>
+        <source>put it back, or measure again and register all cameras</source>
+        <translation>remettez-le en place, ou mesurez à nouveau et localisez toutes les caméras</translation>
+    </message>
+    <message>
+        <source>put them back, or measure again and register all cameras</source>
+        <translation>remettez-les en place, ou mesurez à nouveau et localisez toutes les caméras</translation>
+    </message>
+    <message>
+        <source>Not found again: %1</source>
+        <translation>Non retrouvés&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The length is %1 mm ± %2 mm</source>
+        <translation>La longueur est %1 mm ± %2 mm</translation>
+    </message>
+    <message>
+        <source>It is %1 mm shorter than the %2 mm told</source>
+        <translation>Elle est plus courte de %1 mm que les %2 mm indiqués</translation>
+    </message>
+    <message>
+        <source>It is %1 mm longer than the %2 mm told</source>
+        <translation>Elle est plus longue de %1 mm que les %2 mm indiqués</translation>
+    </message>
+    <message>
+        <source>inside the expected error of %1 mm</source>
+        <translation>dans l’erreur attendue de %1 mm</translation>
+    </message>
+    <message>
+        <source>outside the expected error of %1 mm</source>
+        <translation>hors de l’erreur attendue de %1 mm</translation>
+    </message>
+    <message>
+        <source>Check the length itself, whether it lies on the floor, and the places of the markers</source>
+        <translation>Vérifiez la longueur elle-même, si elle est posée au sol, et les places des marqueurs</translation>
+    </message>
+    <message>
+        <source>Camera &apos;%1&apos; alone says %2 mm</source>
+        <translation>La caméra &apos;%1&apos; seule donne %2 mm</translation>
+    </message>
+    <message>
+        <source>look whether the same ends are marked in each picture, and register it again if they are</source>
+        <translation>regardez si les mêmes extrémités sont pointées dans chaque image et, si oui, localisez-la à nouveau</translation>
+    </message>
+    <message>
+        <source>No place was measured by both analyses</source>
+        <translation>Aucun endroit n’a été mesuré par les deux analyses</translation>
+    </message>
+    <message>
+        <source>Positions change by %1 mm RMS, at most by %2 mm (at %3 s)</source>
+        <translation>Les positions changent de %1 mm RMS, au plus de %2 mm (à %3 s)</translation>
+    </message>
+    <message>
+        <source>Spikes: %1 instead of %2</source>
+        <translation>Pics aberrants&#xa0;: %1 au lieu de %2</translation>
+    </message>
+    <message>
+        <source>USB buses</source>
+        <translation>Bus USB</translation>
+    </message>
+    <message>
+        <source>each USB camera has a bus of its own</source>
+        <translation>chaque caméra USB a son propre bus</translation>
+    </message>
+    <message>
+        <source>no USB camera is used</source>
+        <translation>aucune caméra USB n’est utilisée</translation>
+    </message>
+    <message>
+        <source>cameras %1 share the bus %2, of %3 Mbit/s</source>
+        <translation>les caméras %1 partagent le bus %2, de %3 Mbit/s</translation>
+    </message>
+    <message>
+        <source>cameras %1 share the bus %2</source>
+        <translation>les caméras %1 partagent le bus %2</translation>
+    </message>
+    <message>
+        <source>plug one into a port on the other side of the computer, or a card of its own</source>
+        <translation>branchez-en une sur un port de l’autre côté de l’ordinateur, ou sur sa propre carte</translation>
+    </message>
+    <message>
+        <source>or let both send MJPEG, or smaller pictures</source>
+        <translation>ou faites envoyer aux deux du MJPEG, ou des images plus petites</translation>
+    </message>
+    <message>
+        <source>Access to cameras</source>
+        <translation>Accès aux caméras</translation>
+    </message>
+    <message>
+        <source>you may not use %1</source>
+        <translation>vous n’avez pas le droit d’utiliser %1</translation>
+    </message>
+    <message>
+        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
+        <translation>ajoutez-vous au groupe video (sudo usermod -aG video $USER), puis déconnectez-vous et reconnectez-vous</translation>
+    </message>
+    <message>
+        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
+        <translation>cet ordinateur ne montre aucune caméra USB ou intégrée (/dev/video*)</translation>
+    </message>
+    <message>
+        <source>if one is connected, try another cable and port, without a hub</source>
+        <translation>s’il y en a une de branchée, essayez un autre câble et un autre port, sans concentrateur</translation>
+    </message>
+    <message>
+        <source>you may use all %1 video devices</source>
+        <translation>vous pouvez utiliser les %1 périphériques vidéo</translation>
+    </message>
+    <message>
+        <source>Receive buffer</source>
+        <translation>Tampon de réception</translation>
+    </message>
+    <message>
+        <source>the system does not say how large it may be (net.core.rmem_max)</source>
+        <translation>le système ne dit pas quelle taille il peut avoir (net.core.rmem_max)</translation>
+    </message>
+    <message>
+        <source>up to %1 MiB, enough for network cameras</source>
+        <translation>jusqu’à %1 Mio, assez pour des caméras réseau</translation>
+    </message>
+    <message>
+        <source>%1 MiB, which only network cameras would find too small</source>
+        <translation>%1 Mio, trop peu seulement pour des caméras réseau</translation>
+    </message>
+    <message>
+        <source>only %1 MiB</source>
+        <translation>seulement %1 Mio</translation>
+    </message>
+    <message>
+        <source>%1 will lose pictures</source>
+        <translation>%1 perdra des images</translation>
+    </message>
+    <message>
+        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
+        <translation>sudo sysctl -w net.core.rmem_max=%1, et mettez-le aussi dans /etc/sysctl.d/ pour le garder</translation>
+    </message>
+    <message>
+        <source>Packet size</source>
+        <translation>Taille des paquets</translation>
+    </message>
+    <message>
+        <source>no network camera is used</source>
+        <translation>aucune caméra réseau n’est utilisée</translation>
+    </message>
+    <message>
+        <source>large packets are allowed</source>
+        <translation>les grands paquets sont permis</translation>
+    </message>
+    <message>
+        <source>small packets on %1</source>
+        <translation>petits paquets sur %1</translation>
+    </message>
+    <message>
+        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
+        <translation>donnez au port de la caméra une MTU de 9000 (sudo ip link set dev NAME mtu 9000), si la caméra et le commutateur l’acceptent</translation>
+    </message>
+    <message>
+        <source>Lamps&apos; flicker, camera %1</source>
+        <translation>Scintillement des lampes, caméra %1</translation>
+    </message>
+    <message>
+        <source>filtered by the camera (%1)</source>
+        <translation>filtré par la caméra (%1)</translation>
+    </message>
+    <message>
+        <source>its filter is off</source>
+        <translation>son filtre est désactivé</translation>
+    </message>
+    <message>
+        <source>pictures may pulse under lamps</source>
+        <translation>les images peuvent pulser sous les lampes</translation>
+    </message>
+    <message>
+        <source>set &apos;%1&apos; to your mains</source>
+        <translation>réglez &apos;%1&apos; sur votre secteur</translation>
+    </message>
+    <message>
+        <source>50 Hz in most countries, 60 Hz in the Americas</source>
+        <translation>50 Hz dans la plupart des pays, 60 Hz en Amérique</translation>
+    </message>
+    <message>
+        <source>it does not tell its exposure</source>
+        <translation>elle n’indique pas son exposition</translation>
+    </message>
+    <message>
+        <source>exposed for %1 ms, which suits lamps</source>
+        <translation>exposée %1 ms, ce qui convient aux lampes</translation>
+    </message>
+    <message>
+        <source>exposed for %1 ms</source>
+        <translation>exposée %1 ms</translation>
+    </message>
+    <message>
+        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
+        <translation>exposez 10 ou 20 ms avec un secteur de 50 Hz, 8.3 ou 16.7 ms avec 60 Hz</translation>
+    </message>
+    <message>
+        <source>or use daylight</source>
+        <translation>ou utilisez la lumière du jour</translation>
+    </message>
+    <message>
+        <source>Automatics, camera %1</source>
+        <translation>Automatismes, caméra %1</translation>
+    </message>
+    <message>
+        <source>%1 go on changing by themselves</source>
+        <translation>%1 continuent de changer d’eux-mêmes</translation>
+    </message>
+    <message>
+        <source>%1 goes on changing by itself</source>
+        <translation>%1 continue de changer de lui-même</translation>
+    </message>
+    <message>
+        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
+        <translation>désactivez-le dans le programme de la caméra, ou gardez la lumière stable pendant que les robots roulent</translation>
+    </message>
+    <message>
+        <source>exposure, gain, white balance and focus are held</source>
+        <translation>exposition, gain, balance des blancs et mise au point sont figés</translation>
+    </message>
+    <message>
+        <source>it has none</source>
+        <translation>elle n’en a pas</translation>
+    </message>
+    <message>
+        <source>they are held while recording</source>
+        <translation>ils sont figés pendant l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Synchronisation</translation>
+    </message>
+    <message>
+        <source>one camera is always in step</source>
+        <translation>une seule caméra est toujours synchronisée</translation>
+    </message>
+    <message>
+        <source>a camera does not deliver</source>
+        <translation>une caméra ne livre pas d’images</translation>
+    </message>
+    <message>
+        <source>see its own line</source>
+        <translation>voir sa propre ligne</translation>
+    </message>
+    <message>
+        <source>the cameras run at %1 and %2 frames/s</source>
+        <translation>les caméras tournent à %1 et %2 images/s</translation>
+    </message>
+    <message>
+        <source>set both to one rate</source>
+        <translation>réglez les deux à la même cadence</translation>
+    </message>
+    <message>
+        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
+        <translation>par faible lumière, une caméra divise d’elle-même sa cadence par deux, sauf si l’exposition automatique est désactivée</translation>
+    </message>
+    <message>
+        <source>no two pictures have been taken together yet</source>
+        <translation>aucune paire d’images n’a encore été prise ensemble</translation>
+    </message>
+    <message>
+        <source>wait a few seconds, and look again</source>
+        <translation>attendez quelques secondes et regardez à nouveau</translation>
+    </message>
+    <message>
+        <source>set both to one rate, or trigger them together</source>
+        <translation>réglez les deux à la même cadence, ou déclenchez-les ensemble</translation>
+    </message>
+    <message>
+        <source>Picture size, camera %1</source>
+        <translation>Taille d’image, caméra %1</translation>
+    </message>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>elle n’est pas localisée au sol</translation>
+    </message>
+    <message>
+        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
+        <translation>localisez-la dans Banc, sinon ses images ne peuvent dire où est un robot</translation>
+    </message>
+    <message>
+        <source>%1, as it was registered</source>
+        <translation>%1, comme à sa localisation</translation>
+    </message>
+    <message>
+        <source>%1, but registered at %2</source>
+        <translation>%1, mais localisée en %2</translation>
+    </message>
+    <message>
+        <source>let it send the size it was registered at, or calibrate and register it anew</source>
+        <translation>faites-lui envoyer la taille de sa localisation, ou étalonnez-la et localisez-la à nouveau</translation>
+    </message>
+    <message>
+        <source>views disagree by %1 mm</source>
+        <translation>les vues sont en désaccord de %1 mm</translation>
+    </message>
+    <message>
+        <source>none could be trusted</source>
+        <translation>aucune n’était fiable</translation>
+    </message>
+    <message>
+        <source>one left out</source>
+        <translation>une a été écartée</translation>
+    </message>
+    <message>
+        <source>jump of %1 mm</source>
+        <translation>saut de %1 mm</translation>
+    </message>
+    <message>
+        <source>jump</source>
+        <translation>saut</translation>
+    </message>
+    <message>
+        <source>stands out in position and speed</source>
+        <translation>s’écarte en position et en vitesse</translation>
+    </message>
+    <message>
+        <source>stands out in position</source>
+        <translation>s’écarte en position</translation>
+    </message>
+    <message>
+        <source>stands out in speed</source>
+        <translation>s’écarte en vitesse</translation>
+    </message>
+    <message>
+        <source>faster than the limit</source>
+        <translation>plus rapide que la limite</translation>
+    </message>
+    <message>
+        <source>harder than the limit of acceleration</source>
+        <translation>accélération supérieure à la limite</translation>
+    </message>
+    <message>
+        <source>called a spike by hand</source>
+        <translation>signalé comme pic à la main</translation>
+    </message>
+    <message>
+        <source>cut by the picture&apos;s edge</source>
+        <translation>coupé par le bord de l’image</translation>
+    </message>
+    <message>
+        <source>the tracker was not sure (score %1 %)</source>
+        <translation>le suivi n’était pas sûr (score %1&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1&#xa0;; %2</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
     <name>Explanation</name>
     <message>
         <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>

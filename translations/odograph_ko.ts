@@ -420,6 +420,1189 @@
     </message>
 </context>
 <context>
+    <name>CoreWords</name>
+    <message>
+        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <translation>카메라 &apos;%1&apos;의 렌즈는 보정된 적이 없어 왜곡이 없는 것으로 봅니다</translation>
+    </message>
+    <message>
+        <source>calibrate it</source>
+        <translation>보정하십시오</translation>
+    </message>
+    <message>
+        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>카메라 &apos;%1&apos;의 렌즈 보정이 %2일 지났습니다</translation>
+    </message>
+    <message>
+        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again</source>
+        <translation>그 뒤 줌, 초점 또는 카메라 설정을 건드렸다면 다시 보정하십시오</translation>
+    </message>
+    <message>
+        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
+        <translation>카메라 &apos;%1&apos;의 최신 녹화는 %2이고 렌즈는 %3에서 보정되었습니다</translation>
+    </message>
+    <message>
+        <source>calibrate it at the size it records</source>
+        <translation>녹화하는 크기로 보정하십시오</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>카메라 &apos;%1&apos;의 바닥 정합이 %2일 지났습니다</translation>
+    </message>
+    <message>
+        <source>check that the camera has not moved, or register it again</source>
+        <translation>카메라가 움직이지 않았는지 확인하거나 다시 정합하십시오</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
+        <translation>카메라 &apos;%1&apos;의 바닥 정합은 렌즈 보정 전에 이루어졌습니다</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <translation>카메라 &apos;%1&apos;의 바닥 정합은 적용 중인 것과 다른 렌즈 보정으로 이루어졌습니다</translation>
+    </message>
+    <message>
+        <source>register it again</source>
+        <translation>다시 정합하십시오</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>시행 &apos;%2&apos;의 로봇 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>시행 &apos;%2&apos;의 뷰 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos;</source>
+        <translation>뷰 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>뷰 &apos;%1&apos;과(와) &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>no view sees it from %1 s to %2 s (it was at X %3 m, Y %4 m)</source>
+        <translation>%1 s부터 %2 s까지 어느 뷰에도 보이지 않음 (X %3 m, Y %4 m에 있었음)</translation>
+    </message>
+    <message>
+        <source>no view sees it after %1 s (it was at X %2 m, Y %3 m)</source>
+        <translation>%1 s 이후 어느 뷰에도 보이지 않음 (X %2 m, Y %3 m에 있었음)</translation>
+    </message>
+    <message>
+        <source>move or add a camera so that the whole task is seen</source>
+        <translation>과제 전체가 보이도록 카메라를 옮기거나 추가하십시오</translation>
+    </message>
+    <message>
+        <source>the figures are of the part that was seen</source>
+        <translation>지표는 보인 부분에 대한 것입니다</translation>
+    </message>
+    <message>
+        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <translation>동기화되지 않고 첫 뷰와 함께 시작된 것으로 보았으므로, 움직이는 로봇은 두 뷰가 가리키는 곳에 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>import the videos again and let the offset be found, or tell it</source>
+        <translation>동영상을 다시 가져와 오프셋을 찾게 하거나 직접 지정하십시오</translation>
+    </message>
+    <message>
+        <source>it is in step to %1 ms only, which is %2 mm at 1 m/s</source>
+        <translation>동기 오차가 %1 ms로, 1 m/s에서 %2 mm입니다</translation>
+    </message>
+    <message>
+        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <translation>두 카메라가 보는 곳에서 로봇을 돌리거나 실내 조명을 깜박이십시오</translation>
+    </message>
+    <message>
+        <source>its colour %1 is also that of the floor (%2 % of view %3&apos;s picture)</source>
+        <translation>색 %1이(가) 바닥 색이기도 합니다 (뷰 %3 영상의 %2 %)</translation>
+    </message>
+    <message>
+        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <translation>다른 색 판을 얹거나 실제 색을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; is new</source>
+        <translation>로봇 &apos;%1&apos;은(는) 새 로봇입니다</translation>
+    </message>
+    <message>
+        <source>it was added with the colour %1</source>
+        <translation>색 %1(으)로 추가했습니다</translation>
+    </message>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>동영상 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>synchronisation of view &apos;%1&apos;</source>
+        <translation>뷰 &apos;%1&apos;의 동기화</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor, so it is taken as begun together</source>
+        <translation>카메라 &apos;%1&apos;이(가) 바닥에 정합되지 않아 함께 시작된 것으로 봅니다</translation>
+    </message>
+    <message>
+        <source>the project has no robot to look for, so it is taken as begun together</source>
+        <translation>프로젝트에 찾을 로봇이 없어 함께 시작된 것으로 봅니다</translation>
+    </message>
+    <message>
+        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
+        <translation>로봇 %1의 오프셋은 %2, 로봇 %3은(는) %4이며 후자를 택했습니다</translation>
+    </message>
+    <message>
+        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
+        <translation>움직임의 오프셋 %1을(를) 택했고, 빛의 번쩍임은 %2입니다</translation>
+    </message>
+    <message>
+        <source>%1 s and %2 s long, %3 s in common</source>
+        <translation>길이 %1 s와 %2 s, 공통 %3 s</translation>
+    </message>
+    <message>
+        <source>outside it only one view measures, so check that both belong to one run</source>
+        <translation>그 밖에서는 한 뷰만 측정하므로 둘이 같은 주행인지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>%1 and %2 frames/s</source>
+        <translation>%1 및 %2 프레임/s</translation>
+    </message>
+    <message>
+        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <translation>뷰는 시간으로 결합됩니다. 슬로 모션이면 --rate를 확인하십시오</translation>
+    </message>
+    <message>
+        <source>it is left out, because nothing was recorded of it</source>
+        <translation>녹화된 것이 없어 제외됩니다</translation>
+    </message>
+    <message>
+        <source>check its cable, and whether another program uses it</source>
+        <translation>케이블과 다른 프로그램이 쓰고 있는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>it ended early, because %1</source>
+        <translation>일찍 끝났습니다. 이유: %1</translation>
+    </message>
+    <message>
+        <source>nothing came for %1 s, because %2</source>
+        <translation>%1 s 동안 아무것도 오지 않았습니다. 이유: %2</translation>
+    </message>
+    <message>
+        <source>pictures waited up to %1 s for the disk, and none was lost</source>
+        <translation>영상이 디스크를 최대 %1 s 기다렸으나 누락은 없음</translation>
+    </message>
+    <message>
+        <source>record to a faster disk</source>
+        <translation>더 빠른 디스크에 녹화하십시오</translation>
+    </message>
+    <message>
+        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <translation>이 컴퓨터나 디스크가 너무 느려 영상 1개 누락</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <translation>이 컴퓨터나 디스크가 너무 느려 영상 %1개 누락</translation>
+    </message>
+    <message>
+        <source>record to a faster disk, or fewer cameras at once</source>
+        <translation>더 빠른 디스크에, 또는 더 적은 카메라로 녹화하십시오</translation>
+    </message>
+    <message>
+        <source>1 picture was lost between the camera and this program</source>
+        <translation>카메라와 이 프로그램 사이에서 영상 1개 누락</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost between the camera and this program</source>
+        <translation>카메라와 이 프로그램 사이에서 영상 %1개 누락</translation>
+    </message>
+    <message>
+        <source>check cable, bandwidth and what else this machine does</source>
+        <translation>케이블, 대역폭, 이 컴퓨터의 다른 작업을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <translation>이 컴퓨터가 너무 느려 제때 만들지 못해 영상 1개 누락</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <translation>이 컴퓨터가 너무 느려 제때 만들지 못해 영상 %1개 누락</translation>
+    </message>
+    <message>
+        <source>close other programs, or take fewer such cameras at once</source>
+        <translation>다른 프로그램을 닫거나 그런 카메라를 더 적게 쓰십시오</translation>
+    </message>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <translation>시행 &apos;%2&apos;의 카메라 %1 동영상이 없어 묶은 프로젝트에 들어 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>녹화가 중간에 끊겼습니다</translation>
+    </message>
+    <message>
+        <source>nothing of it had reached the disk, and it is left out</source>
+        <translation>디스크에 남은 것이 없어 제외됩니다</translation>
+    </message>
+    <message>
+        <source>record it again</source>
+        <translation>다시 녹화하십시오</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 view are kept, all but the last second at most</source>
+        <translation>뷰 %2개의 %1 s가 보존됨, 최대 마지막 1초만 빠짐</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 views are kept, all but the last second at most</source>
+        <translation>뷰 %2개의 %1 s가 보존됨, 최대 마지막 1초만 빠짐</translation>
+    </message>
+    <message>
+        <source>Good: %1</source>
+        <translation>양호: %1</translation>
+    </message>
+    <message>
+        <source>Usable: %1</source>
+        <translation>사용 가능: %1</translation>
+    </message>
+    <message>
+        <source>Poor: %1</source>
+        <translation>불량: %1</translation>
+    </message>
+    <message>
+        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <translation>이 렌즈 모델은 영상의 일부에만 유효하므로 밀리미터 값 없음</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle and ±%2 mm at worst (%3) on %4, as far as the lens is concerned</source>
+        <translation>렌즈만 고려할 때 %4에서 가운데 ±%1 mm, 최악 ±%2 mm (%3)</translation>
+    </message>
+    <message>
+        <source>in the far left corner</source>
+        <translation>먼 쪽 왼쪽 모서리</translation>
+    </message>
+    <message>
+        <source>in the far right corner</source>
+        <translation>먼 쪽 오른쪽 모서리</translation>
+    </message>
+    <message>
+        <source>in the near left corner</source>
+        <translation>가까운 쪽 왼쪽 모서리</translation>
+    </message>
+    <message>
+        <source>in the near right corner</source>
+        <translation>가까운 쪽 오른쪽 모서리</translation>
+    </message>
+    <message>
+        <source>at the far edge</source>
+        <translation>먼 쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>at the near edge</source>
+        <translation>가까운 쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>at the left edge</source>
+        <translation>왼쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>at the right edge</source>
+        <translation>오른쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>안쪽</translation>
+    </message>
+    <message>
+        <source>a %1 m × %2 m floor seen from %3 m above</source>
+        <translation>%3 m 높이에서 본 %1 m × %2 m 바닥</translation>
+    </message>
+    <message>
+        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %</source>
+        <translation>사진 %1장이 %2 px로 피팅됨, 초점 거리 %3 px ± %4 %</translation>
+    </message>
+    <message>
+        <source>each half of them foretells the other to %1 px, %2 mm apart at worst on that floor</source>
+        <translation>절반이 다른 절반을 %1 px로 예측, 그 바닥에서 최대 %2 mm 차이</translation>
+    </message>
+    <message>
+        <source>each half of them foretells the other to %1 px</source>
+        <translation>절반이 다른 절반을 %1 px로 예측</translation>
+    </message>
+    <message>
+        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %, %5 mm apart at worst on that floor</source>
+        <translation>사진 %1장이 %2 px로 피팅됨, 초점 거리 %3 px ± %4 %, 그 바닥에서 최대 %5 mm 차이</translation>
+    </message>
+    <message>
+        <source>Standard lens</source>
+        <translation>표준 렌즈</translation>
+    </message>
+    <message>
+        <source>Rational lens</source>
+        <translation>유리식 렌즈</translation>
+    </message>
+    <message>
+        <source>Fisheye lens</source>
+        <translation>어안 렌즈</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>표준</translation>
+    </message>
+    <message>
+        <source>rational</source>
+        <translation>유리식</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>어안</translation>
+    </message>
+    <message>
+        <source>told</source>
+        <translation>지정됨</translation>
+    </message>
+    <message>
+        <source>no other model fits</source>
+        <translation>맞는 다른 모델 없음</translation>
+    </message>
+    <message>
+        <source>not all</source>
+        <translation>일부 불가</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <translation>빼 둔 사진을 %1로 예측, %2 모델은 %3로 예측하나 우연일 수 있음</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <translation>빼 둔 사진을 %1로 예측, %2 모델도 더 낫지 않음 (%3)</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <translation>빼 둔 사진을 %1로 예측, %2 모델은 %3에 그침</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners disagree, in %2</source>
+        <translation>모서리의 %1 %가 맞지 않음, %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners disagree, most in %2</source>
+        <translation>모서리의 %1 %가 맞지 않음, 주로 %2</translation>
+    </message>
+    <message>
+        <source>they were kept</source>
+        <translation>그대로 두었음</translation>
+    </message>
+    <message>
+        <source>look at these pictures and leave out those that are blurred, bent or of another board</source>
+        <translation>이 사진들을 보고 흐리거나 휘었거나 다른 보드의 것은 빼십시오</translation>
+    </message>
+    <message>
+        <source>1 corner that stands out was left out, in %1</source>
+        <translation>튀는 모서리 1개를 제외함, %1</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out were left out, in %2</source>
+        <translation>튀는 모서리 %1개를 제외함, %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out were left out, most in %2</source>
+        <translation>튀는 모서리 %1개를 제외함, 주로 %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <translation>나란히 튀는 모서리 %1개를 그대로 둠, %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <translation>나란히 튀는 모서리 %1개를 그대로 둠, 주로 %2</translation>
+    </message>
+    <message>
+        <source>leave out these pictures if the board is bent, cut or covered there</source>
+        <translation>그 사진에서 보드가 휘었거나 잘렸거나 가려졌다면 빼십시오</translation>
+    </message>
+    <message>
+        <source>More pictures (%1 or more) would make it surer</source>
+        <translation>사진이 더 있으면(%1장 이상) 더 확실해집니다</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the picture was covered</source>
+        <translation>영상의 %1 %만 덮였습니다</translation>
+    </message>
+    <message>
+        <source>show the board near its edges too</source>
+        <translation>가장자리 가까이에도 보드를 보여 주십시오</translation>
+    </message>
+    <message>
+        <source>Look at %1</source>
+        <translation>%1을(를) 보십시오</translation>
+    </message>
+    <message>
+        <source>its %1 px stand out</source>
+        <translation>%1 px가 튑니다</translation>
+    </message>
+    <message>
+        <source>mark frame %1 of %2 as a spike</source>
+        <translation>%2의 프레임 %1을(를) 이상점으로 지정</translation>
+    </message>
+    <message>
+        <source>use frame %1 of %2</source>
+        <translation>%2의 프레임 %1 사용</translation>
+    </message>
+    <message>
+        <source>leave frame %1 of %2 to the program</source>
+        <translation>%2의 프레임 %1을(를) 프로그램에 맡김</translation>
+    </message>
+    <message>
+        <source>import the roster %1</source>
+        <translation>명단 %1 가져오기</translation>
+    </message>
+    <message>
+        <source>put the axes of layout %1 elsewhere</source>
+        <translation>배치 %1의 축 옮기기</translation>
+    </message>
+    <message>
+        <source>choose calibration %1 of camera %2</source>
+        <translation>카메라 %2의 보정 %1 선택</translation>
+    </message>
+    <message>
+        <source>choose registration %1 of camera %2</source>
+        <translation>카메라 %2의 정합 %1 선택</translation>
+    </message>
+    <message>
+        <source>link a lost video</source>
+        <translation>잃어버린 동영상 연결</translation>
+    </message>
+    <message>
+        <source>link %1 lost videos</source>
+        <translation>잃어버린 동영상 %1개 연결</translation>
+    </message>
+    <message>
+        <source>give %1 the task %2</source>
+        <translation>%1에 과제 %2 지정</translation>
+    </message>
+    <message>
+        <source>import trial %1</source>
+        <translation>시행 %1 가져오기</translation>
+    </message>
+    <message>
+        <source>leave out %1, of which nothing was recorded</source>
+        <translation>녹화된 것이 없는 %1 제외</translation>
+    </message>
+    <message>
+        <source>complete %1, whose recording was cut off</source>
+        <translation>녹화가 끊긴 %1 완성</translation>
+    </message>
+    <message>
+        <source>calibrated from %1 pictures</source>
+        <translation>사진 %1장으로 보정</translation>
+    </message>
+    <message>
+        <source>imported from %1</source>
+        <translation>%1에서 가져옴</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;, lens not calibrated</source>
+        <translation>배치 &apos;%1&apos;, 렌즈 보정 안 됨</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <translation>배치 &apos;%1&apos;, 보정 %2의 렌즈</translation>
+    </message>
+    <message>
+        <source>register camera %1</source>
+        <translation>카메라 %1 정합</translation>
+    </message>
+    <message>
+        <source>register camera %1 again</source>
+        <translation>카메라 %1 다시 정합</translation>
+    </message>
+    <message>
+        <source>register camera %1 through camera %2</source>
+        <translation>카메라 %2을(를) 통해 카메라 %1 정합</translation>
+    </message>
+    <message>
+        <source>register the cameras of layout %1 together</source>
+        <translation>배치 %1의 카메라 함께 정합</translation>
+    </message>
+    <message>
+        <source>calibrate camera %1</source>
+        <translation>카메라 %1 보정</translation>
+    </message>
+    <message>
+        <source>import the lens of camera %1 from %2</source>
+        <translation>%2에서 카메라 %1의 렌즈 가져오기</translation>
+    </message>
+    <message>
+        <source>check whether camera %1 has moved</source>
+        <translation>카메라 %1이(가) 움직였는지 확인</translation>
+    </message>
+    <message>
+        <source>remove %1 for good</source>
+        <translation>%1 영구 삭제</translation>
+    </message>
+    <message>
+        <source>track %1</source>
+        <translation>%1 추적</translation>
+    </message>
+    <message>
+        <source>measure %1 again</source>
+        <translation>%1 다시 측정</translation>
+    </message>
+    <message>
+        <source>record %1</source>
+        <translation>%1 녹화</translation>
+    </message>
+    <message>
+        <source>connect camera %1</source>
+        <translation>카메라 %1 연결</translation>
+    </message>
+    <message>
+        <source>waiting for the first picture</source>
+        <translation>첫 영상을 기다리는 중</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, none lost</source>
+        <translation>%1 프레임/s, 누락 없음</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), none lost</source>
+        <translation>%1 프레임/s (너무 느림), 누락 없음</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost</source>
+        <translation>%1 프레임/s, %2개 누락</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost</source>
+        <translation>%1 프레임/s (너무 느림), %2개 누락</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost because this machine is too slow</source>
+        <translation>%1 프레임/s, 이 컴퓨터가 너무 느려 %2개 누락</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost because this machine is too slow</source>
+        <translation>%1 프레임/s (너무 느림), 이 컴퓨터가 너무 느려 %2개 누락</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1 프레임/s, %2개 누락 (전송 중 %3, 여기서 %4)</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1 프레임/s (너무 느림), %2개 누락 (전송 중 %3, 여기서 %4)</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost on the wire</source>
+        <translation>%1 프레임/s, 전송 중 %2개 누락</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost on the wire</source>
+        <translation>%1 프레임/s (너무 느림), 전송 중 %2개 누락</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost here</source>
+        <translation>%1 프레임/s, 여기서 %2개 누락</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost here</source>
+        <translation>%1 프레임/s (너무 느림), 여기서 %2개 누락</translation>
+    </message>
+    <message>
+        <source>in step to %1 ms</source>
+        <translation>동기 오차 %1 ms</translation>
+    </message>
+    <message>
+        <source>at %1 m/s that is %2 mm</source>
+        <translation>%1 m/s에서 %2 mm</translation>
+    </message>
+    <message>
+        <source>room for %1 s</source>
+        <translation>%1 s 녹화 가능</translation>
+    </message>
+    <message>
+        <source>room for %1 min</source>
+        <translation>%1 min 녹화 가능</translation>
+    </message>
+    <message>
+        <source>room for %1 h</source>
+        <translation>%1 h 녹화 가능</translation>
+    </message>
+    <message>
+        <source>the map is %1 ms behind, none skipped</source>
+        <translation>지도 지연 %1 ms, 건너뜀 없음</translation>
+    </message>
+    <message>
+        <source>the map is %1 ms behind, %2 skipped</source>
+        <translation>지도 지연 %1 ms, %2개 건너뜀</translation>
+    </message>
+    <message>
+        <source>analysing %1</source>
+        <translation>%1 분석 중</translation>
+    </message>
+    <message>
+        <source>analysing</source>
+        <translation>분석 중</translation>
+    </message>
+    <message>
+        <source>copying the project</source>
+        <translation>프로젝트 복사 중</translation>
+    </message>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>%1에서 마커 찾는 중</translation>
+    </message>
+    <message>
+        <source>looking for the markers again</source>
+        <translation>마커를 다시 찾는 중</translation>
+    </message>
+    <message>
+        <source>looking for files</source>
+        <translation>파일 찾는 중</translation>
+    </message>
+    <message>
+        <source>computing the intrinsics</source>
+        <translation>내부 파라미터 계산 중</translation>
+    </message>
+    <message>
+        <source>keeping the pictures</source>
+        <translation>사진 보관 중</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>녹화 중</translation>
+    </message>
+    <message>
+        <source>writing the last pictures</source>
+        <translation>마지막 프레임 쓰는 중</translation>
+    </message>
+    <message>
+        <source>calibrating camera %1</source>
+        <translation>카메라 %1 보정 중</translation>
+    </message>
+    <message>
+        <source>settling which robot is which</source>
+        <translation>로봇 구별 중</translation>
+    </message>
+    <message>
+        <source>fitting %1 cameras together</source>
+        <translation>카메라 %1대를 함께 피팅하는 중</translation>
+    </message>
+    <message>
+        <source>Poor, measure the markers again: %1</source>
+        <translation>불량, 마커를 다시 재십시오: %1</translation>
+    </message>
+    <message>
+        <source>%1 markers fit to %2 mm RMS (worst %3, %4 mm), and the floor among them is known to ±%5 mm</source>
+        <translation>마커 %1개가 %2 mm RMS로 맞으며(최악 %3, %4 mm), 그 사이 바닥은 ±%5 mm로 알려짐</translation>
+    </message>
+    <message>
+        <source>Four markers hardly check one another</source>
+        <translation>마커 네 개로는 서로를 거의 검증하지 못합니다</translation>
+    </message>
+    <message>
+        <source>Four points hardly check one another</source>
+        <translation>점 네 개로는 서로를 거의 검증하지 못합니다</translation>
+    </message>
+    <message>
+        <source>a fifth would</source>
+        <translation>다섯 번째가 있으면 됩니다</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 px ± %2)</source>
+        <translation>카메라는 왜곡이 없는 것으로 보았고 초점 거리는 마커에서 추정했습니다 (%1 px ± %2)</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length guessed (%1 px), since this view does not determine it</source>
+        <translation>카메라는 왜곡이 없는 것으로 보았고 이 뷰로는 초점 거리를 정할 수 없어 가정했습니다 (%1 px)</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length as %1 px</source>
+        <translation>카메라는 왜곡이 없고 초점 거리는 %1 px인 것으로 보았습니다</translation>
+    </message>
+    <message>
+        <source>Calibrate it for positions to rely on</source>
+        <translation>믿을 만한 위치를 얻으려면 보정하십시오</translation>
+    </message>
+    <message>
+        <source>The camera would stand only %1 mm above the floor</source>
+        <translation>카메라가 바닥 위 %1 mm에만 있게 됩니다</translation>
+    </message>
+    <message>
+        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <translation>틀렸다면 배치의 숫자가 mm가 아닙니다</translation>
+    </message>
+    <message>
+        <source>convert its unit</source>
+        <translation>단위를 변환하십시오</translation>
+    </message>
+    <message>
+        <source>through %1 %2 points of the floor fit to %3 mm RMS (worst %4, %5 mm), and the floor among them is known to ±%6 mm, of which ±%7 mm come from %8</source>
+        <translation>%1을(를) 통해 바닥의 점 %2개가 %3 mm RMS로 맞으며(최악 %4, %5 mm), 그 사이 바닥은 ±%6 mm로 알려짐, 그중 ±%7 mm는 %8에서 옴</translation>
+    </message>
+    <message>
+        <source>with %1 together %2 markers fit to %3 mm RMS, and the floor among them is known to ±%4 mm</source>
+        <translation>%1과(와) 함께 마커 %2개가 %3 mm RMS로 맞으며, 그 사이 바닥은 ±%4 mm로 알려짐</translation>
+    </message>
+    <message>
+        <source>The markers and the cameras agree with one another</source>
+        <translation>마커와 카메라가 서로 일치합니다</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm off by all cameras</source>
+        <translation>모든 카메라에서 %1이(가) %2 mm 어긋남</translation>
+    </message>
+    <message>
+        <source>measure it again</source>
+        <translation>다시 재십시오</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm off by the one camera that sees it</source>
+        <translation>%1을(를) 보는 카메라 한 대에서 %2 mm 어긋남</translation>
+    </message>
+    <message>
+        <source>measure it, or mark it in the picture, again</source>
+        <translation>다시 재거나 영상에서 다시 표시하십시오</translation>
+    </message>
+    <message>
+        <source>%1 sees %2 %3 px from where the others do</source>
+        <translation>%1이(가) %2을(를) 다른 카메라보다 %3 px 떨어진 곳에서 봄</translation>
+    </message>
+    <message>
+        <source>mark it there again</source>
+        <translation>거기서 다시 표시하십시오</translation>
+    </message>
+    <message>
+        <source>None of the floor among the markers is seen</source>
+        <translation>마커 사이 바닥이 전혀 보이지 않습니다</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm in the corner near %3</source>
+        <translation>가운데 ±%1 mm, %3 근처 모서리 ±%2 mm</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm at the edge near %3</source>
+        <translation>가운데 ±%1 mm, %3 근처 가장자리 ±%2 mm</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm near %3</source>
+        <translation>가운데 ±%1 mm, %3 근처 ±%2 mm</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm in the corner near %2</source>
+        <translation>가운데가 보이지 않음, %2 근처 모서리 ±%1 mm</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm at the edge near %2</source>
+        <translation>가운데가 보이지 않음, %2 근처 가장자리 ±%1 mm</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm near %2</source>
+        <translation>가운데가 보이지 않음, %2 근처 ±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 % of the floor among the markers is not seen</source>
+        <translation>마커 사이 바닥의 %1 %가 보이지 않습니다</translation>
+    </message>
+    <message>
+        <source>%1 stands where it was registered</source>
+        <translation>%1은(는) 정합한 자리에 그대로 있습니다</translation>
+    </message>
+    <message>
+        <source>%1 markers lie within %2 px = %3 mm of their places</source>
+        <translation>마커 %1개가 제자리에서 %2 px = %3 mm 이내</translation>
+    </message>
+    <message>
+        <source>%1 has moved %2 px = %3 mm</source>
+        <translation>%1이(가) %2 px = %3 mm 움직였습니다</translation>
+    </message>
+    <message>
+        <source>register it again before you record</source>
+        <translation>녹화 전에 다시 정합하십시오</translation>
+    </message>
+    <message>
+        <source>Marker %1 has moved %2 px = %3 mm, %4 has not</source>
+        <translation>마커 %1이(가) %2 px = %3 mm 움직였고 %4은(는) 그대로입니다</translation>
+    </message>
+    <message>
+        <source>Markers %1 have moved %2 px = %3 mm, %4 has not</source>
+        <translation>마커 %1이(가) %2 px = %3 mm 움직였고 %4은(는) 그대로입니다</translation>
+    </message>
+    <message>
+        <source>put it back, or measure again and register all cameras</source>
+        <translation>제자리에 놓거나, 다시 재어 모든 카메라를 정합하십시오</translation>
+    </message>
+    <message>
+        <source>put them back, or measure again and register all cameras</source>
+        <translation>모두 제자리에 놓거나, 다시 재어 모든 카메라를 정합하십시오</translation>
+    </message>
+    <message>
+        <source>Not found again: %1</source>
+        <translation>다시 찾지 못함: %1</translation>
+    </message>
+    <message>
+        <source>The length is %1 mm ± %2 mm</source>
+        <translation>길이는 %1 mm ± %2 mm입니다</translation>
+    </message>
+    <message>
+        <source>It is %1 mm shorter than the %2 mm told</source>
+        <translation>알려 준 %2 mm보다 %1 mm 짧습니다</translation>
+    </message>
+    <message>
+        <source>It is %1 mm longer than the %2 mm told</source>
+        <translation>알려 준 %2 mm보다 %1 mm 깁니다</translation>
+    </message>
+    <message>
+        <source>inside the expected error of %1 mm</source>
+        <translation>예상 오차 %1 mm 이내</translation>
+    </message>
+    <message>
+        <source>outside the expected error of %1 mm</source>
+        <translation>예상 오차 %1 mm 초과</translation>
+    </message>
+    <message>
+        <source>Check the length itself, whether it lies on the floor, and the places of the markers</source>
+        <translation>길이 자체, 바닥에 놓였는지, 마커의 자리를 확인하십시오</translation>
+    </message>
+    <message>
+        <source>Camera &apos;%1&apos; alone says %2 mm</source>
+        <translation>카메라 &apos;%1&apos;만으로는 %2 mm입니다</translation>
+    </message>
+    <message>
+        <source>look whether the same ends are marked in each picture, and register it again if they are</source>
+        <translation>각 영상에 같은 끝이 표시되었는지 보고, 그렇다면 다시 정합하십시오</translation>
+    </message>
+    <message>
+        <source>No place was measured by both analyses</source>
+        <translation>두 분석이 함께 측정한 곳이 없습니다</translation>
+    </message>
+    <message>
+        <source>Positions change by %1 mm RMS, at most by %2 mm (at %3 s)</source>
+        <translation>위치가 %1 mm RMS, 최대 %2 mm 바뀝니다 (%3 s)</translation>
+    </message>
+    <message>
+        <source>Spikes: %1 instead of %2</source>
+        <translation>이상점: %2개 대신 %1개</translation>
+    </message>
+    <message>
+        <source>USB buses</source>
+        <translation>USB 버스</translation>
+    </message>
+    <message>
+        <source>each USB camera has a bus of its own</source>
+        <translation>각 USB 카메라가 자기 버스를 씁니다</translation>
+    </message>
+    <message>
+        <source>no USB camera is used</source>
+        <translation>USB 카메라를 쓰지 않습니다</translation>
+    </message>
+    <message>
+        <source>cameras %1 share the bus %2, of %3 Mbit/s</source>
+        <translation>카메라 %1이(가) %3 Mbit/s인 버스 %2을(를) 함께 씁니다</translation>
+    </message>
+    <message>
+        <source>cameras %1 share the bus %2</source>
+        <translation>카메라 %1이(가) 버스 %2을(를) 함께 씁니다</translation>
+    </message>
+    <message>
+        <source>plug one into a port on the other side of the computer, or a card of its own</source>
+        <translation>하나를 컴퓨터 반대쪽 포트나 별도 카드에 꽂으십시오</translation>
+    </message>
+    <message>
+        <source>or let both send MJPEG, or smaller pictures</source>
+        <translation>또는 둘 다 MJPEG이나 더 작은 영상을 보내게 하십시오</translation>
+    </message>
+    <message>
+        <source>Access to cameras</source>
+        <translation>카메라 접근</translation>
+    </message>
+    <message>
+        <source>you may not use %1</source>
+        <translation>%1을(를) 쓸 권한이 없습니다</translation>
+    </message>
+    <message>
+        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
+        <translation>video 그룹에 추가한 뒤(sudo usermod -aG video $USER) 로그아웃했다가 다시 로그인하십시오</translation>
+    </message>
+    <message>
+        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
+        <translation>이 컴퓨터에 USB 카메라나 내장 카메라가 보이지 않습니다 (/dev/video*)</translation>
+    </message>
+    <message>
+        <source>if one is connected, try another cable and port, without a hub</source>
+        <translation>연결되어 있다면 허브 없이 다른 케이블과 포트를 써 보십시오</translation>
+    </message>
+    <message>
+        <source>you may use all %1 video devices</source>
+        <translation>비디오 장치 %1개를 모두 쓸 수 있습니다</translation>
+    </message>
+    <message>
+        <source>Receive buffer</source>
+        <translation>수신 버퍼</translation>
+    </message>
+    <message>
+        <source>the system does not say how large it may be (net.core.rmem_max)</source>
+        <translation>시스템이 허용 크기를 알려 주지 않습니다 (net.core.rmem_max)</translation>
+    </message>
+    <message>
+        <source>up to %1 MiB, enough for network cameras</source>
+        <translation>최대 %1 MiB, 네트워크 카메라에 충분</translation>
+    </message>
+    <message>
+        <source>%1 MiB, which only network cameras would find too small</source>
+        <translation>%1 MiB, 네트워크 카메라에만 부족</translation>
+    </message>
+    <message>
+        <source>only %1 MiB</source>
+        <translation>%1 MiB뿐</translation>
+    </message>
+    <message>
+        <source>%1 will lose pictures</source>
+        <translation>%1에서 영상이 누락됩니다</translation>
+    </message>
+    <message>
+        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
+        <translation>sudo sysctl -w net.core.rmem_max=%1, 유지하려면 /etc/sysctl.d/에도 넣으십시오</translation>
+    </message>
+    <message>
+        <source>Packet size</source>
+        <translation>패킷 크기</translation>
+    </message>
+    <message>
+        <source>no network camera is used</source>
+        <translation>네트워크 카메라를 쓰지 않습니다</translation>
+    </message>
+    <message>
+        <source>large packets are allowed</source>
+        <translation>큰 패킷이 허용됩니다</translation>
+    </message>
+    <message>
+        <source>small packets on %1</source>
+        <translation>%1에서 작은 패킷</translation>
+    </message>
+    <message>
+        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
+        <translation>카메라와 스위치가 지원하면 카메라 포트의 MTU를 9000으로 하십시오 (sudo ip link set dev NAME mtu 9000)</translation>
+    </message>
+    <message>
+        <source>Lamps&apos; flicker, camera %1</source>
+        <translation>조명 깜박임, 카메라 %1</translation>
+    </message>
+    <message>
+        <source>filtered by the camera (%1)</source>
+        <translation>카메라가 걸러 냄 (%1)</translation>
+    </message>
+    <message>
+        <source>its filter is off</source>
+        <translation>필터가 꺼져 있습니다</translation>
+    </message>
+    <message>
+        <source>pictures may pulse under lamps</source>
+        <translation>조명 아래에서 영상이 깜박일 수 있습니다</translation>
+    </message>
+    <message>
+        <source>set &apos;%1&apos; to your mains</source>
+        <translation>&apos;%1&apos;을(를) 전원 주파수에 맞추십시오</translation>
+    </message>
+    <message>
+        <source>50 Hz in most countries, 60 Hz in the Americas</source>
+        <translation>대부분의 나라 50 Hz, 미주와 한국 60 Hz</translation>
+    </message>
+    <message>
+        <source>it does not tell its exposure</source>
+        <translation>노출을 알려 주지 않습니다</translation>
+    </message>
+    <message>
+        <source>exposed for %1 ms, which suits lamps</source>
+        <translation>%1 ms 노출, 조명에 맞음</translation>
+    </message>
+    <message>
+        <source>exposed for %1 ms</source>
+        <translation>%1 ms 노출</translation>
+    </message>
+    <message>
+        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
+        <translation>50 Hz에서는 10 또는 20 ms, 60 Hz에서는 8.3 또는 16.7 ms로 노출하십시오</translation>
+    </message>
+    <message>
+        <source>or use daylight</source>
+        <translation>또는 자연광을 쓰십시오</translation>
+    </message>
+    <message>
+        <source>Automatics, camera %1</source>
+        <translation>자동 조절, 카메라 %1</translation>
+    </message>
+    <message>
+        <source>%1 go on changing by themselves</source>
+        <translation>%1이(가) 계속 저절로 바뀝니다</translation>
+    </message>
+    <message>
+        <source>%1 goes on changing by itself</source>
+        <translation>%1이(가) 계속 저절로 바뀝니다</translation>
+    </message>
+    <message>
+        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
+        <translation>카메라 자체 프로그램에서 끄거나, 로봇이 달리는 동안 조명을 일정하게 유지하십시오</translation>
+    </message>
+    <message>
+        <source>exposure, gain, white balance and focus are held</source>
+        <translation>노출, 게인, 화이트 밸런스, 초점이 고정됨</translation>
+    </message>
+    <message>
+        <source>it has none</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>they are held while recording</source>
+        <translation>녹화 중에 고정됩니다</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>동기</translation>
+    </message>
+    <message>
+        <source>one camera is always in step</source>
+        <translation>카메라 한 대는 항상 동기 상태입니다</translation>
+    </message>
+    <message>
+        <source>a camera does not deliver</source>
+        <translation>영상을 보내지 않는 카메라가 있습니다</translation>
+    </message>
+    <message>
+        <source>see its own line</source>
+        <translation>해당 줄을 보십시오</translation>
+    </message>
+    <message>
+        <source>the cameras run at %1 and %2 frames/s</source>
+        <translation>카메라가 %1 및 %2 프레임/s로 작동합니다</translation>
+    </message>
+    <message>
+        <source>set both to one rate</source>
+        <translation>둘을 같은 속도로 설정하십시오</translation>
+    </message>
+    <message>
+        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
+        <translation>어두우면 자동 노출을 끄지 않는 한 카메라가 스스로 속도를 절반으로 낮춥니다</translation>
+    </message>
+    <message>
+        <source>no two pictures have been taken together yet</source>
+        <translation>아직 함께 찍힌 두 영상이 없습니다</translation>
+    </message>
+    <message>
+        <source>wait a few seconds, and look again</source>
+        <translation>몇 초 기다렸다가 다시 보십시오</translation>
+    </message>
+    <message>
+        <source>set both to one rate, or trigger them together</source>
+        <translation>둘을 같은 속도로 하거나 함께 트리거하십시오</translation>
+    </message>
+    <message>
+        <source>Picture size, camera %1</source>
+        <translation>영상 크기, 카메라 %1</translation>
+    </message>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>바닥에 정합되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
+        <translation>테스트베드에서 정합하십시오. 그렇지 않으면 영상에서 로봇의 위치를 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>%1, as it was registered</source>
+        <translation>%1, 정합할 때와 같음</translation>
+    </message>
+    <message>
+        <source>%1, but registered at %2</source>
+        <translation>%1, 그러나 %2에서 정합됨</translation>
+    </message>
+    <message>
+        <source>let it send the size it was registered at, or calibrate and register it anew</source>
+        <translation>정합한 크기로 보내게 하거나 새로 보정하고 정합하십시오</translation>
+    </message>
+    <message>
+        <source>views disagree by %1 mm</source>
+        <translation>뷰 간 불일치 %1 mm</translation>
+    </message>
+    <message>
+        <source>none could be trusted</source>
+        <translation>신뢰할 수 있는 뷰 없음</translation>
+    </message>
+    <message>
+        <source>one left out</source>
+        <translation>한 뷰 제외됨</translation>
+    </message>
+    <message>
+        <source>jump of %1 mm</source>
+        <translation>%1 mm 도약</translation>
+    </message>
+    <message>
+        <source>jump</source>
+        <translation>도약</translation>
+    </message>
+    <message>
+        <source>stands out in position and speed</source>
+        <translation>위치와 속력이 튐</translation>
+    </message>
+    <message>
+        <source>stands out in position</source>
+        <translation>위치가 튐</translation>
+    </message>
+    <message>
+        <source>stands out in speed</source>
+        <translation>속력이 튐</translation>
+    </message>
+    <message>
+        <source>faster than the limit</source>
+        <translation>한계보다 빠름</translation>
+    </message>
+    <message>
+        <source>harder than the limit of acceleration</source>
+        <translation>가속도 한계 초과</translation>
+    </message>
+    <message>
+        <source>called a spike by hand</source>
+        <translation>수동으로 이상점 지정됨</translation>
+    </message>
+    <message>
+        <source>cut by the picture&apos;s edge</source>
+        <translation>영상 가장자리에서 잘림</translation>
+    </message>
+    <message>
+        <source>the tracker was not sure (score %1 %)</source>
+        <translation>추적기가 확신하지 못함 (점수 %1 %)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 및 %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
     <name>Explanation</name>
     <message>
         <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>

@@ -420,6 +420,1189 @@
     </message>
 </context>
 <context>
+    <name>CoreWords</name>
+    <message>
+        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <translation>相机“%1”的镜头从未标定，按无畸变处理</translation>
+    </message>
+    <message>
+        <source>calibrate it</source>
+        <translation>请标定它</translation>
+    </message>
+    <message>
+        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>相机“%1”的镜头标定已有 %2 天</translation>
+    </message>
+    <message>
+        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again</source>
+        <translation>如果此后动过变焦、对焦或相机设置，请重新标定</translation>
+    </message>
+    <message>
+        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
+        <translation>相机“%1”的最新录像为 %2，其镜头在 %3 下标定</translation>
+    </message>
+    <message>
+        <source>calibrate it at the size it records</source>
+        <translation>请按录制的尺寸标定</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>相机“%1”的地面配准已有 %2 天</translation>
+    </message>
+    <message>
+        <source>check that the camera has not moved, or register it again</source>
+        <translation>请检查相机是否移动，或重新配准</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
+        <translation>相机“%1”的地面配准在镜头标定之前进行</translation>
+    </message>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <translation>相机“%1”的地面配准所用的镜头标定不是当前生效的</translation>
+    </message>
+    <message>
+        <source>register it again</source>
+        <translation>请重新配准</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>试验“%2”中的机器人“%1”</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>试验“%2”中的视角“%1”</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos;</source>
+        <translation>视角“%1”</translation>
+    </message>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>视角“%1”和“%2”</translation>
+    </message>
+    <message>
+        <source>no view sees it from %1 s to %2 s (it was at X %3 m, Y %4 m)</source>
+        <translation>从 %1 s 到 %2 s 没有视角看见它（当时在 X %3 m，Y %4 m）</translation>
+    </message>
+    <message>
+        <source>no view sees it after %1 s (it was at X %2 m, Y %3 m)</source>
+        <translation>%1 s 之后没有视角看见它（当时在 X %2 m，Y %3 m）</translation>
+    </message>
+    <message>
+        <source>move or add a camera so that the whole task is seen</source>
+        <translation>请移动或增加相机，使整个任务都能被看到</translation>
+    </message>
+    <message>
+        <source>the figures are of the part that was seen</source>
+        <translation>指标只针对被看到的部分</translation>
+    </message>
+    <message>
+        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <translation>它未同步，按与第一个视角同时开始处理，因此运动的机器人并不在两个视角所示的位置</translation>
+    </message>
+    <message>
+        <source>import the videos again and let the offset be found, or tell it</source>
+        <translation>请重新导入视频并让程序找出偏移，或自行给出</translation>
+    </message>
+    <message>
+        <source>it is in step to %1 ms only, which is %2 mm at 1 m/s</source>
+        <translation>它只同步到 %1 ms，在 1 m/s 时为 %2 mm</translation>
+    </message>
+    <message>
+        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <translation>请在两台相机都能看到处让机器人转弯，或闪一下室内灯</translation>
+    </message>
+    <message>
+        <source>its colour %1 is also that of the floor (%2 % of view %3&apos;s picture)</source>
+        <translation>它的颜色 %1 也是地面的颜色（占视角 %3 画面的 %2 %）</translation>
+    </message>
+    <message>
+        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <translation>请在其上放另一种颜色的板，或给出它真实的颜色</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; is new</source>
+        <translation>机器人“%1”是新的</translation>
+    </message>
+    <message>
+        <source>it was added with the colour %1</source>
+        <translation>已用颜色 %1 添加</translation>
+    </message>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>视频“%1”</translation>
+    </message>
+    <message>
+        <source>synchronisation of view &apos;%1&apos;</source>
+        <translation>视角“%1”的同步</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor, so it is taken as begun together</source>
+        <translation>相机“%1”未配准到地面，因此按同时开始处理</translation>
+    </message>
+    <message>
+        <source>the project has no robot to look for, so it is taken as begun together</source>
+        <translation>项目中没有可寻找的机器人，因此按同时开始处理</translation>
+    </message>
+    <message>
+        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
+        <translation>机器人 %1 给出的偏移为 %2，机器人 %3 为 %4，采用后者</translation>
+    </message>
+    <message>
+        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
+        <translation>由运动得偏移 %1（已采用），由闪光得 %2</translation>
+    </message>
+    <message>
+        <source>%1 s and %2 s long, %3 s in common</source>
+        <translation>长 %1 s 和 %2 s，共同 %3 s</translation>
+    </message>
+    <message>
+        <source>outside it only one view measures, so check that both belong to one run</source>
+        <translation>其外只有一个视角测量，请检查两者是否属于同一次运行</translation>
+    </message>
+    <message>
+        <source>%1 and %2 frames/s</source>
+        <translation>%1 和 %2 帧/秒</translation>
+    </message>
+    <message>
+        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <translation>视角按时间结合；若其一为慢动作，请检查 --rate</translation>
+    </message>
+    <message>
+        <source>it is left out, because nothing was recorded of it</source>
+        <translation>它被舍去，因为没有录到任何内容</translation>
+    </message>
+    <message>
+        <source>check its cable, and whether another program uses it</source>
+        <translation>请检查其电缆，以及是否有其他程序占用</translation>
+    </message>
+    <message>
+        <source>it ended early, because %1</source>
+        <translation>它提前结束，原因：%1</translation>
+    </message>
+    <message>
+        <source>nothing came for %1 s, because %2</source>
+        <translation>有 %1 s 没有任何图像，原因：%2</translation>
+    </message>
+    <message>
+        <source>pictures waited up to %1 s for the disk, and none was lost</source>
+        <translation>图像等待磁盘最长 %1 s，没有丢失</translation>
+    </message>
+    <message>
+        <source>record to a faster disk</source>
+        <translation>请录制到更快的磁盘</translation>
+    </message>
+    <message>
+        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <translation>因本机或其磁盘太慢，丢失 1 帧</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <translation>因本机或其磁盘太慢，丢失 %1 帧</translation>
+    </message>
+    <message>
+        <source>record to a faster disk, or fewer cameras at once</source>
+        <translation>请录制到更快的磁盘，或同时使用更少的相机</translation>
+    </message>
+    <message>
+        <source>1 picture was lost between the camera and this program</source>
+        <translation>相机与本程序之间丢失 1 帧</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost between the camera and this program</source>
+        <translation>相机与本程序之间丢失 %1 帧</translation>
+    </message>
+    <message>
+        <source>check cable, bandwidth and what else this machine does</source>
+        <translation>请检查电缆、带宽以及本机的其他工作</translation>
+    </message>
+    <message>
+        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <translation>因本机太慢来不及生成，丢失 1 帧</translation>
+    </message>
+    <message>
+        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <translation>因本机太慢来不及生成，丢失 %1 帧</translation>
+    </message>
+    <message>
+        <source>close other programs, or take fewer such cameras at once</source>
+        <translation>请关闭其他程序，或同时使用更少的这类相机</translation>
+    </message>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <translation>试验“%2”中相机 %1 的视频丢失，未包含在打包项目中</translation>
+    </message>
+    <message>
+        <source>trial &apos;%1&apos;</source>
+        <translation>试验“%1”</translation>
+    </message>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>其录像被中断</translation>
+    </message>
+    <message>
+        <source>nothing of it had reached the disk, and it is left out</source>
+        <translation>没有内容写入磁盘，已舍去</translation>
+    </message>
+    <message>
+        <source>record it again</source>
+        <translation>请重新录制</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 view are kept, all but the last second at most</source>
+        <translation>保留了 %2 个视角的 %1 s，最多只缺最后一秒</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 views are kept, all but the last second at most</source>
+        <translation>保留了 %2 个视角的 %1 s，最多只缺最后一秒</translation>
+    </message>
+    <message>
+        <source>Good: %1</source>
+        <translation>良好：%1</translation>
+    </message>
+    <message>
+        <source>Usable: %1</source>
+        <translation>可用：%1</translation>
+    </message>
+    <message>
+        <source>Poor: %1</source>
+        <translation>较差：%1</translation>
+    </message>
+    <message>
+        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <translation>无毫米数值，因为此镜头模型只适用于画面的一部分</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle and ±%2 mm at worst (%3) on %4, as far as the lens is concerned</source>
+        <translation>就镜头而言，在%4上中间 ±%1 mm，最差 ±%2 mm（%3）</translation>
+    </message>
+    <message>
+        <source>in the far left corner</source>
+        <translation>远处左角</translation>
+    </message>
+    <message>
+        <source>in the far right corner</source>
+        <translation>远处右角</translation>
+    </message>
+    <message>
+        <source>in the near left corner</source>
+        <translation>近处左角</translation>
+    </message>
+    <message>
+        <source>in the near right corner</source>
+        <translation>近处右角</translation>
+    </message>
+    <message>
+        <source>at the far edge</source>
+        <translation>远边</translation>
+    </message>
+    <message>
+        <source>at the near edge</source>
+        <translation>近边</translation>
+    </message>
+    <message>
+        <source>at the left edge</source>
+        <translation>左边</translation>
+    </message>
+    <message>
+        <source>at the right edge</source>
+        <translation>右边</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>内部</translation>
+    </message>
+    <message>
+        <source>a %1 m × %2 m floor seen from %3 m above</source>
+        <translation>从 %3 m 高处看的 %1 m × %2 m 地面</translation>
+    </message>
+    <message>
+        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %</source>
+        <translation>%1 张图片拟合到 %2 px，焦距 %3 px ± %4 %</translation>
+    </message>
+    <message>
+        <source>each half of them foretells the other to %1 px, %2 mm apart at worst on that floor</source>
+        <translation>各半互相预测到 %1 px，在该地面上最多相差 %2 mm</translation>
+    </message>
+    <message>
+        <source>each half of them foretells the other to %1 px</source>
+        <translation>各半互相预测到 %1 px</translation>
+    </message>
+    <message>
+        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %, %5 mm apart at worst on that floor</source>
+        <translation>%1 张图片拟合到 %2 px，焦距 %3 px ± %4 %，在该地面上最多相差 %5 mm</translation>
+    </message>
+    <message>
+        <source>Standard lens</source>
+        <translation>标准镜头</translation>
+    </message>
+    <message>
+        <source>Rational lens</source>
+        <translation>有理式镜头</translation>
+    </message>
+    <message>
+        <source>Fisheye lens</source>
+        <translation>鱼眼镜头</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>标准</translation>
+    </message>
+    <message>
+        <source>rational</source>
+        <translation>有理式</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>鱼眼</translation>
+    </message>
+    <message>
+        <source>told</source>
+        <translation>由人指定</translation>
+    </message>
+    <message>
+        <source>no other model fits</source>
+        <translation>没有其他模型适合</translation>
+    </message>
+    <message>
+        <source>not all</source>
+        <translation>并非全部</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <translation>它对留出图片的预测为 %1，%2模型为 %3，可能是偶然</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <translation>它对留出图片的预测为 %1，%2模型并不更好（%3）</translation>
+    </message>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <translation>它对留出图片的预测为 %1，%2模型仅为 %3</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners disagree, in %2</source>
+        <translation>%1 % 的角点不一致，位于 %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners disagree, most in %2</source>
+        <translation>%1 % 的角点不一致，大多位于 %2</translation>
+    </message>
+    <message>
+        <source>they were kept</source>
+        <translation>它们已保留</translation>
+    </message>
+    <message>
+        <source>look at these pictures and leave out those that are blurred, bent or of another board</source>
+        <translation>查看这些图片，去掉模糊、弯曲或属于另一块标定板的</translation>
+    </message>
+    <message>
+        <source>1 corner that stands out was left out, in %1</source>
+        <translation>舍去了 1 个突出的角点，位于 %1</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out were left out, in %2</source>
+        <translation>舍去了 %1 个突出的角点，位于 %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out were left out, most in %2</source>
+        <translation>舍去了 %1 个突出的角点，大多位于 %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <translation>保留了 %1 个相邻的突出角点，位于 %2</translation>
+    </message>
+    <message>
+        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <translation>保留了 %1 个相邻的突出角点，大多位于 %2</translation>
+    </message>
+    <message>
+        <source>leave out these pictures if the board is bent, cut or covered there</source>
+        <translation>如果标定板在那里弯曲、被截断或遮挡，请去掉这些图片</translation>
+    </message>
+    <message>
+        <source>More pictures (%1 or more) would make it surer</source>
+        <translation>更多图片（%1 张或以上）会更可靠</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the picture was covered</source>
+        <translation>只覆盖了画面的 %1 %</translation>
+    </message>
+    <message>
+        <source>show the board near its edges too</source>
+        <translation>也请在画面边缘附近展示标定板</translation>
+    </message>
+    <message>
+        <source>Look at %1</source>
+        <translation>请查看 %1</translation>
+    </message>
+    <message>
+        <source>its %1 px stand out</source>
+        <translation>其 %1 px 显得突出</translation>
+    </message>
+    <message>
+        <source>mark frame %1 of %2 as a spike</source>
+        <translation>将 %2 的第 %1 帧标为异常点</translation>
+    </message>
+    <message>
+        <source>use frame %1 of %2</source>
+        <translation>使用 %2 的第 %1 帧</translation>
+    </message>
+    <message>
+        <source>leave frame %1 of %2 to the program</source>
+        <translation>将 %2 的第 %1 帧交给程序判断</translation>
+    </message>
+    <message>
+        <source>import the roster %1</source>
+        <translation>导入名单 %1</translation>
+    </message>
+    <message>
+        <source>put the axes of layout %1 elsewhere</source>
+        <translation>移动布局 %1 的坐标轴</translation>
+    </message>
+    <message>
+        <source>choose calibration %1 of camera %2</source>
+        <translation>选择相机 %2 的标定 %1</translation>
+    </message>
+    <message>
+        <source>choose registration %1 of camera %2</source>
+        <translation>选择相机 %2 的配准 %1</translation>
+    </message>
+    <message>
+        <source>link a lost video</source>
+        <translation>关联一个丢失的视频</translation>
+    </message>
+    <message>
+        <source>link %1 lost videos</source>
+        <translation>关联 %1 个丢失的视频</translation>
+    </message>
+    <message>
+        <source>give %1 the task %2</source>
+        <translation>将任务 %2 赋予 %1</translation>
+    </message>
+    <message>
+        <source>import trial %1</source>
+        <translation>导入试验 %1</translation>
+    </message>
+    <message>
+        <source>leave out %1, of which nothing was recorded</source>
+        <translation>舍去 %1（未录到任何内容）</translation>
+    </message>
+    <message>
+        <source>complete %1, whose recording was cut off</source>
+        <translation>补全录像被中断的 %1</translation>
+    </message>
+    <message>
+        <source>calibrated from %1 pictures</source>
+        <translation>由 %1 张图片标定</translation>
+    </message>
+    <message>
+        <source>imported from %1</source>
+        <translation>从 %1 导入</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;, lens not calibrated</source>
+        <translation>布局“%1”，镜头未标定</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <translation>布局“%1”，镜头标定 %2</translation>
+    </message>
+    <message>
+        <source>register camera %1</source>
+        <translation>配准相机 %1</translation>
+    </message>
+    <message>
+        <source>register camera %1 again</source>
+        <translation>重新配准相机 %1</translation>
+    </message>
+    <message>
+        <source>register camera %1 through camera %2</source>
+        <translation>通过相机 %2 配准相机 %1</translation>
+    </message>
+    <message>
+        <source>register the cameras of layout %1 together</source>
+        <translation>联合配准布局 %1 的相机</translation>
+    </message>
+    <message>
+        <source>calibrate camera %1</source>
+        <translation>标定相机 %1</translation>
+    </message>
+    <message>
+        <source>import the lens of camera %1 from %2</source>
+        <translation>从 %2 导入相机 %1 的镜头</translation>
+    </message>
+    <message>
+        <source>check whether camera %1 has moved</source>
+        <translation>检查相机 %1 是否移动</translation>
+    </message>
+    <message>
+        <source>remove %1 for good</source>
+        <translation>永久删除 %1</translation>
+    </message>
+    <message>
+        <source>track %1</source>
+        <translation>跟踪 %1</translation>
+    </message>
+    <message>
+        <source>measure %1 again</source>
+        <translation>重新测量 %1</translation>
+    </message>
+    <message>
+        <source>record %1</source>
+        <translation>录制 %1</translation>
+    </message>
+    <message>
+        <source>connect camera %1</source>
+        <translation>连接相机 %1</translation>
+    </message>
+    <message>
+        <source>waiting for the first picture</source>
+        <translation>正在等待第一帧</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, none lost</source>
+        <translation>%1 帧/秒，无丢失</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), none lost</source>
+        <translation>%1 帧/秒（太慢），无丢失</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost</source>
+        <translation>%1 帧/秒，丢失 %2</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost</source>
+        <translation>%1 帧/秒（太慢），丢失 %2</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost because this machine is too slow</source>
+        <translation>%1 帧/秒，因本机太慢丢失 %2</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost because this machine is too slow</source>
+        <translation>%1 帧/秒（太慢），因本机太慢丢失 %2</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1 帧/秒，丢失 %2（线路 %3，本机 %4）</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1 帧/秒（太慢），丢失 %2（线路 %3，本机 %4）</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost on the wire</source>
+        <translation>%1 帧/秒，线路丢失 %2</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost on the wire</source>
+        <translation>%1 帧/秒（太慢），线路丢失 %2</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 lost here</source>
+        <translation>%1 帧/秒，本机丢失 %2</translation>
+    </message>
+    <message>
+        <source>%1 frames/s (too slow), %2 lost here</source>
+        <translation>%1 帧/秒（太慢），本机丢失 %2</translation>
+    </message>
+    <message>
+        <source>in step to %1 ms</source>
+        <translation>同步到 %1 ms</translation>
+    </message>
+    <message>
+        <source>at %1 m/s that is %2 mm</source>
+        <translation>速度 %1 m/s 时为 %2 mm</translation>
+    </message>
+    <message>
+        <source>room for %1 s</source>
+        <translation>可录 %1 s</translation>
+    </message>
+    <message>
+        <source>room for %1 min</source>
+        <translation>可录 %1 min</translation>
+    </message>
+    <message>
+        <source>room for %1 h</source>
+        <translation>可录 %1 h</translation>
+    </message>
+    <message>
+        <source>the map is %1 ms behind, none skipped</source>
+        <translation>地图滞后 %1 ms，无跳帧</translation>
+    </message>
+    <message>
+        <source>the map is %1 ms behind, %2 skipped</source>
+        <translation>地图滞后 %1 ms，跳过 %2</translation>
+    </message>
+    <message>
+        <source>analysing %1</source>
+        <translation>正在分析 %1</translation>
+    </message>
+    <message>
+        <source>analysing</source>
+        <translation>正在分析</translation>
+    </message>
+    <message>
+        <source>copying the project</source>
+        <translation>正在复制项目</translation>
+    </message>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>正在 %1 中寻找标记</translation>
+    </message>
+    <message>
+        <source>looking for the markers again</source>
+        <translation>正在重新寻找标记</translation>
+    </message>
+    <message>
+        <source>looking for files</source>
+        <translation>正在查找文件</translation>
+    </message>
+    <message>
+        <source>computing the intrinsics</source>
+        <translation>正在计算内参</translation>
+    </message>
+    <message>
+        <source>keeping the pictures</source>
+        <translation>正在保存图片</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>正在录制</translation>
+    </message>
+    <message>
+        <source>writing the last pictures</source>
+        <translation>正在写入最后的图像</translation>
+    </message>
+    <message>
+        <source>calibrating camera %1</source>
+        <translation>正在标定相机 %1</translation>
+    </message>
+    <message>
+        <source>settling which robot is which</source>
+        <translation>正在分辨各机器人</translation>
+    </message>
+    <message>
+        <source>fitting %1 cameras together</source>
+        <translation>正在联合拟合 %1 台相机</translation>
+    </message>
+    <message>
+        <source>Poor, measure the markers again: %1</source>
+        <translation>较差，请重新测量标记：%1</translation>
+    </message>
+    <message>
+        <source>%1 markers fit to %2 mm RMS (worst %3, %4 mm), and the floor among them is known to ±%5 mm</source>
+        <translation>%1 个标记拟合到 %2 mm RMS（最差 %3，%4 mm），其间地面已知到 ±%5 mm</translation>
+    </message>
+    <message>
+        <source>Four markers hardly check one another</source>
+        <translation>四个标记几乎无法互相校验</translation>
+    </message>
+    <message>
+        <source>Four points hardly check one another</source>
+        <translation>四个点几乎无法互相校验</translation>
+    </message>
+    <message>
+        <source>a fifth would</source>
+        <translation>第五个就可以</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 px ± %2)</source>
+        <translation>相机按无畸变处理，焦距由标记估计（%1 px ± %2）</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length guessed (%1 px), since this view does not determine it</source>
+        <translation>相机按无畸变处理，焦距为假定值（%1 px），因为此视角无法确定它</translation>
+    </message>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length as %1 px</source>
+        <translation>相机按无畸变处理，焦距取为 %1 px</translation>
+    </message>
+    <message>
+        <source>Calibrate it for positions to rely on</source>
+        <translation>请标定它以得到可靠的位置</translation>
+    </message>
+    <message>
+        <source>The camera would stand only %1 mm above the floor</source>
+        <translation>相机距地面只有 %1 mm</translation>
+    </message>
+    <message>
+        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <translation>如果不对，则布局中的数字不是 mm</translation>
+    </message>
+    <message>
+        <source>convert its unit</source>
+        <translation>请换算其单位</translation>
+    </message>
+    <message>
+        <source>through %1 %2 points of the floor fit to %3 mm RMS (worst %4, %5 mm), and the floor among them is known to ±%6 mm, of which ±%7 mm come from %8</source>
+        <translation>通过%1，%2 个地面点拟合到 %3 mm RMS（最差 %4，%5 mm），其间地面已知到 ±%6 mm，其中 ±%7 mm 来自 %8</translation>
+    </message>
+    <message>
+        <source>with %1 together %2 markers fit to %3 mm RMS, and the floor among them is known to ±%4 mm</source>
+        <translation>与 %1 一起，%2 个标记拟合到 %3 mm RMS，其间地面已知到 ±%4 mm</translation>
+    </message>
+    <message>
+        <source>The markers and the cameras agree with one another</source>
+        <translation>标记与相机彼此一致</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm off by all cameras</source>
+        <translation>按所有相机，%1 偏离 %2 mm</translation>
+    </message>
+    <message>
+        <source>measure it again</source>
+        <translation>请重新测量</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm off by the one camera that sees it</source>
+        <translation>按唯一看见 %1 的相机，它偏离 %2 mm</translation>
+    </message>
+    <message>
+        <source>measure it, or mark it in the picture, again</source>
+        <translation>请重新测量，或在画面中重新标出</translation>
+    </message>
+    <message>
+        <source>%1 sees %2 %3 px from where the others do</source>
+        <translation>%1 看到的 %2 与其他相机相差 %3 px</translation>
+    </message>
+    <message>
+        <source>mark it there again</source>
+        <translation>请在那里重新标出</translation>
+    </message>
+    <message>
+        <source>None of the floor among the markers is seen</source>
+        <translation>标记之间的地面完全看不到</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm in the corner near %3</source>
+        <translation>中间 ±%1 mm，%3 附近的角 ±%2 mm</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm at the edge near %3</source>
+        <translation>中间 ±%1 mm，%3 附近的边缘 ±%2 mm</translation>
+    </message>
+    <message>
+        <source>±%1 mm in the middle, ±%2 mm near %3</source>
+        <translation>中间 ±%1 mm，%3 附近 ±%2 mm</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm in the corner near %2</source>
+        <translation>中间看不到，%2 附近的角 ±%1 mm</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm at the edge near %2</source>
+        <translation>中间看不到，%2 附近的边缘 ±%1 mm</translation>
+    </message>
+    <message>
+        <source>The middle is not seen, ±%1 mm near %2</source>
+        <translation>中间看不到，%2 附近 ±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 % of the floor among the markers is not seen</source>
+        <translation>标记之间有 %1 % 的地面看不到</translation>
+    </message>
+    <message>
+        <source>%1 stands where it was registered</source>
+        <translation>%1 仍在配准时的位置</translation>
+    </message>
+    <message>
+        <source>%1 markers lie within %2 px = %3 mm of their places</source>
+        <translation>%1 个标记与原位相差在 %2 px = %3 mm 以内</translation>
+    </message>
+    <message>
+        <source>%1 has moved %2 px = %3 mm</source>
+        <translation>%1 移动了 %2 px = %3 mm</translation>
+    </message>
+    <message>
+        <source>register it again before you record</source>
+        <translation>录制前请重新配准</translation>
+    </message>
+    <message>
+        <source>Marker %1 has moved %2 px = %3 mm, %4 has not</source>
+        <translation>标记 %1 移动了 %2 px = %3 mm，%4 没有移动</translation>
+    </message>
+    <message>
+        <source>Markers %1 have moved %2 px = %3 mm, %4 has not</source>
+        <translation>标记 %1 移动了 %2 px = %3 mm，%4 没有移动</translation>
+    </message>
+    <message>
+        <source>put it back, or measure again and register all cameras</source>
+        <translation>请放回原位，或重新测量并配准所有相机</translation>
+    </message>
+    <message>
+        <source>put them back, or measure again and register all cameras</source>
+        <translation>请把它们放回原位，或重新测量并配准所有相机</translation>
+    </message>
+    <message>
+        <source>Not found again: %1</source>
+        <translation>未能再次找到：%1</translation>
+    </message>
+    <message>
+        <source>The length is %1 mm ± %2 mm</source>
+        <translation>长度为 %1 mm ± %2 mm</translation>
+    </message>
+    <message>
+        <source>It is %1 mm shorter than the %2 mm told</source>
+        <translation>比给出的 %2 mm 短 %1 mm</translation>
+    </message>
+    <message>
+        <source>It is %1 mm longer than the %2 mm told</source>
+        <translation>比给出的 %2 mm 长 %1 mm</translation>
+    </message>
+    <message>
+        <source>inside the expected error of %1 mm</source>
+        <translation>在预期误差 %1 mm 以内</translation>
+    </message>
+    <message>
+        <source>outside the expected error of %1 mm</source>
+        <translation>超出预期误差 %1 mm</translation>
+    </message>
+    <message>
+        <source>Check the length itself, whether it lies on the floor, and the places of the markers</source>
+        <translation>请检查长度本身、它是否在地面上以及标记的位置</translation>
+    </message>
+    <message>
+        <source>Camera &apos;%1&apos; alone says %2 mm</source>
+        <translation>相机“%1”单独给出 %2 mm</translation>
+    </message>
+    <message>
+        <source>look whether the same ends are marked in each picture, and register it again if they are</source>
+        <translation>查看每个画面是否标出了相同的端点；若是，请重新配准</translation>
+    </message>
+    <message>
+        <source>No place was measured by both analyses</source>
+        <translation>没有任何位置被两次分析都测到</translation>
+    </message>
+    <message>
+        <source>Positions change by %1 mm RMS, at most by %2 mm (at %3 s)</source>
+        <translation>位置变化 %1 mm RMS，最大 %2 mm（在 %3 s）</translation>
+    </message>
+    <message>
+        <source>Spikes: %1 instead of %2</source>
+        <translation>异常点：%1 个，原为 %2 个</translation>
+    </message>
+    <message>
+        <source>USB buses</source>
+        <translation>USB 总线</translation>
+    </message>
+    <message>
+        <source>each USB camera has a bus of its own</source>
+        <translation>每台 USB 相机都有自己的总线</translation>
+    </message>
+    <message>
+        <source>no USB camera is used</source>
+        <translation>未使用 USB 相机</translation>
+    </message>
+    <message>
+        <source>cameras %1 share the bus %2, of %3 Mbit/s</source>
+        <translation>相机 %1 共用总线 %2（%3 Mbit/s）</translation>
+    </message>
+    <message>
+        <source>cameras %1 share the bus %2</source>
+        <translation>相机 %1 共用总线 %2</translation>
+    </message>
+    <message>
+        <source>plug one into a port on the other side of the computer, or a card of its own</source>
+        <translation>把其中一台接到电脑另一侧的端口或独立的扩展卡</translation>
+    </message>
+    <message>
+        <source>or let both send MJPEG, or smaller pictures</source>
+        <translation>或让两台都发送 MJPEG 或更小的图像</translation>
+    </message>
+    <message>
+        <source>Access to cameras</source>
+        <translation>相机访问权限</translation>
+    </message>
+    <message>
+        <source>you may not use %1</source>
+        <translation>您无权使用 %1</translation>
+    </message>
+    <message>
+        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
+        <translation>把自己加入 video 组（sudo usermod -aG video $USER），然后注销并重新登录</translation>
+    </message>
+    <message>
+        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
+        <translation>本机没有 USB 或内置相机（/dev/video*）</translation>
+    </message>
+    <message>
+        <source>if one is connected, try another cable and port, without a hub</source>
+        <translation>如果已连接，请换一根电缆和端口，不经集线器</translation>
+    </message>
+    <message>
+        <source>you may use all %1 video devices</source>
+        <translation>您可以使用全部 %1 个视频设备</translation>
+    </message>
+    <message>
+        <source>Receive buffer</source>
+        <translation>接收缓冲区</translation>
+    </message>
+    <message>
+        <source>the system does not say how large it may be (net.core.rmem_max)</source>
+        <translation>系统没有给出其最大值（net.core.rmem_max）</translation>
+    </message>
+    <message>
+        <source>up to %1 MiB, enough for network cameras</source>
+        <translation>最大 %1 MiB，足够网络相机使用</translation>
+    </message>
+    <message>
+        <source>%1 MiB, which only network cameras would find too small</source>
+        <translation>%1 MiB，仅对网络相机太小</translation>
+    </message>
+    <message>
+        <source>only %1 MiB</source>
+        <translation>仅 %1 MiB</translation>
+    </message>
+    <message>
+        <source>%1 will lose pictures</source>
+        <translation>%1 会丢帧</translation>
+    </message>
+    <message>
+        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
+        <translation>sudo sysctl -w net.core.rmem_max=%1，并写入 /etc/sysctl.d/ 以保留</translation>
+    </message>
+    <message>
+        <source>Packet size</source>
+        <translation>数据包大小</translation>
+    </message>
+    <message>
+        <source>no network camera is used</source>
+        <translation>未使用网络相机</translation>
+    </message>
+    <message>
+        <source>large packets are allowed</source>
+        <translation>允许大数据包</translation>
+    </message>
+    <message>
+        <source>small packets on %1</source>
+        <translation>%1 上数据包较小</translation>
+    </message>
+    <message>
+        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
+        <translation>若相机和交换机支持，请将相机所在端口的 MTU 设为 9000（sudo ip link set dev NAME mtu 9000）</translation>
+    </message>
+    <message>
+        <source>Lamps&apos; flicker, camera %1</source>
+        <translation>灯光闪烁，相机 %1</translation>
+    </message>
+    <message>
+        <source>filtered by the camera (%1)</source>
+        <translation>由相机滤除（%1）</translation>
+    </message>
+    <message>
+        <source>its filter is off</source>
+        <translation>其滤波已关闭</translation>
+    </message>
+    <message>
+        <source>pictures may pulse under lamps</source>
+        <translation>灯光下画面可能闪动</translation>
+    </message>
+    <message>
+        <source>set &apos;%1&apos; to your mains</source>
+        <translation>请将“%1”设为当地电网</translation>
+    </message>
+    <message>
+        <source>50 Hz in most countries, 60 Hz in the Americas</source>
+        <translation>多数国家 50 Hz，美洲 60 Hz</translation>
+    </message>
+    <message>
+        <source>it does not tell its exposure</source>
+        <translation>它不报告曝光时间</translation>
+    </message>
+    <message>
+        <source>exposed for %1 ms, which suits lamps</source>
+        <translation>曝光 %1 ms，适合灯光</translation>
+    </message>
+    <message>
+        <source>exposed for %1 ms</source>
+        <translation>曝光 %1 ms</translation>
+    </message>
+    <message>
+        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
+        <translation>50 Hz 电网请曝光 10 或 20 ms，60 Hz 请曝光 8.3 或 16.7 ms</translation>
+    </message>
+    <message>
+        <source>or use daylight</source>
+        <translation>或使用日光</translation>
+    </message>
+    <message>
+        <source>Automatics, camera %1</source>
+        <translation>自动功能，相机 %1</translation>
+    </message>
+    <message>
+        <source>%1 go on changing by themselves</source>
+        <translation>%1 仍在自行变化</translation>
+    </message>
+    <message>
+        <source>%1 goes on changing by itself</source>
+        <translation>%1 仍在自行变化</translation>
+    </message>
+    <message>
+        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
+        <translation>请在相机自带的程序中关闭，或在机器人运行时保持光线稳定</translation>
+    </message>
+    <message>
+        <source>exposure, gain, white balance and focus are held</source>
+        <translation>曝光、增益、白平衡和对焦已固定</translation>
+    </message>
+    <message>
+        <source>it has none</source>
+        <translation>没有</translation>
+    </message>
+    <message>
+        <source>they are held while recording</source>
+        <translation>录制时会固定</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>同步</translation>
+    </message>
+    <message>
+        <source>one camera is always in step</source>
+        <translation>单台相机始终同步</translation>
+    </message>
+    <message>
+        <source>a camera does not deliver</source>
+        <translation>有一台相机没有输出</translation>
+    </message>
+    <message>
+        <source>see its own line</source>
+        <translation>请看它自己的那一行</translation>
+    </message>
+    <message>
+        <source>the cameras run at %1 and %2 frames/s</source>
+        <translation>两台相机分别为 %1 和 %2 帧/秒</translation>
+    </message>
+    <message>
+        <source>set both to one rate</source>
+        <translation>请把两台设为同一帧率</translation>
+    </message>
+    <message>
+        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
+        <translation>光线暗时，除非关闭自动曝光，相机会自行把帧率减半</translation>
+    </message>
+    <message>
+        <source>no two pictures have been taken together yet</source>
+        <translation>还没有同时拍到的两帧</translation>
+    </message>
+    <message>
+        <source>wait a few seconds, and look again</source>
+        <translation>请等几秒再看</translation>
+    </message>
+    <message>
+        <source>set both to one rate, or trigger them together</source>
+        <translation>请设为同一帧率，或共同触发</translation>
+    </message>
+    <message>
+        <source>Picture size, camera %1</source>
+        <translation>画面尺寸，相机 %1</translation>
+    </message>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>它未配准到地面</translation>
+    </message>
+    <message>
+        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
+        <translation>请在试验场中配准，否则其画面无法给出机器人的位置</translation>
+    </message>
+    <message>
+        <source>%1, as it was registered</source>
+        <translation>%1，与配准时相同</translation>
+    </message>
+    <message>
+        <source>%1, but registered at %2</source>
+        <translation>%1，但配准时为 %2</translation>
+    </message>
+    <message>
+        <source>let it send the size it was registered at, or calibrate and register it anew</source>
+        <translation>让它发送配准时的尺寸，或重新标定和配准</translation>
+    </message>
+    <message>
+        <source>views disagree by %1 mm</source>
+        <translation>视角之间相差 %1 mm</translation>
+    </message>
+    <message>
+        <source>none could be trusted</source>
+        <translation>没有一个可信</translation>
+    </message>
+    <message>
+        <source>one left out</source>
+        <translation>舍去了一个</translation>
+    </message>
+    <message>
+        <source>jump of %1 mm</source>
+        <translation>跳跃 %1 mm</translation>
+    </message>
+    <message>
+        <source>jump</source>
+        <translation>跳跃</translation>
+    </message>
+    <message>
+        <source>stands out in position and speed</source>
+        <translation>位置和速度突出</translation>
+    </message>
+    <message>
+        <source>stands out in position</source>
+        <translation>位置突出</translation>
+    </message>
+    <message>
+        <source>stands out in speed</source>
+        <translation>速度突出</translation>
+    </message>
+    <message>
+        <source>faster than the limit</source>
+        <translation>超过速度限值</translation>
+    </message>
+    <message>
+        <source>harder than the limit of acceleration</source>
+        <translation>超过加速度限值</translation>
+    </message>
+    <message>
+        <source>called a spike by hand</source>
+        <translation>由人标为异常点</translation>
+    </message>
+    <message>
+        <source>cut by the picture&apos;s edge</source>
+        <translation>被画面边缘截断</translation>
+    </message>
+    <message>
+        <source>the tracker was not sure (score %1 %)</source>
+        <translation>跟踪器不确定（得分 %1 %）</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1；%2</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1%2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
+</context>
+<context>
     <name>Explanation</name>
     <message>
         <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>

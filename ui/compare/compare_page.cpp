@@ -7,6 +7,7 @@
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_map.h"
 #include "ui/compare/run_chooser.h"
+#include "ui/models/core_words.h"
 #include "ui/models/project_reader.h"
 #include "ui/models/run_choices.h"
 #include "ui/models/timeline.h"
@@ -177,8 +178,8 @@ void ComparePage::take(Result<Reading> reading)
     if (!reading->scene)
         showNone(tr("These runs cannot be compared"),
                  tr("%1. What helps: %2.")
-                     .arg(QString::fromStdString(reading->scene.error().why),
-                          QString::fromStdString(reading->scene.error().advice)),
+                     .arg(shownWords(reading->scene.error().why),
+                          shownWords(reading->scene.error().advice)),
                  false);
     else if (!*reading->scene)
         showNone(tr("Two runs are needed"),

@@ -5,6 +5,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/history/team_dialog.h"
+#include "ui/models/error_words.h"
 #include "ui/views/plain_button.h"
 #include "ui/views/table_list.h"
 #include "ui/views/undo_keys.h"
@@ -130,7 +131,7 @@ void ClassesDialog::refresh()
     auto robots = m_project.robots().all();
     if (!classes || !teams || !robots) {
         const Error &error = !classes ? classes.error() : !teams ? teams.error() : robots.error();
-        m_message->setText(QString::fromStdString(error.message()));
+        m_message->setText(errorLine(error));
         return;
     }
     m_robots = std::move(*robots);
@@ -344,7 +345,7 @@ void ClassesDialog::apply(const QString &words, const std::function<Result<void>
 
 void ClassesDialog::tell(const Result<QString> &outcome)
 {
-    m_message->setText(outcome ? *outcome : QString::fromStdString(outcome.error().message()));
+    m_message->setText(outcome ? *outcome : errorLine(outcome.error()));
     if (!outcome)
         m_wanted = QString();
     refresh(); // a cell that was refused shows again what is stored

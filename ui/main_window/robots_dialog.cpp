@@ -6,6 +6,7 @@
 #include "core/project/repositories.h"
 #include "ui/main_window/pick_colour_dialog.h"
 #include "ui/main_window/robot_dialog.h"
+#include "ui/models/error_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/views/plain_button.h"
 #include "ui/views/robot_colours.h"
@@ -105,7 +106,7 @@ void RobotsDialog::refresh(const std::string &choose)
 {
     auto robots = m_project.robots().all();
     if (!robots) {
-        m_message->setText(QString::fromStdString(robots.error().message()));
+        m_message->setText(errorLine(robots.error()));
         return;
     }
     m_robots = std::move(*robots);
@@ -175,7 +176,7 @@ void RobotsDialog::apply(const QString &words, const std::string &choose,
 
 void RobotsDialog::tell(const Result<QString> &outcome, const std::string &choose)
 {
-    m_message->setText(outcome ? *outcome : QString::fromStdString(outcome.error().message()));
+    m_message->setText(outcome ? *outcome : errorLine(outcome.error()));
     refresh(choose);
     if (outcome)
         Q_EMIT changed();

@@ -5,6 +5,7 @@
 #include "core/workflow/pack_job.h"
 #include "core/workflow/relink_job.h"
 #include "ui/main_window/workspace.h"
+#include "ui/models/core_words.h"
 #include "ui/views/command_names.h"
 #include "ui/views/path_field.h"
 
@@ -69,7 +70,7 @@ void TransferActions::pack(const QString &archive)
             tr("The project is packed into %1. Elsewhere it is unpacked by \"Unpack a packed project\".")
                 .arg(QDir::toNativeSeparators(archive))};
         for (const std::string &warning : job->warnings())
-            sentences << tr("Note: %1.").arg(QString::fromStdString(warning));
+            sentences << tr("Note: %1.").arg(shownWords(warning));
         Q_EMIT done(sentences.join(u' '));
     }));
 }

@@ -19,6 +19,7 @@
 #include "ui/main_window/video_dialog.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/camera_list_model.h"
+#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/shown_team.h"
 #include "ui/views/command_names.h"
@@ -69,7 +70,7 @@ QString trackedWords(const TrackOutcome &outcome)
     QStringList sentences{TrialActions::tr("%1 is tracked: %2.")
                               .arg(QString::fromStdString(outcome.trial), parts.join(QStringLiteral("; ")))};
     for (const std::string &warning : outcome.warnings)
-        sentences << QString::fromStdString(warning);
+        sentences << shownWords(warning);
     return sentences.join(QLatin1Char(' '));
 }
 
@@ -79,7 +80,7 @@ QString importedWords(const ImportJob &job)
 {
     QStringList sentences{TrialActions::tr("%1 is imported.").arg(QString::fromStdString(job.trial().name))};
     for (const std::string &warning : job.warnings())
-        sentences << QString::fromStdString(warning);
+        sentences << shownWords(warning);
     return sentences.join(QLatin1Char(' '));
 }
 
@@ -220,7 +221,7 @@ void TrialActions::askTrack(const QString &trial)
     QStringList doubts;
     if (const auto views = registeredViews(project, *record)) { // what else is wrong, tracking will say
         for (const std::string &sentence : stepWarnings(record->name, *views))
-            doubts << QString::fromStdString(sentence) + u'.';
+            doubts << shownWords(sentence) + u'.';
         for (QString &sentence : doubts)
             sentence.front() = sentence.front().toUpper();
     }

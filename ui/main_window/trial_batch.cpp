@@ -3,6 +3,7 @@
 
 #include "core/workflow/job.h"
 #include "ui/main_window/workspace.h"
+#include "ui/models/error_words.h"
 
 namespace odo {
 
@@ -51,19 +52,19 @@ void TrialBatch::goOn(const Error *error)
         return;
     const bool isCancelled = error && error->code == ErrorCode::Cancelled;
     if (error && !isCancelled) {
-        m_failures << QString::fromStdString(error->message());
+        m_failures << errorLine(*error);
     } else if (!error) {
         const Result<void> kept = m_work.keep ? m_work.keep(*m_workspace.project(), *m_job) : Result<void>();
         if (kept)
             ++m_done;
         else
-            m_failures << QString::fromStdString(kept.error().message());
+            m_failures << errorLine(kept.error());
     }
     m_job.reset();
     if (isCancelled || m_next == m_trials.size())
         return end();
     if (const Result<void> started = startNext(); !started) {
-        m_failures << QString::fromStdString(started.error().message());
+        m_failures << errorLine(started.error());
         end();
     }
 }

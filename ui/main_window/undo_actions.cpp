@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "ui/main_window/workspace.h"
+#include "ui/models/core_words.h"
 #include "ui/views/command_names.h"
 
 #include <QAction>
@@ -50,8 +51,8 @@ void UndoActions::showWords()
 {
     Q_EMIT aboutToLook();
     const Project *project = m_workspace.project();
-    const QString undoWords = project ? QString::fromStdString(project->undoWords()) : QString();
-    const QString redoWords = project ? QString::fromStdString(project->redoWords()) : QString();
+    const QString undoWords = project ? shownWords(project->undoWords()) : QString();
+    const QString redoWords = project ? shownWords(project->redoWords()) : QString();
     m_undo->setText(undoWords.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(inMenu(undoWords)));
     m_redo->setText(redoWords.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(inMenu(redoWords)));
     m_undo->setEnabled(!undoWords.isEmpty());
@@ -71,7 +72,7 @@ void UndoActions::apply(Result<std::string> (Project::*what)(), const QString &s
         return;
     }
     if (const Result<std::string> words = (project->*what)())
-        Q_EMIT changed(sentence.arg(QString::fromStdString(*words)));
+        Q_EMIT changed(sentence.arg(shownWords(*words)));
     else
         Q_EMIT failed(words.error());
 }

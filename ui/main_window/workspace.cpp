@@ -9,6 +9,7 @@
 #include "core/workflow/job_runner.h"
 #include "core/workflow/recover_job.h"
 #include "ui/models/background_task.h"
+#include "ui/models/core_words.h"
 
 #include <algorithm>
 
@@ -75,7 +76,7 @@ Result<Workspace::Ready> Workspace::makeReady(const std::filesystem::path &file,
             ready.words =
                 tr("%1: %2. Here it can only be looked at; to change it, close it there and open it here "
                    "again.")
-                    .arg(QString::fromStdString(lock.error().what), QString::fromStdString(lock.error().why));
+                    .arg(shownWords(lock.error().what), shownWords(lock.error().why));
     }
     const auto access = [&ready] {
         return ready.lock || ready.isOpenHere ? Project::Access::ReadWrite : Project::Access::ReadOnly;
@@ -122,7 +123,7 @@ void Workspace::recoverTrials()
     const Result<void> started = start(job, tr("Completing a recording that was cut off"), [this, job] {
         QStringList words;
         for (const std::string &sentence : job->told())
-            words << QString::fromStdString(sentence);
+            words << shownWords(sentence);
         if (!words.isEmpty())
             Q_EMIT told(words.join(u'\n'));
         makeHashes();

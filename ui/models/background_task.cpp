@@ -2,6 +2,7 @@
 #include "ui/models/background_task.h"
 
 #include "core/workflow/call_later.h"
+#include "ui/models/core_words.h"
 
 
 namespace odo {
@@ -20,7 +21,7 @@ bool BackgroundTask::start(Work work)
     m_running = true;
     m_cancel = CancelToken();
     const JobControl control{m_cancel, [this](double fraction, const std::string &text) {
-                                 const QString words = QString::fromStdString(text);
+                                 const QString words = shownWords(text);
                                  callLater(this, [this, fraction, words] { Q_EMIT progressed(fraction, words); });
                              }};
     m_thread = std::thread([this, control, work = std::move(work)] {

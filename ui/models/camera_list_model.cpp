@@ -5,6 +5,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibration_warnings.h"
+#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 
 namespace odo {
@@ -52,7 +53,7 @@ QString CameraListModel::display(const CameraRow &row, int column) const
         if (row.intrinsics->calibration.rmsPx > 0)
             return tr("calibrated, ±%1 px")
                 .arg(QLocale().toString(row.intrinsics->calibration.rmsPx, 'f', 2));
-        return QString::fromStdString(row.intrinsics->origin);
+        return shownWords(row.intrinsics->origin);
     case RegistrationColumn:
         if (!row.registration)
             return tr("not registered");
@@ -60,11 +61,11 @@ QString CameraListModel::display(const CameraRow &row, int column) const
     case VerdictColumn:
         if (row.registration && row.registration->lastCheck &&
             row.registration->lastCheck->outcome != RegistrationCheck::Outcome::Still)
-            return QString::fromStdString(row.registration->lastCheck->words);
+            return shownWords(row.registration->lastCheck->words);
         if (row.registration)
-            return QString::fromStdString(row.registration->registration.verdict);
+            return shownWords(row.registration->registration.verdict);
         if (row.intrinsics)
-            return QString::fromStdString(row.intrinsics->calibration.verdict);
+            return shownWords(row.intrinsics->calibration.verdict);
         return tr("Calibrate the lens, then register the camera to the floor.");
     default:
         return {};

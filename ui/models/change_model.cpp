@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/change_model.h"
 
+#include "ui/models/core_words.h"
+
 #include <QDateTime>
 #include <QLocale>
 
@@ -34,7 +36,7 @@ void ChangeModel::setText(const QString &text)
     beginResetModel();
     m_shown.clear();
     for (std::size_t i = 0; i < m_changes.size(); ++i)
-        if (QString::fromStdString(m_changes[i].words).contains(text, Qt::CaseInsensitive))
+        if (shownWords(m_changes[i].words).contains(text, Qt::CaseInsensitive))
             m_shown.push_back(i);
     endResetModel();
 }
@@ -51,7 +53,7 @@ QVariant ChangeModel::cell(int index, int column, int role) const
     case KindColumn:
         return kindWord(change.kind);
     default:
-        return QString::fromStdString(change.words);
+        return shownWords(change.words);
     }
 }
 

@@ -7,7 +7,10 @@
 
 namespace odo {
 
-/// An Error as a person reads it: what, why, and what to do, as sentences.
+/// An Error as a person reads it, in the language of the windows: what, why, and what to do, as sentences.
 QString errorInWords(const Error &error);
+
+/// The same on one line, as Error::message() has it: "what: why; what to do".
+QString errorLine(const Error &error);
 
 } // namespace odo

@@ -2,6 +2,7 @@
 #include "ui/models/explanation.h"
 
 #include "core/trajectory/zone_breaches.h"
+#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 
 #include <QCoreApplication>
@@ -359,7 +360,7 @@ Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity qu
 Explanation explainSpike(const TrialScene &scene, std::size_t robot, const Spike &spike)
 {
     Explanation explanation{Words::tr("Spike at %1").arg(secondsText(spike.time)),
-                            QString::fromStdString(spike.reason),
+                            shownWords(spike.reason),
                             flagMeanings(spike.flags).join(u'\n'),
                             {},
                             analysisInputs(scene, robot),

@@ -2,6 +2,7 @@
 #include "ui/models/own_changes.h"
 
 #include "core/project/project.h"
+#include "ui/models/core_words.h"
 
 #include <QCoreApplication>
 
@@ -50,7 +51,7 @@ Result<QString> OwnChanges::undo()
         return tl::unexpected(words.error());
     --m_made;
     ++m_takenBack;
-    return Words::tr("Undone: %1.").arg(QString::fromStdString(*words));
+    return Words::tr("Undone: %1.").arg(shownWords(*words));
 }
 
 Result<QString> OwnChanges::redo()
@@ -62,7 +63,7 @@ Result<QString> OwnChanges::redo()
         return tl::unexpected(words.error());
     ++m_made;
     --m_takenBack;
-    return Words::tr("Made again: %1.").arg(QString::fromStdString(*words));
+    return Words::tr("Made again: %1.").arg(shownWords(*words));
 }
 
 } // namespace odo

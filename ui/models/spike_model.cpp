@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/spike_model.h"
 
+#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 
 #include <QStringList>
@@ -62,7 +63,7 @@ QVariant SpikeModel::display(const Row &row, int column) const
     case TimeColumn:
         return secondsText(row.spike.time);
     case ReasonColumn: {
-        const QString reason = QString::fromStdString(row.spike.reason);
+        const QString reason = shownWords(row.spike.reason);
         if (reason.isEmpty())
             return tr("used, by hand");
         return row.restored ? tr("%1 (restored by hand)").arg(reason) : reason;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/doctor_dialog.h"
 
+#include "ui/models/core_words.h"
 #include "ui/record/running_cameras.h"
 #include "ui/views/fact_list.h"
 
@@ -89,12 +90,12 @@ void DoctorDialog::show(const std::vector<SetupFinding> &findings)
     QList<Fact> facts;
     int doubts = 0;
     for (const SetupFinding &finding : findings) {
-        QString words = QString::fromStdString(finding.words);
+        QString words = shownWords(finding.words);
         if (!finding.advice.empty())
-            words += tr(". What to do: %1.").arg(QString::fromStdString(finding.advice));
+            words += tr(". What to do: %1.").arg(shownWords(finding.advice));
         doubts += finding.verdict == SetupFinding::Verdict::Warning ||
                   finding.verdict == SetupFinding::Verdict::Bad;
-        facts.append({QString::fromStdString(finding.what), words, badgeOf(finding.verdict)});
+        facts.append({shownWords(finding.what), words, badgeOf(finding.verdict)});
     }
     m_facts->setFacts(facts);
     m_words->setText(doubts == 0   ? tr("Nothing was found that would disturb a recording.")

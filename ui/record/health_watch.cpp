@@ -2,6 +2,7 @@
 #include "ui/record/health_watch.h"
 
 #include "core/project/project.h"
+#include "ui/models/core_words.h"
 #include "ui/record/chosen_cameras.h"
 #include "ui/record/health_words.h"
 #include "ui/record/live_board.h"
@@ -35,7 +36,7 @@ void HealthWatch::look()
         health.disk.secondsLeft = m_cameras.session()->secondsOfRoom(m_project.file().parent_path());
     const LiveFigures live = m_cameras.tracker() ? m_cameras.tracker()->figures() : LiveFigures{};
     m_board.setHealth(health, m_cameras.cameras(), live, m_before);
-    m_room = QString::fromStdString(roomWords(health.disk));
+    m_room = shownWords(roomWords(health.disk));
     m_anyDelivers = std::ranges::any_of(
         health.views, [](const ViewHealth &view) { return view.state == ViewHealth::State::Delivering; });
     const bool allEnded = std::ranges::all_of(

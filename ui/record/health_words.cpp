@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/health_words.h"
 
+#include "ui/models/core_words.h"
+#include "ui/models/error_words.h"
 #include "ui/models/figure_text.h"
 
 #include <QCoreApplication>
@@ -32,7 +34,7 @@ Badge viewBadge(const ViewHealth &view)
 
 Fact viewFact(const ViewHealth &view, const WantedCamera &camera)
 {
-    QString words = QString::fromStdString(healthWords(view));
+    QString words = shownWords(healthWords(view));
     if (view.state == ViewHealth::State::Delivering && view.latencyS > 0)
         words += Words::tr(", %1 ms").arg(std::lround(1e3 * view.latencyS));
     if (!camera.floorView)
@@ -71,7 +73,7 @@ Fact stepFact(const PairHealth &pairs)
     const Badge badge = pairs.p95S <= goodStepS  ? Badge{Words::tr("good"), BadgeState::Good}
                         : pairs.p95S <= badStepS ? Badge{Words::tr("fair"), BadgeState::Neutral}
                                                  : Badge{Words::tr("apart"), BadgeState::Warning};
-    return {Words::tr("Step"), QString::fromStdString(inStepWords(pairs.p95S)), badge};
+    return {Words::tr("Step"), shownWords(inStepWords(pairs.p95S)), badge};
 }
 
 QString sentence(QString words)
@@ -83,7 +85,7 @@ QString sentence(QString words)
 
 QString errorSentence(const Error &error)
 {
-    return sentence(QString::fromStdString(error.message()));
+    return sentence(errorLine(error));
 }
 
 } // namespace
@@ -98,14 +100,14 @@ QList<Fact> healthFacts(const CaptureHealth &health, const std::vector<WantedCam
     if (health.pairs.pairs > 0 && cameras.size() > 1)
         facts.append(stepFact(health.pairs));
     if (const std::string words = liveWords(live); !words.empty())
-        facts.append({Words::tr("Live"), QString::fromStdString(words),
+        facts.append({Words::tr("Live"), shownWords(words),
                       live.latencyP99S > slowMapS ? Badge{Words::tr("slow"), BadgeState::Warning}
                                                   : Badge{Words::tr("good"), BadgeState::Good}});
     if (health.disk.recording) {
         QStringList words{
             Words::tr("%1 MB written").arg(QLocale().toString(double(health.disk.bytes) / 1e6, 'f', 0))};
         if (const std::string room = roomWords(health.disk); !room.empty())
-            words << QString::fromStdString(room);
+            words << shownWords(room);
         const bool bad = health.disk.trouble || health.disk.waiting >= 1;
         facts.append({Words::tr("Disk"), words.join(QStringLiteral(", ")),
                       bad ? Badge{Words::tr("trouble"), BadgeState::Bad}
@@ -156,7 +158,7 @@ QString troubleWords(const CaptureHealth &health, const std::vector<WantedCamera
         return Words::tr("The disk is hardly fast enough: record to a faster one, or with fewer cameras.");
     if (health.disk.secondsLeft && *health.disk.secondsLeft < littleRoomS)
         return sentence(
-            Words::tr("The disk is nearly full: %1").arg(QString::fromStdString(roomWords(health.disk))));
+            Words::tr("The disk is nearly full: %1").arg(shownWords(roomWords(health.disk))));
     if (health.pairs.pairs > 0 && health.pairs.p95S > badStepS)
         return Words::tr("The cameras are not in step: set both to the same rate.");
     return {};

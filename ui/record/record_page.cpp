@@ -4,6 +4,7 @@
 #include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "ui/models/error_words.h"
 #include "ui/models/shown_team.h"
 #include "ui/record/doctor_dialog.h"
 #include "ui/record/health_watch.h"
@@ -170,7 +171,7 @@ void RecordPage::connectAll()
     connect(m_measuring, &RunMeasuring::failed, this, [this](const QString &trial, const Error &error) {
         if (m_result->trial() == trial)
             m_result->setFailure(trial, tr("It is recorded, but could not be measured: %1")
-                                            .arg(sentence(QString::fromStdString(error.message()))));
+                                            .arg(sentence(errorLine(error))));
         Q_EMIT failed(error);
     });
     connect(m_result, &RunResultCard::openRequested, this, &RecordPage::trialChosen);
@@ -338,7 +339,7 @@ void RecordPage::takeGivenUp(const QString &trial, const Error &error)
     m_run->setEnabled(true);
     if (m_result->trial() == trial)
         m_result->setFailure(
-            trial, tr("It could not be recorded: %1").arg(sentence(QString::fromStdString(error.message()))));
+            trial, tr("It could not be recorded: %1").arg(sentence(errorLine(error))));
     Q_EMIT failed(error);
     showStart();
     if (!isVisible())

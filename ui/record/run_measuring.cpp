@@ -2,6 +2,7 @@
 #include "ui/record/run_measuring.h"
 
 #include "core/workflow/track_job.h"
+#include "ui/models/core_words.h"
 
 #include <algorithm>
 
@@ -100,7 +101,7 @@ void RunMeasuring::finish(const std::optional<Error> &error)
             results.push_back(resultOf(robot.name, robot.analysis.profile));
         QStringList warnings;
         for (const std::string &warning : job->outcome().warnings)
-            warnings << QString::fromStdString(warning);
+            warnings << shownWords(warning);
         Q_EMIT measured(trial, results, warnings);
     }
     goOn();

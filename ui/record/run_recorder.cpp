@@ -6,6 +6,7 @@
 #include "core/workflow/call_later.h"
 #include "core/workflow/hash_job.h"
 #include "core/workflow/live_trial.h"
+#include "ui/models/core_words.h"
 
 
 namespace odo {
@@ -17,7 +18,7 @@ QStringList wordsOf(const std::vector<std::string> &sentences)
 {
     QStringList words;
     for (const std::string &sentence : sentences)
-        words << QString::fromStdString(sentence);
+        words << shownWords(sentence);
     return words;
 }
 

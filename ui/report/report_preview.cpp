@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/report_preview.h"
 
+#include "ui/models/error_words.h"
 #include "ui/views/theme.h"
 
 #include <QPainter>
@@ -135,7 +136,7 @@ void ReportPreview::take(Result<Made> made)
         return;
     m_pictures = made ? made->pictures : QList<QImage>();
     m_sheets->setPictures(m_pictures);
-    const QString failure = made ? QString() : QString::fromStdString(made.error().message());
+    const QString failure = made ? QString() : errorLine(made.error());
     m_sheets->setWords(failure);
     setAccessibleDescription(failure.isEmpty() ? tr("%n page(s)", "", int(m_pictures.size())) : failure);
     Q_EMIT this->made(failure, !made || made->isAll);

@@ -2,6 +2,7 @@
 #include "ui/report/run_events.h"
 
 #include "core/trajectory/motion_stretches.h"
+#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/profile_place.h"
 
@@ -90,7 +91,7 @@ void addSpikes(const Profile &profile, std::vector<Weighed> &events)
         const auto &sample = profile.samples[std::size_t(spike.sampleIndex)];
         const auto place = sample.position ? sample.position : placeAt(profile, spike.time);
         if (place) {
-            QString words = Words::tr("Spike: %1").arg(QString::fromStdString(spike.reason));
+            QString words = Words::tr("Spike: %1").arg(shownWords(spike.reason));
             if (count > 1)
                 words += QStringLiteral(" ") + Words::tr("(%n samples)", "", count);
             events.push_back({{RunEvent::Kind::Spike, 0, spike.time, profile.spikes[end - 1].time, *place, words},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/range_facts.h"
 
+#include "ui/models/error_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/shown_units.h"
 #include "ui/views/profile_chart.h"
@@ -180,7 +181,7 @@ QList<Fact> fitFacts(const RangeReport &report)
     if (!report.fit)
         return {};
     if (!*report.fit)
-        return {{Words::tr("Fit"), QString::fromStdString((*report.fit).error().message()), {}}};
+        return {{Words::tr("Fit"), errorLine((*report.fit).error()), {}}};
     const CurveFit &fit = **report.fit;
     const Quantity quantity = report.request.fitted;
     const auto coefficient = [&](int power) {

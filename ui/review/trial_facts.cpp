@@ -3,6 +3,7 @@
 
 #include "core/trajectory/gate_passages.h"
 #include "ui/models/analysis_words.h"
+#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/score_text.h"
 #include "ui/models/shown_team.h"
@@ -66,7 +67,7 @@ Fact stepFact(const SceneView &view)
 /// Where an imported track came from, and how it was read.
 QString importText(const ImportedTrack &source)
 {
-    return QString::fromStdString(source.file) + u'\n' + QString::fromStdString(source.reading) + u'\n' +
+    return QString::fromStdString(source.file) + u'\n' + shownWords(source.reading) + u'\n' +
            Words::tr("SHA-256 %1…").arg(QString::fromStdString(source.sha256.substr(0, 12)));
 }
 

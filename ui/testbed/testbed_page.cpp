@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/registered_view.h"
 #include "ui/models/camera_list_model.h"
+#include "ui/models/core_words.h"
 #include "ui/models/live_cameras.h"
 #include "ui/models/timeline.h"
 #include "ui/testbed/check/expected_accuracy.h"
@@ -292,7 +293,7 @@ void TestbedPage::showAccuracy(const ExpectedAccuracy &accuracy)
 {
     const bool isShown = m_showAccuracy->isChecked() && m_layoutList->currentRow() >= 0 && accuracy.summary.seenPart > 0;
     m_sketch->setAccuracy(isShown ? std::optional(accuracy.map) : std::nullopt);
-    m_sketchCard->setRemark(isShown ? QString::fromStdString(accuracy.summary.words) : QString());
+    m_sketchCard->setRemark(isShown ? shownWords(accuracy.summary.words) : QString());
     if (isSettled())
         Q_EMIT settled();
 }

@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/registered_view.h"
+#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 
 #include <QCoreApplication>
@@ -46,7 +47,7 @@ void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
                   Words::tr("%1, f = %2 px").arg(lensName(lens.model), locale.toString(lens.fxPx, 'f', 1)),
                   {}});
     facts.append({Words::tr("Origin"),
-                  QStringLiteral("%1, %2").arg(QString::fromStdString(record.origin), dateText(record.made)),
+                  QStringLiteral("%1, %2").arg(shownWords(record.origin), dateText(record.made)),
                   {}});
     if (record.calibration.rmsPx > 0)
         facts.append({Words::tr("Board error"),
@@ -59,7 +60,7 @@ void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
                       Words::tr("%1 px").arg(locale.toString(record.calibration.crossValidationPx, 'f', 2)),
                       {}});
     if (!record.calibration.verdict.empty())
-        facts.append({Words::tr("Verdict"), QString::fromStdString(record.calibration.verdict), {}});
+        facts.append({Words::tr("Verdict"), shownWords(record.calibration.verdict), {}});
 }
 
 void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
@@ -70,7 +71,7 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
                   cameraBadge(record)});
     if (record.lastCheck)
         facts.append({Words::tr("Last check"),
-                      QStringLiteral("%1: %2").arg(dateText(record.lastCheck->made), QString::fromStdString(record.lastCheck->words)),
+                      QStringLiteral("%1: %2").arg(dateText(record.lastCheck->made), shownWords(record.lastCheck->words)),
                       {}});
     const Eigen::Vector3d place = registration.worldFromCamera.translation;
     facts.append({Words::tr("Place"),
@@ -84,7 +85,7 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
                                               lengthText(marker.errorM));
     facts.append({Words::tr("Markers"), errors.join(QStringLiteral(", ")), {}});
     if (!registration.verdict.empty())
-        facts.append({Words::tr("Verdict"), QString::fromStdString(registration.verdict), {}});
+        facts.append({Words::tr("Verdict"), shownWords(registration.verdict), {}});
 }
 
 } // namespace
@@ -121,9 +122,9 @@ QList<Fact> cameraFacts(const CameraRow &camera)
     // What is wrong comes first, so that nobody has to scroll for it.
     const auto check = camera.registration ? camera.registration->lastCheck : std::nullopt;
     if (check && check->outcome != RegistrationCheck::Outcome::Still)
-        facts.append({Words::tr("Attention"), QString::fromStdString(check->words), {}});
+        facts.append({Words::tr("Attention"), shownWords(check->words), {}});
     for (const std::string &warning : camera.warnings)
-        facts.append({Words::tr("Attention"), QString::fromStdString(warning), {}});
+        facts.append({Words::tr("Attention"), shownWords(warning), {}});
     if (camera.intrinsics)
         addIntrinsics(facts, *camera.intrinsics);
     else

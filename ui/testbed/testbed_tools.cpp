@@ -9,6 +9,7 @@
 #include "core/workflow/cameras.h"
 #include "core/workflow/register_through_job.h"
 #include "core/workflow/stored_registration.h"
+#include "ui/models/core_words.h"
 #include "ui/models/live_cameras.h"
 #include "ui/testbed/floor/floor_wizard.h"
 #include "ui/testbed/floor/layout_dialog.h"
@@ -154,7 +155,7 @@ void TestbedTools::calibrate()
     if (!stored)
         Q_EMIT failed(stored.error());
     else
-        Q_EMIT changed(tr("Camera %1 is calibrated. %2").arg(wizard.result().camera, QString::fromStdString(stored->calibration.verdict)));
+        Q_EMIT changed(tr("Camera %1 is calibrated. %2").arg(wizard.result().camera, shownWords(stored->calibration.verdict)));
 }
 
 void TestbedTools::registerCamera()
@@ -185,7 +186,7 @@ void TestbedTools::registerCamera()
     if (!stored)
         return Q_EMIT failed(stored.error());
     picture.commit();
-    Q_EMIT changed(tr("Camera %1 is registered. %2").arg(wizard.camera(), QString::fromStdString(verdict)));
+    Q_EMIT changed(tr("Camera %1 is registered. %2").arg(wizard.camera(), shownWords(verdict)));
 }
 
 void TestbedTools::registerThroughCamera()
@@ -213,7 +214,7 @@ void TestbedTools::registerThroughCamera()
         return Q_EMIT failed(done.error());
     picture.commit();
     Q_EMIT changed(tr("Camera %1 is registered through camera %2. %3")
-                           .arg(wizard.camera(), wizard.through(), QString::fromStdString(job.record().registration.verdict)));
+                           .arg(wizard.camera(), wizard.through(), shownWords(job.record().registration.verdict)));
 }
 
 void TestbedTools::registerTogether()
@@ -233,7 +234,7 @@ void TestbedTools::registerTogether()
         Q_EMIT failed(stored.error());
     else
         Q_EMIT changed(tr("The cameras of layout %1 are registered together. %2")
-                           .arg(QString::fromStdString(layout), QString::fromStdString(dialog.job()->joint().verdict)));
+                           .arg(QString::fromStdString(layout), shownWords(dialog.job()->joint().verdict)));
 }
 
 void TestbedTools::importLens()

@@ -4,6 +4,7 @@
 #include "core/video/picture.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/call_later.h"
+#include "ui/models/error_words.h"
 #include "ui/views/screen_image.h"
 
 #include <condition_variable>
@@ -141,7 +142,7 @@ bool FrameFetcher::Worker::prepare(const Request &request)
         lastFrame = -1;
         auto opened = VideoReader::open(request.file);
         if (!opened) {
-            deliver(request, {}, QString::fromStdString(opened.error().message()));
+            deliver(request, {}, errorLine(opened.error()));
             return false;
         }
         reader = std::move(*opened);
@@ -183,7 +184,7 @@ void FrameFetcher::Worker::serve(const Request &request)
     const auto wanted = picture(request.frame);
     lastFrame = request.frame;
     if (!wanted) {
-        deliver(request, {}, QString::fromStdString(wanted.error().message()));
+        deliver(request, {}, errorLine(wanted.error()));
         return;
     }
     cache.insert(request.frame, *wanted);

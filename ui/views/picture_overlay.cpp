@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/picture_overlay.h"
 
+#include "ui/models/core_words.h"
 #include "ui/views/axis_ticks.h"
 #include "ui/views/halo_text.h"
 #include "ui/views/robot_colours.h"
@@ -71,7 +72,7 @@ const Spike *spikeAt(const Profile &profile, Nanoseconds time)
 void paintSpike(QPainter &painter, const QPointF &top, const Spike &spike)
 {
     const QPolygonF triangle({top + QPointF(-6, -4), top + QPointF(6, -4), top + QPointF(0, -15)});
-    drawTag(painter, top + QPointF(11, -10), QString::fromStdString(spike.reason), spikeColour,
+    drawTag(painter, top + QPointF(11, -10), shownWords(spike.reason), spikeColour,
             painter.clipBoundingRect());
     painter.setPen(QPen(QColor(0, 0, 0, 170), 1));
     painter.setBrush(spikeColour);

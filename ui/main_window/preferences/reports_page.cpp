@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/preferences/reports_page.h"
 
+#include "ui/models/error_words.h"
 #include "ui/report/logo.h"
 #include "ui/views/path_field.h"
 
@@ -60,7 +61,7 @@ void ReportsPage::showLogo()
         return;
     const auto logo = readLogo(m_settings.logoFile.toStdString());
     if (!logo)
-        m_picture->setText(QString::fromStdString(logo.error().message()));
+        m_picture->setText(errorLine(logo.error()));
     else
         m_picture->setPixmap(QPixmap::fromImage(logo->scaled(most, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
 }

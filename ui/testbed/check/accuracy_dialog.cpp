@@ -2,6 +2,8 @@
 #include "ui/testbed/check/accuracy_dialog.h"
 
 #include "core/base/units.h"
+#include "ui/models/core_words.h"
+#include "ui/models/error_words.h"
 #include "ui/testbed/check/floor_sketch.h"
 #include "ui/testbed/check/planned_camera_form.h"
 #include "ui/views/card.h"
@@ -260,13 +262,13 @@ void AccuracyDialog::recompute()
 void AccuracyDialog::showAccuracy(const ExpectedAccuracy &accuracy)
 {
     m_sketch->setAccuracy(accuracy.map);
-    m_summary->setText(QString::fromStdString(accuracy.summary.words));
+    m_summary->setText(shownWords(accuracy.summary.words));
     QStringList problems;
     const auto rows = counted();
     for (std::size_t i = 0; i < accuracy.problems.size() && i < rows.size(); ++i)
         if (accuracy.problems[i])
-            problems << tr("%1: %2; %3.").arg(m_entries[rows[i]].name, QString::fromStdString(accuracy.problems[i]->why),
-                                             QString::fromStdString(accuracy.problems[i]->advice));
+            problems << tr("%1: %2; %3.").arg(m_entries[rows[i]].name, shownWords(accuracy.problems[i]->why),
+                                             shownWords(accuracy.problems[i]->advice));
     m_problem->setText(problems.join(QLatin1Char('\n')));
     m_problem->setHidden(problems.isEmpty());
 }
@@ -314,7 +316,7 @@ void AccuracyDialog::placeFound(const std::optional<Error> &error)
 {
     if (error) {
         showChosen();
-        m_summary->setText(QString::fromStdString(error->message()));
+        m_summary->setText(errorLine(*error));
         return;
     }
     m_entries.at(std::size_t(m_foundRow)).camera = *m_found;

@@ -3,6 +3,8 @@
 
 #include "core/base/units.h"
 #include "core/calibration/world_axes.h"
+#include "ui/models/core_words.h"
+#include "ui/models/error_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/testbed/floor/marker_canvas.h"
 #include "ui/testbed/floor/snap_words.h"
@@ -139,8 +141,8 @@ void LengthPage::wait(const QString &words)
 
 void LengthPage::showFailure(const Error &error)
 {
-    wait(QString::fromStdString(error.why));
-    m_words->setText(QString::fromStdString(error.message()));
+    wait(shownWords(error.why));
+    m_words->setText(errorLine(error));
 }
 
 void LengthPage::begin(std::shared_ptr<const StillPicture> picture, const CheckCamera &camera)
@@ -192,7 +194,7 @@ void LengthPage::evaluate()
     const SeenLength seen{&m_camera->view, name, m_ends[0]->pixel, m_ends[1]->pixel, m_ends[0]->sigmaPx, m_ends[1]->sigmaPx};
     const auto check = checkLength({&seen, 1}, toldM(), fromMillimetres(m_height->value()));
     if (!check)
-        return m_words->setText(QString::fromStdString(check.error().message()));
+        return m_words->setText(errorLine(check.error()));
     m_check = *check;
     QLocale locale; // as the sentence below it has it
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
@@ -202,7 +204,7 @@ void LengthPage::evaluate()
     if (check->differenceM)
         m_badge->setBadge(check->agrees ? Badge{tr("inside the expected error"), BadgeState::Good}
                                         : Badge{tr("outside the expected error"), BadgeState::Bad});
-    m_words->setText(QString::fromStdString(check->words) +
+    m_words->setText(shownWords(check->words) +
                      (check->differenceM ? QString() : tr(" Give its true length to see whether that is right.")));
 }
 

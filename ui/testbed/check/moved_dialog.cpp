@@ -2,6 +2,8 @@
 #include "ui/testbed/check/moved_dialog.h"
 
 #include "core/capture/camera_uri.h"
+#include "ui/models/core_words.h"
+#include "ui/models/error_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/live_cameras.h"
 #include "ui/views/badge_delegate.h"
@@ -220,11 +222,11 @@ void MovedDialog::finishOne(const std::shared_ptr<Job> &job, const std::optional
     if (!error) {
         const MovedCheck &check = std::static_pointer_cast<MovedJob>(job)->check();
         row.badge = badgeOf(check);
-        row.words = QString::fromStdString(check.words);
+        row.words = shownWords(check.words);
         m_hasChecked = true;
     } else {
         row.badge = {tr("not told"), BadgeState::Warning};
-        row.words = QString::fromStdString(error->message());
+        row.words = errorLine(*error);
         if (error->code == ErrorCode::Undetermined) // where a camera looks quite elsewhere, the list must not go on praising it
             m_hasChecked = keepNotTold(m_project, row.camera.name.toStdString(), *error).has_value() || m_hasChecked;
     }

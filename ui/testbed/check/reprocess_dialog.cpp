@@ -4,6 +4,8 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/revisions.h"
+#include "ui/models/core_words.h"
+#include "ui/models/error_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/views/plain_button.h"
 #include "ui/views/table_list.h"
@@ -128,7 +130,7 @@ void ReprocessDialog::finish(const std::shared_ptr<Job> &job, const std::optiona
     m_trial->setEnabled(true);
     m_begin->setEnabled(true);
     if (error)
-        return m_words->setText(QString::fromStdString(error->message()));
+        return m_words->setText(errorLine(*error));
     m_done = std::static_pointer_cast<ReprocessJob>(job);
     showChanges();
     m_keep->setEnabled(true);
@@ -139,7 +141,7 @@ void ReprocessDialog::showChanges()
     QStringList sentences;
     for (const ReprocessedRobot &robot : m_done->robots()) {
         const QString name = QString::fromStdString(robot.name);
-        sentences << tr("%1: %2").arg(name, QString::fromStdString(robot.change.words));
+        sentences << tr("%1: %2").arg(name, shownWords(robot.change.words));
         for (const MetricChange &metric : robot.change.metrics)
             addMetric(name, metric);
     }
@@ -164,7 +166,7 @@ void ReprocessDialog::keep()
     fillTrials();
     m_done.reset();
     m_keep->setEnabled(false);
-    m_words->setText(kept ? tr("Kept: the new analysis of %1 is the current one.").arg(trial) : QString::fromStdString(kept.error().message()));
+    m_words->setText(kept ? tr("Kept: the new analysis of %1 is the current one.").arg(trial) : errorLine(kept.error()));
 }
 
 void ReprocessDialog::done(int result)

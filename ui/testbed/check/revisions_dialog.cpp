@@ -5,6 +5,8 @@
 #include "core/project/repositories.h"
 #include "core/workflow/register_job.h"
 #include "ui/models/badge.h"
+#include "ui/models/core_words.h"
+#include "ui/models/error_words.h"
 #include "ui/testbed/check/reprocess_dialog.h"
 #include "ui/testbed/check/revision_picture.h"
 #include "ui/views/badge_delegate.h"
@@ -115,7 +117,7 @@ void RevisionsDialog::refresh()
     }
     showCurrent();
     if (!revisions)
-        tell(QString::fromStdString(revisions.error().message()));
+        tell(errorLine(revisions.error()));
     else if (m_revisions.empty())
         tell(tr("The camera is neither calibrated nor registered yet."));
 }
@@ -128,7 +130,7 @@ void RevisionsDialog::showRow(int row)
     const QString texts[] = {(isCalibration ? tr("Calibration %1") : tr("Registration %1")).arg(revision.id),
                              dateText(revision.made),
                              QString::fromStdString(revision.softwareVersion),
-                             QString::fromStdString(revision.origin),
+                             shownWords(revision.origin),
                              rms,
                              namesText(revision.trials),
                              revision.isCurrent ? tr("in force") : QString()};
@@ -150,7 +152,7 @@ void RevisionsDialog::showCurrent()
     if (!isThere)
         return tell({});
     const Revision &revision = m_revisions[std::size_t(row)];
-    QStringList sentences{QString::fromStdString(revision.verdict)};
+    QStringList sentences{shownWords(revision.verdict)};
     sentences << (revision.trials.empty() ? tr("No trial was measured with it.") : tr("Trials measured with it: %1.").arg(namesText(revision.trials)));
     sentences.removeAll(QString());
     tell(sentences.join(QLatin1Char(' ')));
@@ -167,7 +169,7 @@ void RevisionsDialog::choose()
     refresh();
     const QString name = m_table->item(row, KindColumn)->text();
     if (!chosen)
-        tell(QString::fromStdString(chosen.error().message()));
+        tell(errorLine(chosen.error()));
     else if (revision.kind == Revision::Kind::Calibration)
         tell(tr("%1 is in force. The registrations keep the lens that they were made with: register the camera with this one.").arg(name));
     else
@@ -181,8 +183,8 @@ void RevisionsDialog::registerAnew()
     refresh();
     tell(registered ? tr("Registration %1 is in force: the same markers, with this lens. %2")
                           .arg(registered->id)
-                          .arg(QString::fromStdString(registered->registration.verdict))
-                    : QString::fromStdString(registered.error().message()));
+                          .arg(shownWords(registered->registration.verdict))
+                    : errorLine(registered.error()));
 }
 
 void RevisionsDialog::reprocess()

@@ -5,6 +5,7 @@
 #include "core/exchange/file_name.h"
 #include "core/exchange/layout_csv.h"
 #include "core/geometry/point_layout.h"
+#include "ui/models/error_words.h"
 #include "ui/testbed/floor/layout_drawing.h"
 #include "ui/views/path_field.h"
 #include "ui/views/plain_button.h"
@@ -247,7 +248,7 @@ void LayoutDialog::check()
 void LayoutDialog::tell(const Result<void> &outcome)
 {
     if (!outcome)
-        m_message->setText(QString::fromStdString(outcome.error().message()));
+        m_message->setText(errorLine(outcome.error()));
 }
 
 Result<void> LayoutDialog::importCsv(const QString &file)

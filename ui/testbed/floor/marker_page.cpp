@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/floor/marker_page.h"
+#include "ui/models/core_words.h"
 #include "ui/testbed/floor/registration_verdict.h"
 
 #include "core/base/units.h"
@@ -95,8 +96,8 @@ void MarkerPage::wait(const QString &words)
 
 void MarkerPage::showFailure(const Error &error)
 {
-    wait(QString::fromStdString(error.why));
-    m_verdict->tell(QString::fromStdString(error.why), QString::fromStdString(error.advice));
+    wait(shownWords(error.why));
+    m_verdict->tell(shownWords(error.why), shownWords(error.advice));
 }
 
 void MarkerPage::showNotSaved(const Error &error)
@@ -178,11 +179,11 @@ void MarkerPage::evaluate()
             m_verdict->tell(*registered);
         } else {
             m_verdict->tell(
-                QString::fromStdString(registered.error().why),
+                shownWords(registered.error().why),
                 m_pixels.size() < 4
                     ? tr("Choose a marker in the table and click where it is; what lies near the click is "
                          "taken to the tenth of a pixel.")
-                    : QString::fromStdString(registered.error().advice));
+                    : shownWords(registered.error().advice));
         }
     }
     m_canvas->setMarkers(m_pixels);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/floor/registration_verdict.h"
 
+#include "ui/models/core_words.h"
+#include "ui/models/error_words.h"
+
 #include <QLabel>
 #include <QLocale>
 #include <QVBoxLayout>
@@ -31,7 +34,7 @@ void RegistrationVerdict::tell(const FloorRegistration &registration)
 {
     const Eigen::Vector3d &at = registration.worldFromCamera.translation;
     const QLocale locale;
-    tell(QString::fromStdString(registration.verdict),
+    tell(shownWords(registration.verdict),
          tr("It stands at x %1 m, y %2 m, %3 m above the floor.")
              .arg(locale.toString(at.x(), 'f', 2), locale.toString(at.y(), 'f', 2),
                   locale.toString(at.z(), 'f', 2)));
@@ -45,7 +48,7 @@ void RegistrationVerdict::tell(const QString &verdict, const QString &advice)
 
 void RegistrationVerdict::tellNotSaved(const Error &error)
 {
-    m_advice->setText(tr("The registration was not stored. %1").arg(QString::fromStdString(error.message())));
+    m_advice->setText(tr("The registration was not stored. %1").arg(errorLine(error)));
 }
 
 } // namespace odo

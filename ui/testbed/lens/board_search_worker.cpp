@@ -6,6 +6,8 @@
 #include "core/video/video_reader.h"
 #include "core/workflow/call_later.h"
 #include "core/workflow/picture_source.h"
+#include "ui/models/core_words.h"
+#include "ui/models/error_words.h"
 #include "ui/testbed/lens/watched_camera.h"
 #include "ui/views/path_field.h"
 #include "ui/views/screen_image.h"
@@ -89,7 +91,7 @@ void BoardSearchWorker::lookAtCamera()
         if (captured.error().code != ErrorCode::Unavailable)
             m_camera.reset();
         if (captured.error().code != ErrorCode::Cancelled)
-            Q_EMIT troubled(QString::fromStdString(captured.error().message()));
+            Q_EMIT troubled(errorLine(captured.error()));
         return;
     }
     const bool chosen = std::exchange(m_takeNow, false);
@@ -108,13 +110,13 @@ void BoardSearchWorker::lookAtFile()
         if (const auto picture = readPicture(pathOf(file)))
             took(*picture, name, m_collector.offer(*picture, name.toStdString()), true);
         else
-            m_state.refused.emplace_back(name, QString::fromStdString(picture.error().why));
+            m_state.refused.emplace_back(name, shownWords(picture.error().why));
     } else if (auto video = VideoReader::open(pathOf(file))) {
         m_video = std::move(*video);
         m_videoName = name;
         m_fromVideo = 0;
     } else {
-        m_state.refused.emplace_back(name, QString::fromStdString(video.error().why));
+        m_state.refused.emplace_back(name, shownWords(video.error().why));
     }
     tellState();
 }
@@ -156,7 +158,7 @@ void BoardSearchWorker::took(const Frame &frame, const QString &name, const Pict
         Q_EMIT searched(searchedPicture);
     }
     if (chosen && answer.refusal)
-        m_state.refused.emplace_back(name, QString::fromStdString(answer.refusal->why));
+        m_state.refused.emplace_back(name, shownWords(answer.refusal->why));
     if (chosen || answer.kept)
         tellState();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/lens/lens_pictures_page.h"
 
+#include "ui/models/core_words.h"
 #include "ui/testbed/lens/board_canvas.h"
 #include "ui/testbed/lens/coverage_panel.h"
 #include "ui/testbed/lens/film_strip.h"
@@ -157,9 +158,9 @@ void LensPicturesPage::showSearched(const SearchedPicture &picture)
         say(tr("Taken"), tr("Now the dashed outline shows where the board would help most."));
     else if (answer.picture && picture.wanted)
         say(wordsOf(hintTowards(*picture.wanted, answer.picture->placement)),
-            answer.refusal ? QString::fromStdString(answer.refusal->why + "; " + answer.refusal->advice) : QString());
+            answer.refusal ? shownWords(answer.refusal->why + "; " + answer.refusal->advice) : QString());
     else if (answer.refusal)
-        say(tr("Hold the board before the camera"), QString::fromStdString(answer.refusal->why + "; " + answer.refusal->advice));
+        say(tr("Hold the board before the camera"), shownWords(answer.refusal->why + "; " + answer.refusal->advice));
 }
 
 void LensPicturesPage::showState()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/lens/lens_result_page.h"
 
+#include "ui/models/core_words.h"
+#include "ui/models/error_words.h"
 #include "ui/testbed/lens/board_canvas.h"
 #include "ui/testbed/lens/picture_bars.h"
 #include "ui/views/card.h"
@@ -163,7 +165,7 @@ void LensResultPage::showAnswer(const LensAnswer &answer)
     if (!m_all)
         m_all = m_calibration;
     m_progress->setVisible(false);
-    m_verdict->setText(QString::fromStdString(m_calibration->verdict));
+    m_verdict->setText(shownWords(m_calibration->verdict));
     QStringList names;
     std::vector<double> errors;
     for (int i = 0; i < int(m_pictures.kept.size()); ++i) {
@@ -188,14 +190,14 @@ void LensResultPage::showSaving()
 
 void LensResultPage::showNotSaved(const Error &error)
 {
-    m_verdict->setText(tr("The lens was not stored. %1").arg(QString::fromStdString(error.message())));
+    m_verdict->setText(tr("The lens was not stored. %1").arg(errorLine(error)));
 }
 
 void LensResultPage::showFigures()
 {
     const IntrinsicCalibration &calibration = *m_calibration;
     const Intrinsics &lens = calibration.intrinsics;
-    m_facts->setFacts({{tr("Model"), tr("%1: %2").arg(modelName(lens.model), QString::fromStdString(calibration.lensReason)), {}},
+    m_facts->setFacts({{tr("Model"), tr("%1: %2").arg(modelName(lens.model), shownWords(calibration.lensReason)), {}},
                        {tr("Pictures"), tr("%1 of %2").arg(calibration.picturesUsed()).arg(m_pictures.kept.size()), {}},
                        {tr("Board error"), px(calibration.rmsPx, 3), {}},
                        {tr("Held-out error"), calibration.crossValidationPx > 0 ? px(calibration.crossValidationPx, 3) : tr("needs six pictures"), {}},
@@ -208,7 +210,7 @@ void LensResultPage::showFigures()
 void LensResultPage::showFailure(const Error &error)
 {
     m_progress->setVisible(false);
-    m_verdict->setText(QString::fromStdString(error.why + "; " + error.advice + "."));
+    m_verdict->setText(shownWords(error.why + "; " + error.advice + "."));
     m_facts->setFacts({});
     Q_EMIT completeChanged();
 }

@@ -2,6 +2,7 @@
 #include "ui/testbed/lens/lens_solver.h"
 
 #include "core/workflow/call_later.h"
+#include "ui/models/core_words.h"
 
 #include <cmath>
 
@@ -50,7 +51,7 @@ void LensSolver::start()
     JobControl control;
     control.cancel = m_cancel;
     control.progress = [this, cancel = m_cancel](double fraction, const std::string &text) {
-        callLater(this, [this, cancel, fraction, words = QString::fromStdString(text)] {
+        callLater(this, [this, cancel, fraction, words = shownWords(text)] {
             if (!cancel.isCancelled())
                 Q_EMIT progressed(fraction, words);
         });

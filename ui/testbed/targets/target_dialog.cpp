@@ -2,6 +2,7 @@
 #include "ui/testbed/targets/target_dialog.h"
 
 #include "core/base/units.h"
+#include "ui/models/core_words.h"
 #include "ui/testbed/targets/target_painter.h"
 #include "ui/testbed/targets/target_preview.h"
 #include "ui/views/theme.h"
@@ -191,7 +192,7 @@ void TargetDialog::tell(const Result<void> &outcome, const QString &success)
     words.setColor(QPalette::WindowText, outcome ? colours.muted : colours.spike);
     m_message->setPalette(words);
     m_message->setText(outcome ? success
-                               : tr("%1: %2.").arg(QString::fromStdString(outcome.error().why), QString::fromStdString(outcome.error().advice)));
+                               : tr("%1: %2.").arg(shownWords(outcome.error().why), shownWords(outcome.error().advice)));
 }
 
 } // namespace odo

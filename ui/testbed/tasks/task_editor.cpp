@@ -3,6 +3,7 @@
 
 #include "core/exchange/task_file.h"
 #include "core/trajectory/task_templates.h"
+#include "ui/models/error_words.h"
 #include "ui/testbed/tasks/gate_table.h"
 #include "ui/testbed/tasks/scoring_table.h"
 #include "ui/testbed/tasks/task_canvas.h"
@@ -165,7 +166,7 @@ void TaskEditor::makeAnew()
     const TaskLimits limits = m_task.task.limits;
     const std::vector<Zone> zones = m_task.task.zones;
     const auto made = taskFromTemplate(m_template->kind(), m_template->sizes());
-    m_templateProblem = made ? QString() : QString::fromStdString(made.error().message());
+    m_templateProblem = made ? QString() : errorLine(made.error());
     if (made) {
         m_task.task = *made;
         m_task.task.limits = limits;
@@ -222,7 +223,7 @@ void TaskEditor::importFile()
         return;
     const auto read = readTaskFile(pathOf(file));
     if (!read) {
-        m_message->setText(QString::fromStdString(read.error().message()));
+        m_message->setText(errorLine(read.error()));
         return;
     }
     m_task.task = *read;
@@ -262,9 +263,9 @@ QString TaskEditor::problem() const
         if (zone.name.empty())
             return tr("A zone has no name.");
     if (const auto valid = checkTask(m_task.task); !valid)
-        return QString::fromStdString(valid.error().message());
+        return errorLine(valid.error());
     if (const auto valid = checkScoring(m_scoring->criteria()); !valid)
-        return QString::fromStdString(valid.error().message());
+        return errorLine(valid.error());
     return {};
 }
 

@@ -2,6 +2,7 @@
 #include "ui/testbed/tasks/tasks_dialog.h"
 
 #include "core/project/project.h"
+#include "ui/models/error_words.h"
 #include "ui/models/score_text.h"
 #include "ui/testbed/tasks/task_canvas.h"
 #include "ui/testbed/tasks/task_drafts.h"
@@ -139,7 +140,7 @@ void TasksDialog::refresh(const QString &choose)
     auto tasks = m_project.tasks().all();
     auto uses = m_project.tasks().uses();
     if (!tasks || !uses) {
-        m_message->setText(QString::fromStdString((tasks ? uses.error() : tasks.error()).message()));
+        m_message->setText(errorLine(tasks ? uses.error() : tasks.error()));
         return;
     }
     m_tasks = std::move(*tasks);
@@ -361,7 +362,7 @@ bool TasksDialog::apply(const QString &words, const QString &choose,
 
 void TasksDialog::tell(const Result<QString> &outcome)
 {
-    m_message->setText(outcome ? *outcome : QString::fromStdString(outcome.error().message()));
+    m_message->setText(outcome ? *outcome : errorLine(outcome.error()));
 }
 
 void TasksDialog::takeBack(const Result<QString> &outcome)

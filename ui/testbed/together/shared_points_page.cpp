@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/together/shared_points_page.h"
+#include "ui/models/core_words.h"
 #include "ui/testbed/floor/registration_verdict.h"
 
 #include "core/base/units.h"
@@ -120,8 +121,8 @@ void SharedPointsPage::wait(const QString &words)
 
 void SharedPointsPage::showFailure(const Error &error)
 {
-    wait(QString::fromStdString(error.why));
-    m_verdict->tell(QString::fromStdString(error.why), QString::fromStdString(error.advice));
+    wait(shownWords(error.why));
+    m_verdict->tell(shownWords(error.why), shownWords(error.advice));
 }
 
 void SharedPointsPage::showNotSaved(const Error &error)
@@ -259,13 +260,13 @@ void SharedPointsPage::evaluate()
             view = floorViewOf(registration, *CameraModel::create(registration.intrinsics), chained->pixels);
             m_verdict->tell(registration);
         } else {
-            m_verdict->tell(QString::fromStdString(chained.error().why),
+            m_verdict->tell(shownWords(chained.error().why),
                             shared.size() < fewestPoints
                                 ? tr("Click a point of the floor in the left picture, then the same one in "
                                      "the right picture. What lies "
                                      "near a click is taken to the tenth of a pixel; the arrow keys move the "
                                      "chosen point, Space snaps it.")
-                                : QString::fromStdString(chained.error().advice));
+                                : shownWords(chained.error().advice));
         }
     }
     m_canvas->setFloor(view, m_through ? m_through->layout : MarkerLayout());

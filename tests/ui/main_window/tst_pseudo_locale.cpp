@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every window in a language that nobody speaks: what was never given to a translator stands out.
+#include "tests/ui/support/driven_window.h"
+#include "tests/ui/support/person.h"
+#include "tests/ui/support/pseudo_words.h"
+#include "tests/ui/support/stored_example.h"
+#include "ui/main_window/appearance.h"
+#include "ui/main_window/language.h"
+#include "ui/main_window/main_window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QFileDialog>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <net/if.h>
+
+using namespace odo;
+
+class TestPseudoLocale : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void modes_data();
+    void modes();
+    void dialogs();
+
+private:
+    QTemporaryDir m_folder;
+    test::PseudoWords m_words;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+namespace {
+
+/// Names and words of people in the example, and what is the same in each language.
+const QStringList &known()
+{
+    static const QStringList all = [] {
+        QStringList names{
+            QStringLiteral("Odograph"), QStringLiteral("Year 9 robotics"), QStringLiteral("Figure eight, both at once"),
+            QStringLiteral("Figure eight, 2 laps"), QStringLiteral("example"), QStringLiteral("Falcon"), QStringLiteral("Heron"),
+            QStringLiteral("Trial 1"), QStringLiteral("Trial 2"), QStringLiteral("Trial 3"), QStringLiteral("Red 2"),
+            QStringLiteral("Blue 1"), QStringLiteral("floor"), QStringLiteral("New wheels since trial 2."), QStringLiteral("inch"),
+        };
+        for (const Language &language : languages())
+            names << language.name;
+        if (auto *const ports = if_nameindex()) { // of this machine's network
+            for (auto *port = ports; port->if_index != 0; ++port)
+                names << QString::fromLocal8Bit(port->if_name);
+            if_freenameindex(ports);
+        }
+        return names;
+    }();
+    return all;
+}
+
+/// Each in a line of its own; gives how many.
+qsizetype told(const QStringList &found)
+{
+    for (const QString &each : found)
+        qWarning().noquote() << each;
+    return found.size();
+}
+
+} // namespace
+
+void TestPseudoLocale::initTestCase()
+{
+    test::beginWithoutSettings();
+    applyAppearance(*qApp, Theme::Light);
+    const auto made = storeExample(m_folder.path().toStdString());
+    QVERIFY2(made, made ? "" : made.error().message().c_str());
+    QCoreApplication::installTranslator(&m_words);
+    m_window = std::make_unique<MainWindow>();
+    m_window->resize(1440, 900);
+    QVERIFY(m_window->openProject(*made));
+    m_window->show();
+    test::waitFor(*m_window);
+}
+
+void TestPseudoLocale::modes_data()
+{
+    QTest::addColumn<int>("mode");
+    for (const WindowMode mode : allModes)
+        QTest::newRow(qPrintable(modeWord(mode))) << static_cast<int>(mode);
+}
+
+void TestPseudoLocale::modes()
+{
+    QFETCH(int, mode);
+    m_window->showMode(static_cast<WindowMode>(mode));
+    test::waitFor(*m_window);
+    QCOMPARE(told(test::untranslatedIn(*m_window, known())), 0);
+}
+
+void TestPseudoLocale::dialogs()
+{
+    QStringList raw, seen;
+    for (const WindowMode mode : allModes) {
+        m_window->showMode(mode);
+        test::waitFor(*m_window);
+        for (QAction *action : m_window->findChildren<QAction *>()) {
+            if (!action->text().contains(u'…') || !action->isEnabled() || seen.contains(action->text()))
+                continue;
+            seen << action->text();
+            Person person({[&](QDialog &dialog) {
+                if (!qobject_cast<QFileDialog *>(&dialog)) { // Qt's own
+                    for (const QString &each : test::untranslatedIn(dialog, known()))
+                        raw << action->text() + QStringLiteral(" · ") + each;
+                }
+                dialog.reject();
+            }});
+            action->trigger();
+            test::waitFor(*m_window);
+            for (QWidget *window : QApplication::topLevelWidgets())
+                if (window != m_window.get() && window->isVisible())
+                    window->close();
+        }
+    }
+    QVERIFY(seen.size() > 15);
+    QCOMPARE(told(raw), 0);
+}
+
+QTEST_MAIN(TestPseudoLocale)
+#include "tst_pseudo_locale.moc"

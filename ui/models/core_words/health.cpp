@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/core_words/subjects.h"
+
+namespace odo::core_words {
+
+std::span<const CorePattern> health()
+{
+    static constexpr CorePattern patterns[] = {
+        {QT_TRANSLATE_NOOP("CoreWords", "waiting for the first picture")},
+        {QT_TRANSLATE_NOOP("CoreWords", "%1 frames/s, none lost")},
+        {QT_TRANSLATE_NOOP("CoreWords", "%1 frames/s (too slow), none lost")},
+        {QT_TRANSLATE_NOOP("CoreWords", "%1 frames/s, %2 lost")},
+        {QT_TRANSLATE_NOOP("CoreWords", "%1 frames/s (too slow), %2 lost")},
+        {QT_TRANSLATE_NOOP("CoreWords", "%1 frames/s, %2 lost because this machine is too slow")},
+        {QT_TRANSLATE_NOOP("CoreWords", "%1 frames/s (too slow), %2 lost because this machine is too slow")},
+        {QT_TRANSLATE_NOOP("CoreWords", "%1 frames/s, %2 lost (%3 on the wire, %4 here)")},
+        {QT_TRANSLATE_NOOP("CoreWords", "%1 frames/s (too slow), %2 lost (%3 on the wire, %4 here)")},
+        {QT_TRANSLATE_NOOP("CoreWords", "%1 frames/s, %2 lost on the wire")},
+        {QT_TRANSLATE_NOOP("CoreWords", "%1 frames/s (too slow), %2 lost on the wire")},
+        {QT_TRANSLATE_NOOP("CoreWords", "%1 frames/s, %2 lost here")},
+        {QT_TRANSLATE_NOOP("CoreWords", "%1 frames/s (too slow), %2 lost here")},
+        {QT_TRANSLATE_NOOP("CoreWords", "in step to %1 ms")},
+        {QT_TRANSLATE_NOOP("CoreWords", "at %1 m/s that is %2 mm")},
+        {QT_TRANSLATE_NOOP("CoreWords", "room for %1 s")},
+        {QT_TRANSLATE_NOOP("CoreWords", "room for %1 min")},
+        {QT_TRANSLATE_NOOP("CoreWords", "room for %1 h")},
+        {QT_TRANSLATE_NOOP("CoreWords", "the map is %1 ms behind, none skipped")},
+        {QT_TRANSLATE_NOOP("CoreWords", "the map is %1 ms behind, %2 skipped")},
+        {QT_TRANSLATE_NOOP("CoreWords", "analysing %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "analysing")},
+        {QT_TRANSLATE_NOOP("CoreWords", "copying the project")},
+        {QT_TRANSLATE_NOOP("CoreWords", "looking for the markers in %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "looking for the markers again")},
+        {QT_TRANSLATE_NOOP("CoreWords", "looking for files")},
+        {QT_TRANSLATE_NOOP("CoreWords", "computing the intrinsics")},
+        {QT_TRANSLATE_NOOP("CoreWords", "keeping the pictures")},
+        {QT_TRANSLATE_NOOP("CoreWords", "recording")},
+        {QT_TRANSLATE_NOOP("CoreWords", "writing the last pictures")},
+        {QT_TRANSLATE_NOOP("CoreWords", "calibrating camera %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "settling which robot is which")},
+        {QT_TRANSLATE_NOOP("CoreWords", "fitting %1 cameras together")},
+    };
+    return patterns;
+}
+
+} // namespace odo::core_words

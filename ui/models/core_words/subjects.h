@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/core_words.h"
+
+#include <QCoreApplication>
+#include <array>
+
+/// The sentences of core, one file a subject. What is changed in core is changed here, and its translations with it
+/// (tests/ui/models/tst_core_words makes core say them).
+namespace odo::core_words {
+
+std::span<const CorePattern> calibration(); ///< Verdicts on a lens.
+std::span<const CorePattern> registration(); ///< Verdicts on a camera's place on the floor, its accuracy, what has moved, a length measured again.
+std::span<const CorePattern> attentions(); ///< Attentions and warnings of calibrations, trials, recordings and imports.
+std::span<const CorePattern> health(); ///< Cameras, step, disk and the live map while they run; what a job does.
+std::span<const CorePattern> setup(); ///< Titles, findings and advice of the set-up doctor.
+std::span<const CorePattern> spikes(); ///< Reasons of spikes.
+std::span<const CorePattern> changes(); ///< Changes of the project whose words core makes, and where calibrations come from.
+
+/// One a subject.
+inline auto all()
+{
+    return std::array{calibration(), registration(), attentions(), health(), setup(), spikes(), changes()};
+}
+
+} // namespace odo::core_words
