@@ -59,7 +59,7 @@ QString wordsOf(BoardHint hint)
 LensPicturesPage::LensPicturesPage(BoardSearch &search, QWidget *parent)
     : QWidget(parent), m_search(search), m_canvas(new BoardCanvas), m_coverage(new CoveragePanel),
       m_refused(new QListWidget), m_strip(new FilmStrip), m_headline(new QLabel), m_detail(new QLabel),
-      m_refusedTitle(new QLabel), m_take(plainButton(tr("&Take a picture now")))
+      m_take(plainButton(tr("&Take a picture now")))
 {
     setAcceptDrops(true);
     m_headline->setStyleSheet(QStringLiteral("font-size: 14pt; font-weight: 600"));

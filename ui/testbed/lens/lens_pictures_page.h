@@ -46,7 +46,7 @@ private:
     CoveragePanel *m_coverage;
     QListWidget *m_refused;
     FilmStrip *m_strip;
-    QLabel *m_headline, *m_detail, *m_refusedTitle;
+    QLabel *m_headline, *m_detail;
     QPushButton *m_take;
 };
 
