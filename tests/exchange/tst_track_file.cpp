@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/track_file.h"
 
+#include "tests/support/c_locales.h"
+
 #include <QElapsedTimer>
 #include <QFile>
 #include <QLocale>
@@ -174,11 +176,11 @@ private Q_SLOTS:
     void sameInEveryLocale()
     {
         QLocale::setDefault(QLocale(QLocale::German));
-        for (const char *name : {"de_DE.UTF-8", "fr_FR.UTF-8", "tr_TR.UTF-8"}) {
-            setlocale(LC_ALL, name); // where the machine has it
+        test::CLocales locales;
+        for (const char *name : {"de_DE", "fr_FR", "tr_TR"}) {
+            QVERIFY2(locales.use(name), name);
             QCOMPARE(shown("T [S];X [M];Y [M]\n0;0;-1\n0,1;0,5;-1,5\n0.2;1;-2\n"), QStringLiteral("csv") + same);
         }
-        setlocale(LC_ALL, "C");
         QLocale::setDefault(QLocale::c());
     }
 };
