@@ -81,6 +81,15 @@ void drawNumbers(QPainter &painter, const MapPlan &plan, const std::vector<RunEv
     }
 }
 
+/// Gates or zones with names as they may stand on paper.
+template <class Named>
+std::vector<Named> literal(std::vector<Named> all)
+{
+    for (Named &each : all)
+        each.name = literalName(each.name).toStdString();
+    return all;
+}
+
 } // namespace
 
 void drawRunMap(QPainter &painter, const QRectF &rect, const TrialScene &scene, std::size_t robot,
@@ -89,8 +98,10 @@ void drawRunMap(QPainter &painter, const QRectF &rect, const TrialScene &scene, 
     const QPalette &palette = reportPalette();
     drawFramed(painter, rect, scene.floorBounds(), scene.layout, [&](const MapPlan &plan) {
         const auto toPage = [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); };
-        if (scene.task)
+        if (scene.task) {
+            drawZones(painter, literal(scene.task->zones), toPage, palette);
             drawReferencePath(painter, scene.task->path, toPage, palette);
+        }
         for (std::size_t other = 0; other < scene.robots.size(); ++other)
             if (other != robot && scene.robots[other].analysis)
                 drawOtherWay(painter, plan, scene.robots[other].analysis->profile);
@@ -98,7 +109,7 @@ void drawRunMap(QPainter &painter, const QRectF &rect, const TrialScene &scene, 
         if (scene.robots.size() > robot && scene.robots[robot].analysis)
             drawSpeedTrail(painter, plan, scene.robots[robot].analysis->profile, top, palette);
         if (scene.task)
-            drawGates(painter, scene.task->gates, toPage, palette);
+            drawGates(painter, literal(scene.task->gates), toPage, palette);
         if (scene.robots.size() > robot && scene.robots[robot].analysis)
             drawMapSpikes(painter, plan, scene.robots[robot].analysis->profile, palette);
         drawSpeedLegend(painter, plan, top, palette);
@@ -113,6 +124,9 @@ void drawComparedMap(QPainter &painter, const QRectF &rect, const ComparisonScen
     const TrialScene &first = *scene.scenes.front();
     drawFramed(painter, rect, scene.floorBounds(), first.layout, [&](const MapPlan &plan) {
         const ReferencePath &path = scene.compared.comparison.path;
+        if (first.task)
+            drawZones(
+                painter, literal(first.task->zones), [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); }, palette);
         if (scene.compared.comparison.isTasksPath)
             drawReferencePath(
                 painter, path, [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); }, palette);

@@ -150,6 +150,17 @@ private Q_SLOTS:
         QVERIFY2(text.contains(shown), qPrintable(text));
         QVERIFY(text.contains(QStringLiteral("Team: ") + shown));
     }
+    void zonesStandOnTheMap()
+    {
+        auto scene = exampleCopy();
+        if (!scene->task)
+            scene->task.emplace();
+        const std::string before = printed(trialPages(contentOf(scene), {})).toStdString();
+        QVERIFY(!printedText(QString::fromStdString(before)).contains(QStringLiteral("Pond")));
+        scene->task->zones = {rectangularZone("Pond \xE2\x80\xAE", ZoneRule::StayOutside, {0.2, 0.2}, {1.4, 1.2})};
+        const QString text = printedText(printed(trialPages(contentOf(scene), {})));
+        QVERIFY2(text.contains(QString::fromUtf8("Pond \uFFFD")), qPrintable(text));
+    }
     void longNamesAreCut()
     {
         auto scene = exampleCopy();
