@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <algorithm>
 
 namespace odo {
 namespace {
@@ -47,6 +48,15 @@ void FramedStyle::drawComplexControl(ComplexControl control, const QStyleOptionC
     QProxyStyle::drawComplexControl(control, option, painter, widget);
     if (control == CC_SpinBox)
         drawFrame(*option, option->rect.adjusted(0, 1, 0, -1), *painter); // where Fusion has it
+}
+
+QSize FramedStyle::sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &size, const QWidget *widget) const
+{
+    constexpr int mostLetters = 44;
+    QSize wanted = QProxyStyle::sizeFromContents(type, option, size, widget);
+    if (type == CT_ComboBox) // a name may be of any length; what does not fit is cut
+        wanted.setWidth(std::min(wanted.width(), mostLetters * option->fontMetrics.averageCharWidth()));
+    return wanted;
 }
 
 } // namespace odo

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/view_steps.h"
 
+#include "ui/views/elided_label.h"
+
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
 
 namespace odo {
 namespace {
@@ -25,7 +26,7 @@ void ViewSteps::addView()
     if (++m_views == 1)
         return;
     const int number = static_cast<int>(m_views);
-    Row row{new QLabel, new QComboBox, new QDoubleSpinBox};
+    Row row{new ElidedLabel, new QComboBox, new QDoubleSpinBox};
     row.how->addItem(tr("From the motion or a flash"), static_cast<int>(Sync::Automatic));
     row.how->addItem(tr("Begun together"), static_cast<int>(Sync::None));
     row.how->addItem(tr("By hand: begun later by"), static_cast<int>(Sync::Told));
@@ -38,7 +39,6 @@ void ViewSteps::addView()
     row.later->setAccessibleName(tr("How much later view %1 began").arg(number));
     row.later->setToolTip(tr("Below zero: it began earlier than the first view"));
     row.later->setEnabled(false);
-    row.camera->setBuddy(row.how);
     connect(row.how, &QComboBox::currentIndexChanged, row.later,
             [row] { row.later->setEnabled(row.how->currentData().toInt() == static_cast<int>(Sync::Told)); });
     const int place = static_cast<int>(m_rows.size());
@@ -53,7 +53,7 @@ void ViewSteps::setCameras(const QStringList &cameras)
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const int view = static_cast<int>(i) + 1;
         const QString name = cameras.value(view).trimmed();
-        m_rows[i].camera->setText(name.isEmpty() ? tr("View %1").arg(view + 1) : name);
+        m_rows[i].camera->setFullText(name.isEmpty() ? tr("View %1").arg(view + 1) : name);
     }
 }
 

@@ -9,9 +9,10 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QGridLayout;
-class QLabel;
 
 namespace odo {
+
+class ElidedLabel;
 
 /// One row for each view but the first: how it gets in step with the first one, and by hand how much later it began.
 class ViewSteps : public QWidget
@@ -31,7 +32,7 @@ public:
 private:
     struct Row
     {
-        QLabel *camera;
+        ElidedLabel *camera;
         QComboBox *how;
         QDoubleSpinBox *later;
     };

@@ -4,6 +4,7 @@
 #include "core/capture/camera_uri.h"
 #include "ui/models/live_cameras.h"
 #include "ui/record/camera_wishes_dialog.h"
+#include "ui/views/elided_label.h"
 #include "ui/views/plain_button.h"
 
 #include <QComboBox>
@@ -39,7 +40,9 @@ CameraChoiceDialog::CameraChoiceDialog(std::vector<ChosenCamera> cameras, LiveCa
         auto *row = new QHBoxLayout;
         row->addWidget(box, 1);
         row->addWidget(settings);
-        form->addRow(tr("Camera %1").arg(QString::fromStdString(name)), row);
+        auto *label = new ElidedLabel;
+        label->setFullText(tr("Camera %1").arg(QString::fromStdString(name)));
+        form->addRow(label, row);
         m_boxes.push_back(box);
         m_settings.push_back(settings);
         m_wanted[withoutWishes(uri)] = uri;

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace odo {
 
@@ -27,7 +28,7 @@ QLabel *plainLabel(QWidget *parent)
 } // namespace
 
 Card::Card(const QString &title, QWidget *parent)
-    : QFrame(parent), m_header(new QWidget(this)), m_title(plainLabel(m_header)),
+    : QFrame(parent), m_header(new QWidget(this)), m_title(new ElidedLabel(m_header)),
       m_badge(plainLabel(m_header)), m_remark(new ElidedLabel(m_header)),
       m_headerLayout(new QHBoxLayout(m_header)), m_layout(new QVBoxLayout(this))
 {
@@ -54,12 +55,14 @@ Card::Card(const QString &title, QWidget *parent)
 
 QString Card::title() const
 {
-    return m_title->text();
+    return m_title->fullText();
 }
 
 void Card::setTitle(const QString &title)
 {
-    m_title->setText(title);
+    m_title->setFullText(title);
+    constexpr int neverCut = 20; // letters: what stands beside a title gives way before it
+    m_title->setMinimumWidth(std::min(m_title->sizeHint().width(), neverCut * m_title->fontMetrics().averageCharWidth()));
     setAccessibleName(title);
 }
 

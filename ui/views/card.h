@@ -41,7 +41,7 @@ private:
     void applyColours();
 
     QWidget *m_header;
-    QLabel *m_title;
+    ElidedLabel *m_title;
     QLabel *m_badge;
     ElidedLabel *m_remark;
     QHBoxLayout *m_headerLayout;

@@ -24,7 +24,8 @@ void ElidedLabel::setFullText(const QString &text)
 QSize ElidedLabel::sizeHint() const
 {
     // One pixel more than the text: rounding must not elide a text that fits.
-    const int width = fontMetrics().horizontalAdvance(m_fullText) + 1;
+    constexpr int mostLetters = 100; // it gives way anyhow
+    const int width = qMin(fontMetrics().horizontalAdvance(m_fullText.left(2 * mostLetters)) + 1, mostLetters * fontMetrics().averageCharWidth());
     return {width + contentsMargins().left() + contentsMargins().right(), QLabel::sizeHint().height()};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/fact_list.h"
 
+#include "ui/models/breakable_text.h"
 #include "ui/views/badge_label.h"
 #include "ui/views/explanation_dialog.h"
 #include "ui/views/theme.h"
@@ -59,7 +60,7 @@ void FactList::addRow(int row, const Fact &fact)
 {
     auto *name = new QLabel(fact.name, this);
     name->setObjectName(QStringLiteral("quiet"));
-    auto *value = new QLabel(fact.value, this);
+    auto *value = new QLabel(breakable(fact.value), this);
     value->setWordWrap(true);
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     value->setAccessibleName(QStringLiteral("%1: %2").arg(fact.name, fact.value));

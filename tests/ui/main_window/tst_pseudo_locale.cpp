@@ -27,9 +27,12 @@ private Q_SLOTS:
     void modes_data();
     void modes();
     void dialogs();
+    void everyLanguageFits_data();
+    void everyLanguageFits();
 
 private:
     QTemporaryDir m_folder;
+    std::filesystem::path m_project;
     test::PseudoWords m_words;
     std::unique_ptr<MainWindow> m_window;
 };
@@ -74,9 +77,10 @@ void TestPseudoLocale::initTestCase()
     applyAppearance(*qApp, Theme::Light);
     const auto made = storeExample(m_folder.path().toStdString());
     QVERIFY2(made, made ? "" : made.error().message().c_str());
+    m_project = *made;
     QCoreApplication::installTranslator(&m_words);
     m_window = std::make_unique<MainWindow>();
-    m_window->resize(1440, 900);
+    m_window->resize(1366, 728);
     QVERIFY(m_window->openProject(*made));
     m_window->show();
     test::waitFor(*m_window);
@@ -99,30 +103,45 @@ void TestPseudoLocale::modes()
 
 void TestPseudoLocale::dialogs()
 {
-    QStringList raw, seen;
-    for (const WindowMode mode : allModes) {
-        m_window->showMode(mode);
-        test::waitFor(*m_window);
-        for (QAction *action : m_window->findChildren<QAction *>()) {
-            if (!action->text().contains(u'…') || !action->isEnabled() || seen.contains(action->text()))
-                continue;
-            seen << action->text();
-            Person person({[&](QDialog &dialog) {
-                if (!qobject_cast<QFileDialog *>(&dialog)) { // Qt's own
-                    for (const QString &each : test::untranslatedIn(dialog, known()))
-                        raw << action->text() + QStringLiteral(" · ") + each;
-                }
-                dialog.reject();
-            }});
-            action->trigger();
-            test::waitFor(*m_window);
-            for (QWidget *window : QApplication::topLevelWidgets())
-                if (window != m_window.get() && window->isVisible())
-                    window->close();
-        }
-    }
-    QVERIFY(seen.size() > 15);
+    QStringList raw;
+    const int dialogs = test::lookAtDialogs(*m_window, [&](const QAction &command, QDialog &dialog) {
+        for (const QString &each : test::untranslatedIn(dialog, known()))
+            raw << command.text() + QStringLiteral(" · ") + each;
+    });
+    QVERIFY(dialogs > 15);
     QCOMPARE(told(raw), 0);
+}
+
+void TestPseudoLocale::everyLanguageFits_data()
+{
+    QTest::addColumn<QString>("code");
+    for (const Language &each : languages())
+        QTest::newRow(qPrintable(each.code)) << each.code;
+}
+
+/// In a window as small as a laptop has it, and in dialogs as large as they come.
+void TestPseudoLocale::everyLanguageFits()
+{
+    QFETCH(QString, code);
+    QCoreApplication::removeTranslator(&m_words);
+    installLanguage(*qApp, code);
+    MainWindow window;
+    window.resize(1366, 728);
+    QVERIFY(window.openProject(m_project));
+    window.show();
+    test::waitFor(window);
+    QStringList cut;
+    for (const WindowMode mode : allModes) {
+        window.showMode(mode);
+        test::waitFor(window);
+        cut << test::cutOffIn(window);
+    }
+    test::lookAtDialogs(window, [&](const QAction &command, QDialog &dialog) {
+        for (const QString &each : test::cutOffIn(dialog))
+            cut << command.text() + QStringLiteral(" · ") + each;
+    });
+    cut.removeDuplicates();
+    QCOMPARE(told(cut), 0);
 }
 
 QTEST_MAIN(TestPseudoLocale)

@@ -7,7 +7,9 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QFileDialog>
 #include <QFileInfo>
+#include <QSet>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTest>
@@ -39,6 +41,35 @@ void run(MainWindow &window, QAction *action, const QList<Answer> &answers)
     action->trigger();
     QVERIFY2(person.isDone(), qPrintable(window.findChild<MessageBar *>()->text()));
     QTRY_VERIFY_WITH_TIMEOUT(!window.workspace().isBusy(), longestJobMs);
+}
+
+int lookAtDialogs(MainWindow &window, const std::function<void(const QAction &command, QDialog &dialog)> &look)
+{
+    QSet<QString> seen;
+    for (const WindowMode mode : allModes) {
+        window.showMode(mode);
+        waitFor(window);
+        const auto commands = window.findChildren<QAction *>();
+        for (QAction *command : commands) {
+            if (!command->text().contains(u'…') || !command->isEnabled() || seen.contains(command->text()))
+                continue;
+            seen << command->text();
+            Person person({[&](QDialog &dialog) {
+                QCoreApplication::sendPostedEvents(); // it is laid out now
+                if (!qobject_cast<QFileDialog *>(&dialog))
+                    look(*command, dialog);
+                dialog.reject();
+            }});
+            command->trigger();
+            waitFor(window);
+            for (QWidget *other : QApplication::topLevelWidgets()) // those that do not wait for an answer
+                if (auto *dialog = qobject_cast<QDialog *>(other); dialog && dialog->isVisible()) {
+                    look(*command, *dialog);
+                    dialog->close();
+                }
+        }
+    }
+    return static_cast<int>(seen.size());
 }
 
 } // namespace odo::test

@@ -14,6 +14,7 @@
 #include <QRegularExpression>
 #include <QTabBar>
 #include <QTextDocumentFragment>
+#include <QToolButton>
 
 namespace odo::test {
 namespace {
@@ -130,6 +131,37 @@ QStringList untranslatedIn(const QWidget &window, const QStringList &known)
             if (!isKnown(plain, known))
                 found << placeOf(*widget) + QStringLiteral(": ") + plain;
         }
+    found.removeDuplicates();
+    return found;
+}
+
+QStringList cutOffIn(const QWidget &window)
+{
+    QStringList found;
+    const auto note = [&found](const QWidget &widget, const QString &text, int wanted, int room) {
+        if (wanted > room)
+            found << QStringLiteral("%1 has %2 of %3 pixels: %4").arg(placeOf(widget)).arg(room).arg(wanted).arg(text);
+    };
+    for (const auto *widget : window.findChildren<QWidget *>()) {
+        if (!widget->isVisibleTo(&window))
+            continue;
+        const auto *button = qobject_cast<const QAbstractButton *>(widget);
+        const auto *tool = qobject_cast<const QToolButton *>(widget);
+        const bool isSignAlone = tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull();
+        if (button && !button->text().isEmpty() && !isSignAlone) {
+            constexpr int edges = 4;
+            const bool isBelow = tool && tool->toolButtonStyle() == Qt::ToolButtonTextUnderIcon;
+            const int sign = button->icon().isNull() || isBelow ? 0 : button->iconSize().width();
+            note(*widget, button->text(), widget->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width() + sign + edges, widget->width());
+        }
+        const auto *label = qobject_cast<const QLabel *>(widget);
+        if (!label || label->text().isEmpty() || qobject_cast<const ElidedLabel *>(widget))
+            continue;
+        if (label->wordWrap())
+            note(*widget, label->text() + QStringLiteral(" (its height)"), label->heightForWidth(label->width()), label->height() + 1);
+        else
+            note(*widget, label->text(), label->sizeHint().width(), label->width());
+    }
     found.removeDuplicates();
     return found;
 }

@@ -24,4 +24,7 @@ public:
 /// paths are. Longer names come before those that are in them.
 QStringList untranslatedIn(const QWidget &window, const QStringList &known);
 
+/// Labels and buttons whose words do not fit.
+QStringList cutOffIn(const QWidget &window);
+
 } // namespace odo::test

@@ -2,6 +2,7 @@
 #include "ui/testbed/check/moved_dialog.h"
 
 #include "core/capture/camera_uri.h"
+#include "ui/models/breakable_text.h"
 #include "ui/models/core_words.h"
 #include "ui/models/error_words.h"
 #include "ui/models/figure_text.h"
@@ -24,6 +25,8 @@
 
 namespace odo {
 namespace {
+
+constexpr int mostLetters = 24; ///< of a name on a button
 
 enum Column { CameraColumn, PictureColumn, ResultColumn, ColumnCount };
 constexpr int badgeTextRole = Qt::UserRole, badgeStateRole = Qt::UserRole + 1;
@@ -253,9 +256,9 @@ void MovedDialog::showCurrent()
     const int row = m_table->currentRow();
     const bool isThere = row >= 0 && row < int(m_rows.size());
     const QString words = isThere ? m_rows[std::size_t(row)].words : QString();
-    m_words->setText(words.isEmpty() ? tr("Two markers at least must be seen. Nothing is moved or changed by the check.") : words);
+    m_words->setText(words.isEmpty() ? tr("Two markers at least must be seen. Nothing is moved or changed by the check.") : breakable(words));
     m_register->setEnabled(isThere);
-    m_register->setText(isThere ? tr("&Register %1 again…").arg(m_rows[std::size_t(row)].camera.name) : tr("&Register again…"));
+    m_register->setText(isThere ? tr("&Register %1 again…").arg(m_rows[std::size_t(row)].camera.name.left(mostLetters)) : tr("&Register again…"));
 }
 
 void MovedDialog::done(int result)

@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/register_job.h"
 #include "ui/models/badge.h"
+#include "ui/models/breakable_text.h"
 #include "ui/models/core_words.h"
 #include "ui/models/error_words.h"
 #include "ui/testbed/check/reprocess_dialog.h"
@@ -197,6 +198,6 @@ void RevisionsDialog::reprocess()
     refresh();
 }
 
-void RevisionsDialog::tell(const QString &words) { m_words->setText(words); }
+void RevisionsDialog::tell(const QString &words) { m_words->setText(breakable(words)); }
 
 } // namespace odo

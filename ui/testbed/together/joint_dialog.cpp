@@ -2,6 +2,7 @@
 #include "ui/testbed/together/joint_dialog.h"
 
 #include "core/base/units.h"
+#include "ui/models/breakable_text.h"
 #include "ui/models/core_words.h"
 #include "ui/views/card.h"
 #include "ui/views/table_list.h"
@@ -55,7 +56,7 @@ JointDialog::JointDialog(const QString &layout, Prepare prepare, QWidget *parent
     resize(980, 520);
     auto *intro = new QLabel(tr("The cameras of layout %1 are fitted again at once, by the markers they were registered with: where they see "
                                 "the same markers, they agree better afterwards, and a marker that was measured wrongly is found.")
-                                 .arg(layout));
+                                 .arg(breakable(layout)));
     intro->setWordWrap(true);
     intro->setTextFormat(Qt::PlainText);
     m_tape->setRange(0.1, 100);
