@@ -4547,6 +4547,18 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>A copy was saved as %1. Its videos stay where they are.</source>
         <translation>Eine Kopie wurde als %1 gespeichert. Ihre Videos bleiben, wo sie sind.</translation>
     </message>
+    <message>
+        <source>New project from t&amp;his one…</source>
+        <translation>Neues Projekt &amp;hieraus…</translation>
+    </message>
+    <message>
+        <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
+        <translation>Mit seinen Kameras, Markerplänen, Robotern und Aufgaben, ohne Personen und Versuche</translation>
+    </message>
+    <message>
+        <source>Taking over the set-up</source>
+        <translation>Der Aufbau wird übernommen</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>

@@ -4547,6 +4547,18 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>A copy was saved as %1. Its videos stay where they are.</source>
         <translation>Se guardó una copia como %1. Sus videos quedan donde están.</translation>
     </message>
+    <message>
+        <source>New project from t&amp;his one…</source>
+        <translation>Proyecto nuevo a partir de e&amp;ste…</translation>
+    </message>
+    <message>
+        <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
+        <translation>Con sus cámaras, planos de marcadores, robots y tareas, sin personas ni ensayos</translation>
+    </message>
+    <message>
+        <source>Taking over the set-up</source>
+        <translation>Se toma la configuración</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>

@@ -4547,6 +4547,18 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>A copy was saved as %1. Its videos stay where they are.</source>
         <translation>Une copie a été enregistrée&#xa0;: %1. Ses vidéos restent où elles sont.</translation>
     </message>
+    <message>
+        <source>New project from t&amp;his one…</source>
+        <translation>Nouveau projet d’après ce&amp;lui-ci…</translation>
+    </message>
+    <message>
+        <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
+        <translation>Avec ses caméras, plans de marqueurs, robots et épreuves, sans personnes ni essais</translation>
+    </message>
+    <message>
+        <source>Taking over the set-up</source>
+        <translation>Reprise de l’installation</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>

@@ -4539,6 +4539,18 @@ Much more than expected means that something is not as it was told: the views ar
         <source>A copy was saved as %1. Its videos stay where they are.</source>
         <translation>사본을 %1에 저장했습니다. 동영상은 있던 자리에 그대로 있습니다.</translation>
     </message>
+    <message>
+        <source>New project from t&amp;his one…</source>
+        <translation>이 프로젝트로 새 프로젝트(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
+        <translation>카메라, 마커 배치, 로봇, 과제는 그대로, 사람과 시행은 없이</translation>
+    </message>
+    <message>
+        <source>Taking over the set-up</source>
+        <translation>설정을 가져오는 중</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>

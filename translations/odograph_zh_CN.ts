@@ -4539,6 +4539,18 @@ Much more than expected means that something is not as it was told: the views ar
         <source>A copy was saved as %1. Its videos stay where they are.</source>
         <translation>副本已保存为 %1。其视频仍在原处。</translation>
     </message>
+    <message>
+        <source>New project from t&amp;his one…</source>
+        <translation>以此项目新建项目(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
+        <translation>保留相机、标记布局、机器人和任务，不含人员和试验</translation>
+    </message>
+    <message>
+        <source>Taking over the set-up</source>
+        <translation>正在沿用设置</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>

@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/workflow/copy_job.h"
 #include "core/workflow/demo.h"
+#include "core/workflow/new_project_like.h"
 #include "ui/main_window/import_tracks_dialog.h"
 #include "ui/main_window/recent_projects.h"
 #include "ui/main_window/transfer_actions.h"
@@ -51,23 +52,30 @@ QString freeFolder(const QString &base)
 FileActions::FileActions(Workspace &workspace, RecentProjects &recent, QWidget &window)
     : QObject(&window), m_workspace(workspace), m_recent(recent), m_window(window),
       m_new(new QAction(themeIcon(QStringLiteral("new")), tr("&New project…"), this)),
+      m_like(new QAction(tr("New project from t&his one…"), this)),
       m_open(new QAction(themeIcon(QStringLiteral("open")), tr("&Open project…"), this)),
       m_demo(new QAction(themeIcon(QStringLiteral("demo")), tr("Open &demo lesson…"), this)),
       m_copy(new QAction(tr("Save a &copy as…"), this)), m_quit(new QAction(tr("&Quit"), this)),
       m_transfer(new TransferActions(workspace, window))
 {
-    nameCommands({{m_new, "newProject"}, {m_open, "openProject"}, {m_demo, "demo"}, {m_copy, "saveCopy"}, {m_quit, "quit"}});
+    nameCommands({{m_new, "newProject"}, {m_like, "newProjectLike"}, {m_open, "openProject"}, {m_demo, "demo"}, {m_copy, "saveCopy"}, {m_quit, "quit"}});
     m_new->setShortcut(QKeySequence::New);
     m_open->setShortcut(QKeySequence::Open);
     m_copy->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
     m_quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
-    m_copy->setEnabled(false);
+    m_like->setToolTip(tr("With its cameras, marker layouts, robots and tasks, without people and trials"));
+    for (QAction *action : {m_like, m_copy})
+        action->setEnabled(false);
     connect(m_new, &QAction::triggered, this, &FileActions::askNew);
     connect(m_open, &QAction::triggered, this, &FileActions::askOpen);
     connect(m_demo, &QAction::triggered, this, &FileActions::askDemo);
     connect(m_copy, &QAction::triggered, this, &FileActions::askCopy);
     connect(m_quit, &QAction::triggered, &m_window, &QWidget::close);
-    connect(&m_workspace, &Workspace::opened, this, [this] { m_copy->setEnabled(true); });
+    connect(m_like, &QAction::triggered, this, &FileActions::askLike);
+    connect(&m_workspace, &Workspace::opened, this, [this] {
+        for (QAction *action : {m_like, m_copy})
+            action->setEnabled(true);
+    });
     connect(m_transfer, &TransferActions::failed, this, &FileActions::failed);
     connect(m_transfer, &TransferActions::done, this, &FileActions::done);
     connect(m_transfer, &TransferActions::unpacked, &m_recent, &RecentProjects::add);
@@ -76,6 +84,7 @@ FileActions::FileActions(Workspace &workspace, RecentProjects &recent, QWidget &
 void FileActions::fillMenu(QMenu &menu, const QList<QAction *> &further)
 {
     menu.addAction(m_new);
+    menu.addAction(m_like);
     menu.addAction(m_open);
     m_recentMenu = menu.addMenu(tr("Open &recent"));
     connect(&m_recent, &RecentProjects::changed, this, &FileActions::fillRecent);
@@ -137,14 +146,31 @@ void FileActions::openDropped(const QStringList &files)
     }
 }
 
-void FileActions::askNew()
+QString FileActions::newFile() const
 {
-    QString file = QFileDialog::getSaveFileName(&m_window, tr("New project"),
-                                                QDir(documentsFolder()).filePath(tr("Project.odo")),
-                                                tr("Odograph projects (*.odo)"));
+    const QString file = QFileDialog::getSaveFileName(&m_window, tr("New project"),
+                                                      QDir(documentsFolder()).filePath(tr("Project.odo")),
+                                                      tr("Odograph projects (*.odo)"));
+    return file.isEmpty() ? file : withSuffix(file);
+}
+
+void FileActions::askLike()
+{
+    const QString file = newFile();
     if (file.isEmpty())
         return;
-    file = withSuffix(file);
+    const auto make = [original = m_workspace.project()->file(), file = pathOf(file),
+                       title = QFileInfo(file).completeBaseName().toStdString()](const JobControl &control) {
+        return makeProjectLike(original, file, title, control);
+    };
+    tellFailure(m_workspace.makeAndOpen(make, tr("Taking over the set-up"), [this, file] { m_recent.add(pathOf(file)); }));
+}
+
+void FileActions::askNew()
+{
+    const QString file = newFile();
+    if (file.isEmpty())
+        return;
     const Result<void> made = m_workspace.create(pathOf(file), QFileInfo(file).completeBaseName());
     if (made)
         m_recent.add(pathOf(file));

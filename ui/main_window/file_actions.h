@@ -17,7 +17,7 @@ class RecentProjects;
 class TransferActions;
 class Workspace;
 
-/// What can be done with project files: new, open, open a recent one, the demo lesson, save a copy, and
+/// What can be done with project files: new, new with the set-up of the open one, open, open a recent one, the demo lesson, save a copy, and
 /// taking them elsewhere. Owns the actions and asks for the files.
 class FileActions : public QObject
 {
@@ -47,7 +47,9 @@ Q_SIGNALS:
     void tracksDropped(const QStringList &files);
 
 private:
+    QString newFile() const; ///< empty: none was chosen
     void askNew();
+    void askLike();
     void askOpen();
     void askDemo();
     void askCopy();
@@ -57,7 +59,7 @@ private:
     Workspace &m_workspace;
     RecentProjects &m_recent;
     QWidget &m_window;
-    QAction *m_new, *m_open, *m_demo, *m_copy, *m_quit;
+    QAction *m_new, *m_like, *m_open, *m_demo, *m_copy, *m_quit;
     TransferActions *m_transfer;
     QMenu *m_recentMenu = nullptr;
 };

@@ -26,6 +26,7 @@ private Q_SLOTS:
     void isPackedAndOpenedElsewhere();
     void whatIsNoPackedProjectIsRefused();
     void lostVideosAreFound();
+    void theNextYearBeginsWithTheSetUp();
 
 private:
     QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
@@ -48,6 +49,18 @@ void TestTransfer::initTestCase()
     QVERIFY2(made, made ? "" : made.error().message().c_str());
     m_window = std::make_unique<MainWindow>();
     QVERIFY(m_window->openProject(*made));
+}
+
+void TestTransfer::theNextYearBeginsWithTheSetUp()
+{
+    QVERIFY(!m_window->workspace().project()->teams().all()->empty());
+    const std::size_t cameras = m_window->workspace().project()->cameras().all()->size();
+    run("New project from this one…", {chooseFile(path("next year"))});
+    QTRY_COMPARE(QString::fromStdString(m_window->workspace().project()->file().string()), path("next year.odo"));
+    QCOMPARE(m_window->workspace().project()->title(), std::string("next year"));
+    QCOMPARE(m_window->workspace().project()->cameras().all()->size(), cameras);
+    QVERIFY(m_window->workspace().project()->teams().all()->empty());
+    QVERIFY(!m_window->workspace().isReadOnly());
 }
 
 std::size_t TestTransfer::lostVideos() const
