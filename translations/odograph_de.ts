@@ -1603,6 +1603,2558 @@
         <source>%1.</source>
         <translation>%1.</translation>
     </message>
+    <message>
+        <source>the picture is too small to hold a board</source>
+        <translation>das Bild ist zu klein für eine Tafel</translation>
+    </message>
+    <message>
+        <source>use a picture of the camera</source>
+        <translation>verwenden Sie ein Bild der Kamera</translation>
+    </message>
+    <message>
+        <source>use pictures of the camera</source>
+        <translation>verwenden Sie Bilder der Kamera</translation>
+    </message>
+    <message>
+        <source>use another picture</source>
+        <translation>verwenden Sie ein anderes Bild</translation>
+    </message>
+    <message>
+        <source>the picture is too small</source>
+        <translation>das Bild ist zu klein</translation>
+    </message>
+    <message>
+        <source>the picture has no size</source>
+        <translation>das Bild hat keine Größe</translation>
+    </message>
+    <message>
+        <source>the board is blurred</source>
+        <translation>die Tafel ist unscharf</translation>
+    </message>
+    <message>
+        <source>its edges are %1 pixels wide</source>
+        <translation>ihre Kanten sind %1 Pixel breit</translation>
+    </message>
+    <message>
+        <source>hold it still, and focus the camera</source>
+        <translation>halten Sie sie still, und stellen Sie die Kamera scharf</translation>
+    </message>
+    <message>
+        <source>a corner of the board cannot be made out</source>
+        <translation>eine Ecke der Tafel ist nicht zu erkennen</translation>
+    </message>
+    <message>
+        <source>keep the board clear and well lit</source>
+        <translation>halten Sie die Tafel frei und gut beleuchtet</translation>
+    </message>
+    <message>
+        <source>this board has %1 inner corners, %2 was asked for</source>
+        <translation>diese Tafel hat %1 innere Ecken, verlangt war %2</translation>
+    </message>
+    <message>
+        <source>count the inner corners, or leave the size out</source>
+        <translation>zählen Sie die inneren Ecken, oder lassen Sie die Größe weg</translation>
+    </message>
+    <message>
+        <source>the board is cut off</source>
+        <translation>die Tafel ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>only %1 of its %2 inner corners are seen</source>
+        <translation>nur %1 ihrer %2 inneren Ecken sind zu sehen</translation>
+    </message>
+    <message>
+        <source>keep the whole board in the picture</source>
+        <translation>halten Sie die ganze Tafel im Bild</translation>
+    </message>
+    <message>
+        <source>no board found</source>
+        <translation>keine Tafel gefunden</translation>
+    </message>
+    <message>
+        <source>%1 of its markers could be read</source>
+        <translation>%1 ihrer Marker waren lesbar</translation>
+    </message>
+    <message>
+        <source>show the whole board, flat, sharp and well lit</source>
+        <translation>zeigen Sie die ganze Tafel, flach, scharf und gut beleuchtet</translation>
+    </message>
+    <message>
+        <source>show the board larger, sharp and well lit</source>
+        <translation>zeigen Sie die Tafel größer, scharf und gut beleuchtet</translation>
+    </message>
+    <message>
+        <source>only %1 corners of the board are seen</source>
+        <translation>nur %1 Ecken der Tafel sind zu sehen</translation>
+    </message>
+    <message>
+        <source>show more of the board</source>
+        <translation>zeigen Sie mehr von der Tafel</translation>
+    </message>
+    <message>
+        <source>show one ChArUco board</source>
+        <translation>zeigen Sie eine ChArUco-Tafel</translation>
+    </message>
+    <message>
+        <source>the camera cannot be calibrated</source>
+        <translation>die Kamera kann nicht kalibriert werden</translation>
+    </message>
+    <message>
+        <source>calibration of camera &apos;%1&apos;</source>
+        <translation>Kalibrierung der Kamera &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>three pictures of the board are needed, %1 can be used</source>
+        <translation>drei Bilder der Tafel sind nötig, %1 sind brauchbar</translation>
+    </message>
+    <message>
+        <source>take ten or more, the board tilted differently in each</source>
+        <translation>machen Sie zehn oder mehr, die Tafel jedes Mal anders geneigt</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners do not agree with the others</source>
+        <translation>%1 % der Ecken passen nicht zu den anderen</translation>
+    </message>
+    <message>
+        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <translation>prüfen Sie, ob alle Bilder scharf sind, von einer flachen Tafel und von einer Kamera mit einem Zoom und Fokus</translation>
+    </message>
+    <message>
+        <source>no lens fits these pictures</source>
+        <translation>kein Objektiv passt zu diesen Bildern</translation>
+    </message>
+    <message>
+        <source>check that all are of one camera, at one zoom and focus</source>
+        <translation>prüfen Sie, ob alle von einer Kamera mit einem Zoom und Fokus sind</translation>
+    </message>
+    <message>
+        <source>choose others</source>
+        <translation>wählen Sie andere</translation>
+    </message>
+    <message>
+        <source>use pictures of one camera at one zoom and focus</source>
+        <translation>verwenden Sie Bilder einer Kamera mit einem Zoom und Fokus</translation>
+    </message>
+    <message>
+        <source>all %1 pictures show the board in one place, the %2 %3 % of the picture</source>
+        <translation>alle %1 Bilder zeigen die Tafel an einer Stelle (%2, %3 % des Bildes)</translation>
+    </message>
+    <message>
+        <source>how the lens bends elsewhere stays unknown</source>
+        <translation>wie das Objektiv anderswo verzeichnet, bleibt unbekannt</translation>
+    </message>
+    <message>
+        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <translation>zeigen Sie die Tafel in der Mitte und nahe jeder Ecke des Bildes, und näher</translation>
+    </message>
+    <message>
+        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <translation>alle %1 Bilder zeigen die Tafel in fast derselben Lage, was die Brennweite nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <translation>machen Sie Bilder mit der um 30 bis 45 Grad geneigten Tafel, nach jeder Seite</translation>
+    </message>
+    <message>
+        <source>the pictures determine the focal length only to %1 %</source>
+        <translation>die Bilder bestimmen die Brennweite nur auf %1 %</translation>
+    </message>
+    <message>
+        <source>the board is seen too nearly frontal</source>
+        <translation>die Tafel ist zu sehr von vorn zu sehen</translation>
+    </message>
+    <message>
+        <source>two halves of the pictures give focal lengths that differ by %1 %</source>
+        <translation>zwei Hälften der Bilder ergeben um %1 % verschiedene Brennweiten</translation>
+    </message>
+    <message>
+        <source>the floor cannot be registered</source>
+        <translation>der Boden kann nicht eingemessen werden</translation>
+    </message>
+    <message>
+        <source>the camera cannot be registered through another</source>
+        <translation>die Kamera kann nicht über eine andere eingemessen werden</translation>
+    </message>
+    <message>
+        <source>the cameras cannot be registered together</source>
+        <translation>die Kameras können nicht gemeinsam eingemessen werden</translation>
+    </message>
+    <message>
+        <source>the length cannot be measured</source>
+        <translation>die Länge kann nicht gemessen werden</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos;</source>
+        <translation>Einmessung der Kamera &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>marker %1 stands twice in the layout</source>
+        <translation>Marker %1 steht zweimal im Plan</translation>
+    </message>
+    <message>
+        <source>marker %1 stands twice in the picture</source>
+        <translation>Marker %1 steht zweimal im Bild</translation>
+    </message>
+    <message>
+        <source>give each marker a name of its own</source>
+        <translation>geben Sie jedem Marker einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie at one place of the floor</source>
+        <translation>die Marker %1 und %2 liegen an einer Stelle des Bodens</translation>
+    </message>
+    <message>
+        <source>correct the layout</source>
+        <translation>berichtigen Sie den Plan</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie on one pixel</source>
+        <translation>die Marker %1 und %2 liegen auf einem Pixel</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 lie on one pixel</source>
+        <translation>die Punkte %1 und %2 liegen auf einem Pixel</translation>
+    </message>
+    <message>
+        <source>mark each of them where it is seen</source>
+        <translation>markieren Sie jeden dort, wo er zu sehen ist</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie only %3 mm apart, too close for two of four</source>
+        <translation>die Marker %1 und %2 liegen nur %3 mm auseinander, zu nah für zwei von vieren</translation>
+    </message>
+    <message>
+        <source>spread the markers over the floor</source>
+        <translation>verteilen Sie die Marker über den Boden</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor</source>
+        <translation>verteilen Sie die Punkte über den Boden</translation>
+    </message>
+    <message>
+        <source>spread them over the floor</source>
+        <translation>verteilen Sie sie über den Boden</translation>
+    </message>
+    <message>
+        <source>four markers are needed that the layout and the picture have in common</source>
+        <translation>vier Marker sind nötig, die Plan und Bild gemeinsam haben</translation>
+    </message>
+    <message>
+        <source>there are %1 (%2)</source>
+        <translation>es gibt %1 (%2)</translation>
+    </message>
+    <message>
+        <source>there are %1 (%2), and the layout does not know %3</source>
+        <translation>es gibt %1 (%2), und der Plan kennt %3 nicht</translation>
+    </message>
+    <message>
+        <source>there are %1</source>
+        <translation>es gibt %1</translation>
+    </message>
+    <message>
+        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <translation>markieren Sie mehr Marker des Plans, unter den Namen des Plans</translation>
+    </message>
+    <message>
+        <source>the markers are mirrored</source>
+        <translation>die Marker sind gespiegelt</translation>
+    </message>
+    <message>
+        <source>seen in this order the camera would be below the floor</source>
+        <translation>in dieser Reihenfolge wäre die Kamera unter dem Boden</translation>
+    </message>
+    <message>
+        <source>seen from above, Y must point to the left of X</source>
+        <translation>von oben gesehen muss Y nach links von X zeigen</translation>
+    </message>
+    <message>
+        <source>check the signs of the layout</source>
+        <translation>prüfen Sie die Vorzeichen des Plans</translation>
+    </message>
+    <message>
+        <source>check these labels</source>
+        <translation>prüfen Sie diese Bezeichnungen</translation>
+    </message>
+    <message>
+        <source>the camera would stand only %1 mm above the floor</source>
+        <translation>die Kamera stünde nur %1 mm über dem Boden</translation>
+    </message>
+    <message>
+        <source>the camera would stand %1 m above the floor</source>
+        <translation>die Kamera stünde %1 m über dem Boden</translation>
+    </message>
+    <message>
+        <source>marker %1 would lie at or beyond the horizon</source>
+        <translation>Marker %1 läge am oder hinter dem Horizont</translation>
+    </message>
+    <message>
+        <source>check its place and its pixel</source>
+        <translation>prüfen Sie seinen Platz und sein Pixel</translation>
+    </message>
+    <message>
+        <source>the markers do not fit a flat floor</source>
+        <translation>die Marker passen nicht zu einem ebenen Boden</translation>
+    </message>
+    <message>
+        <source>%1 px RMS, most at %2 (%3 px)</source>
+        <translation>%1 px RMS, am meisten bei %2 (%3 px)</translation>
+    </message>
+    <message>
+        <source>check the layout, the labels and the intrinsics</source>
+        <translation>prüfen Sie den Plan, die Bezeichnungen und die Objektivdaten</translation>
+    </message>
+    <message>
+        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2 mm</source>
+        <translation>die Marker liegen so nahezu auf einer Linie (%1 am meisten), dass der Boden nur auf ±%2 mm bekannt ist</translation>
+    </message>
+    <message>
+        <source>mark and measure them again, or add another</source>
+        <translation>markieren und messen Sie sie neu, oder fügen Sie einen hinzu</translation>
+    </message>
+    <message>
+        <source>the markers do not determine where the cameras stand</source>
+        <translation>die Marker bestimmen nicht, wo die Kameras stehen</translation>
+    </message>
+    <message>
+        <source>the points do not determine where the camera stands</source>
+        <translation>die Punkte bestimmen nicht, wo die Kamera steht</translation>
+    </message>
+    <message>
+        <source>four points are needed that both cameras see</source>
+        <translation>vier Punkte sind nötig, die beide Kameras sehen</translation>
+    </message>
+    <message>
+        <source>add points of the floor, such as corners of tiles</source>
+        <translation>fügen Sie Punkte des Bodens hinzu, etwa Ecken von Fliesen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 were found, four are needed</source>
+        <translation>%1 von %2 wurden gefunden, vier sind nötig</translation>
+    </message>
+    <message>
+        <source>missing: %1</source>
+        <translation>es fehlen: %1</translation>
+    </message>
+    <message>
+        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
+        <translation>zeigen Sie die fehlenden Tags (AprilTag 36h11, ab 0 in der Reihenfolge des Plans) oder Ringe, oder markieren Sie die Marker von Hand</translation>
+    </message>
+    <message>
+        <source>%1 rings or dots were found, four are needed</source>
+        <translation>%1 Ringe oder Punkte wurden gefunden, vier sind nötig</translation>
+    </message>
+    <message>
+        <source>show more of them, larger or in better light, or mark the markers by hand</source>
+        <translation>zeigen Sie mehr davon, größer oder bei besserem Licht, oder markieren Sie die Marker von Hand</translation>
+    </message>
+    <message>
+        <source>tell by hand which of them is %1</source>
+        <translation>geben Sie von Hand an, welcher davon %1 ist</translation>
+    </message>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>ob sich %1 bewegt hat, ist nicht zu sagen</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 markers were found again, two are needed</source>
+        <translation>%1 ihrer %2 Marker wurden wiedergefunden, zwei sind nötig</translation>
+    </message>
+    <message>
+        <source>clear the view of the markers</source>
+        <translation>machen Sie die Sicht auf die Marker frei</translation>
+    </message>
+    <message>
+        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <translation>wenn sie fort sind oder die Kamera woandershin blickt, messen Sie sie neu ein</translation>
+    </message>
+    <message>
+        <source>these intrinsics cannot be used</source>
+        <translation>diese Objektivdaten sind nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>calibrate the camera again, or import another file</source>
+        <translation>kalibrieren Sie die Kamera neu, oder importieren Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>register it first, by markers or through another camera</source>
+        <translation>messen Sie sie zuerst ein, über Marker oder über eine andere Kamera</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered</source>
+        <translation>Kamera &apos;%1&apos; ist nicht eingemessen</translation>
+    </message>
+    <message>
+        <source>a camera cannot be registered through itself</source>
+        <translation>eine Kamera kann nicht über sich selbst eingemessen werden</translation>
+    </message>
+    <message>
+        <source>name another camera that is registered</source>
+        <translation>nennen Sie eine andere, eingemessene Kamera</translation>
+    </message>
+    <message>
+        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <translation>beide Enden liegen auf einem Pixel der Kamera &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>mark the two ends where they are seen</source>
+        <translation>markieren Sie beide Enden dort, wo sie zu sehen sind</translation>
+    </message>
+    <message>
+        <source>no camera was given that sees it</source>
+        <translation>keine Kamera wurde angegeben, die sie sieht</translation>
+    </message>
+    <message>
+        <source>mark its ends in one picture at least</source>
+        <translation>markieren Sie ihre Enden in mindestens einem Bild</translation>
+    </message>
+    <message>
+        <source>the told length is not above 0</source>
+        <translation>die angegebene Länge ist nicht größer als 0</translation>
+    </message>
+    <message>
+        <source>give the length as it was measured with a tape</source>
+        <translation>geben Sie die mit dem Maßband gemessene Länge an</translation>
+    </message>
+    <message>
+        <source>the picture is %1, the camera was registered at %2</source>
+        <translation>das Bild hat %1, die Kamera wurde bei %2 eingemessen</translation>
+    </message>
+    <message>
+        <source>give a picture of that size</source>
+        <translation>geben Sie ein Bild dieser Größe an</translation>
+    </message>
+    <message>
+        <source>this computer</source>
+        <translation>dieser Rechner</translation>
+    </message>
+    <message>
+        <source>it slept for %1, and nothing was recorded meanwhile</source>
+        <translation>er schlief %1, und inzwischen wurde nichts aufgenommen</translation>
+    </message>
+    <message>
+        <source>what came before is kept</source>
+        <translation>was vorher kam, ist erhalten</translation>
+    </message>
+    <message>
+        <source>keep it awake while it records</source>
+        <translation>lassen Sie ihn während der Aufnahme nicht schlafen</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
+        <translation>sie nimmt nur %1 Bilder je Sekunde von den verlangten %2</translation>
+    </message>
+    <message>
+        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
+        <translation>geben Sie ihr mehr Licht oder eine kürzere Belichtung, oder verlangen Sie eine kleinere Rate</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>sie ist nicht da</translation>
+    </message>
+    <message>
+        <source>plug it in, or choose one of those that odograph cameras lists</source>
+        <translation>schließen Sie sie an, oder wählen Sie eine von denen, die odograph cameras nennt</translation>
+    </message>
+    <message>
+        <source>choose one of those that odograph cameras lists</source>
+        <translation>wählen Sie eine von denen, die odograph cameras nennt</translation>
+    </message>
+    <message>
+        <source>you may not use it</source>
+        <translation>Sie dürfen sie nicht benutzen</translation>
+    </message>
+    <message>
+        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
+        <translation>treten Sie der Gruppe video bei (sudo usermod -aG video YOUR-NAME) und melden Sie sich neu an</translation>
+    </message>
+    <message>
+        <source>another program uses it</source>
+        <translation>ein anderes Programm benutzt sie</translation>
+    </message>
+    <message>
+        <source>close that program</source>
+        <translation>schließen Sie jenes Programm</translation>
+    </message>
+    <message>
+        <source>it was unplugged</source>
+        <translation>sie wurde abgezogen</translation>
+    </message>
+    <message>
+        <source>plug it in again</source>
+        <translation>schließen Sie sie wieder an</translation>
+    </message>
+    <message>
+        <source>plug %1 in again</source>
+        <translation>schließen Sie %1 wieder an</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures</source>
+        <translation>ihr USB-Bus hat keinen Platz mehr für ihre Bilder</translation>
+    </message>
+    <message>
+        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
+        <translation>schließen Sie sie an einem eigenen Bus an, oder wählen Sie MJPEG, ein kleineres Bild oder eine kleinere Rate (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
+    </message>
+    <message>
+        <source>it cannot be opened (%1)</source>
+        <translation>sie kann nicht geöffnet werden (%1)</translation>
+    </message>
+    <message>
+        <source>check its cable and address</source>
+        <translation>prüfen Sie Kabel und Adresse</translation>
+    </message>
+    <message>
+        <source>check that you may use it (a udev rule), and that no other program does</source>
+        <translation>prüfen Sie, ob Sie sie benutzen dürfen (eine udev-Regel) und kein anderes Programm es tut</translation>
+    </message>
+    <message>
+        <source>no picture came for half a second</source>
+        <translation>eine halbe Sekunde lang kam kein Bild</translation>
+    </message>
+    <message>
+        <source>wait, or check its cable</source>
+        <translation>warten Sie, oder prüfen Sie ihr Kabel</translation>
+    </message>
+    <message>
+        <source>it does not answer</source>
+        <translation>sie antwortet nicht</translation>
+    </message>
+    <message>
+        <source>check its power and cable</source>
+        <translation>prüfen Sie Strom und Kabel</translation>
+    </message>
+    <message>
+        <source>it does not start (%1)</source>
+        <translation>sie startet nicht (%1)</translation>
+    </message>
+    <message>
+        <source>check its cable, and that no other program uses it</source>
+        <translation>prüfen Sie ihr Kabel, und dass kein anderes Programm sie benutzt</translation>
+    </message>
+    <message>
+        <source>another camera (%1) is in its place</source>
+        <translation>an ihrem Platz ist eine andere Kamera (%1)</translation>
+    </message>
+    <message>
+        <source>another camera (%1) is in the place of camera %2</source>
+        <translation>an der Stelle der Kamera %2 ist eine andere (%1)</translation>
+    </message>
+    <message>
+        <source>connect the one that belongs there, or begin anew with this one</source>
+        <translation>schließen Sie die richtige an, oder beginnen Sie mit dieser neu</translation>
+    </message>
+    <message>
+        <source>it came back with pictures of another size or format</source>
+        <translation>sie kam mit Bildern anderer Größe oder anderen Formats wieder</translation>
+    </message>
+    <message>
+        <source>set it as before, or begin anew with size and format in its address</source>
+        <translation>stellen Sie sie wie vorher ein, oder beginnen Sie neu mit Größe und Format in ihrer Adresse</translation>
+    </message>
+    <message>
+        <source>it has nothing named &apos;%1&apos; that could be set</source>
+        <translation>sie hat nichts namens &apos;%1&apos;, das eingestellt werden könnte</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>it refuses this value of %1</source>
+        <translation>sie lehnt diesen Wert von %1 ab</translation>
+    </message>
+    <message>
+        <source>choose another one</source>
+        <translation>wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be set as the camera stands now</source>
+        <translation>%1 kann jetzt nicht eingestellt werden</translation>
+    </message>
+    <message>
+        <source>turn off the automatic that moves it first</source>
+        <translation>schalten Sie zuerst die Automatik aus, die es verstellt</translation>
+    </message>
+    <message>
+        <source>%1 goes from %2 to %3</source>
+        <translation>%1 geht von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>choose a value between</source>
+        <translation>wählen Sie einen Wert dazwischen</translation>
+    </message>
+    <message>
+        <source>%1 gives no pictures</source>
+        <translation>%1 liefert keine Bilder</translation>
+    </message>
+    <message>
+        <source>it has no format that can be read</source>
+        <translation>sie hat kein lesbares Format</translation>
+    </message>
+    <message>
+        <source>take another camera</source>
+        <translation>nehmen Sie eine andere Kamera</translation>
+    </message>
+    <message>
+        <source>it does not offer what was asked for</source>
+        <translation>sie bietet das Verlangte nicht an</translation>
+    </message>
+    <message>
+        <source>choose of what it offers</source>
+        <translation>wählen Sie aus ihrem Angebot</translation>
+    </message>
+    <message>
+        <source>it does not take %1</source>
+        <translation>sie nimmt %1 nicht an</translation>
+    </message>
+    <message>
+        <source>ask for another size or format</source>
+        <translation>verlangen Sie eine andere Größe oder ein anderes Format</translation>
+    </message>
+    <message>
+        <source>it does not take this size</source>
+        <translation>sie nimmt diese Größe nicht an</translation>
+    </message>
+    <message>
+        <source>it does not take this rate</source>
+        <translation>sie nimmt diese Rate nicht an</translation>
+    </message>
+    <message>
+        <source>it does not take this exposure</source>
+        <translation>sie nimmt diese Belichtung nicht an</translation>
+    </message>
+    <message>
+        <source>it does not take this gain</source>
+        <translation>sie nimmt diese Verstärkung nicht an</translation>
+    </message>
+    <message>
+        <source>ask it for something else, or leave that to the camera</source>
+        <translation>verlangen Sie etwas anderes, oder überlassen Sie es der Kamera</translation>
+    </message>
+    <message>
+        <source>no camera has such an address</source>
+        <translation>keine Kamera hat eine solche Adresse</translation>
+    </message>
+    <message>
+        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
+        <translation>geben Sie eine an wie v4l2:/dev/video0, aravis:192.168.1.20, sim:A oder file:PATH</translation>
+    </message>
+    <message>
+        <source>the video has ended</source>
+        <translation>das Video ist zu Ende</translation>
+    </message>
+    <message>
+        <source>open it again to see it from the start</source>
+        <translation>öffnen Sie es neu, um es von Anfang an zu sehen</translation>
+    </message>
+    <message>
+        <source>the recording %1</source>
+        <translation>die Aufnahme %1</translation>
+    </message>
+    <message>
+        <source>make room, or move the project to another disk</source>
+        <translation>schaffen Sie Platz, oder legen Sie das Projekt auf eine andere Platte</translation>
+    </message>
+    <message>
+        <source>what was recorded so far is kept</source>
+        <translation>was bisher aufgenommen wurde, ist erhalten</translation>
+    </message>
+    <message>
+        <source>recording of trial &apos;%1&apos;</source>
+        <translation>Aufnahme des Versuchs &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>check that they are connected and not used by another program</source>
+        <translation>prüfen Sie, ob sie angeschlossen sind und kein anderes Programm sie benutzt</translation>
+    </message>
+    <message>
+        <source>check that it is connected and not used by another program</source>
+        <translation>prüfen Sie, ob sie angeschlossen ist und kein anderes Programm sie benutzt</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; gave no picture</source>
+        <translation>Kamera &apos;%1&apos; lieferte kein Bild</translation>
+    </message>
+    <message>
+        <source>no camera was given</source>
+        <translation>keine Kamera wurde angegeben</translation>
+    </message>
+    <message>
+        <source>address &apos;%1&apos; of live positions</source>
+        <translation>Adresse &apos;%1&apos; der Live-Orte</translation>
+    </message>
+    <message>
+        <source>it is no IPv4 address with a port</source>
+        <translation>es ist keine IPv4-Adresse mit Port</translation>
+    </message>
+    <message>
+        <source>write it like 224.5.23.2:10006</source>
+        <translation>schreiben Sie etwa 224.5.23.2:10006</translation>
+    </message>
+    <message>
+        <source>live positions to %1</source>
+        <translation>Live-Orte an %1</translation>
+    </message>
+    <message>
+        <source>interface &apos;%1&apos; takes no multicast</source>
+        <translation>Schnittstelle &apos;%1&apos; kann kein Multicast</translation>
+    </message>
+    <message>
+        <source>this machine has none of that name</source>
+        <translation>dieser Rechner hat keine dieses Namens</translation>
+    </message>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>schließen Sie andere Programme und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>nothing was changed</source>
+        <translation>nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>another program is writing to it</source>
+        <translation>ein anderes Programm schreibt darin</translation>
+    </message>
+    <message>
+        <source>close the other program and try again</source>
+        <translation>schließen Sie das andere Programm und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>it cannot be written to</source>
+        <translation>es kann nicht beschrieben werden</translation>
+    </message>
+    <message>
+        <source>its folder cannot be written to</source>
+        <translation>in seinen Ordner kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>copy it to a folder that you may write to, and open the copy</source>
+        <translation>kopieren Sie es in einen Ordner, in den Sie schreiben dürfen, und öffnen Sie die Kopie</translation>
+    </message>
+    <message>
+        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
+        <translation>kopieren Sie es mit seinen Videos in einen Ordner, in den Sie schreiben dürfen, und öffnen Sie die Kopie</translation>
+    </message>
+    <message>
+        <source>the disk is full, the change was not saved</source>
+        <translation>die Platte ist voll, die Änderung wurde nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>die Platte ist voll</translation>
+    </message>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>schaffen Sie Platz auf der Platte und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>the disk reported an error, the change was not saved</source>
+        <translation>die Platte meldete einen Fehler, die Änderung wurde nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>check the disk, and copy the project to another one</source>
+        <translation>prüfen Sie die Platte und kopieren Sie das Projekt auf eine andere</translation>
+    </message>
+    <message>
+        <source>check the disk and try again</source>
+        <translation>prüfen Sie die Platte und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>check the disk</source>
+        <translation>prüfen Sie die Platte</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its tables are not those of a project</source>
+        <translation>seine Tabellen sind nicht die eines Projekts</translation>
+    </message>
+    <message>
+        <source>restore it from a backup copy</source>
+        <translation>stellen Sie es aus einer Sicherungskopie wieder her</translation>
+    </message>
+    <message>
+        <source>the project file is damaged</source>
+        <translation>die Projektdatei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it is not a project file</source>
+        <translation>es ist keine Projektdatei</translation>
+    </message>
+    <message>
+        <source>it is a database of another program</source>
+        <translation>es ist die Datenbank eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>choose a file that Odograph has written</source>
+        <translation>wählen Sie eine Datei, die Odograph geschrieben hat</translation>
+    </message>
+    <message>
+        <source>it refers to something that is not in the project, or a value is missing</source>
+        <translation>es bezieht sich auf etwas, das nicht im Projekt ist, oder ein Wert fehlt</translation>
+    </message>
+    <message>
+        <source>add what it refers to first</source>
+        <translation>fügen Sie zuerst hinzu, worauf es sich bezieht</translation>
+    </message>
+    <message>
+        <source>the database refused</source>
+        <translation>die Datenbank verweigerte es</translation>
+    </message>
+    <message>
+        <source>run a check of the project</source>
+        <translation>prüfen Sie das Projekt</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>es gibt keine solche Datei</translation>
+    </message>
+    <message>
+        <source>check the name, or make a new project</source>
+        <translation>prüfen Sie den Namen, oder legen Sie ein neues Projekt an</translation>
+    </message>
+    <message>
+        <source>check the name</source>
+        <translation>prüfen Sie den Namen</translation>
+    </message>
+    <message>
+        <source>check the name and the folder</source>
+        <translation>prüfen Sie Name und Ordner</translation>
+    </message>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>es ist ein Ordner oder ein Gerät, keine Datei</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>es kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>it cannot be read (%1)</source>
+        <translation>es kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>check that you may read the file</source>
+        <translation>prüfen Sie, ob Sie die Datei lesen dürfen</translation>
+    </message>
+    <message>
+        <source>check that the file is there and may be read</source>
+        <translation>prüfen Sie, ob die Datei da ist und gelesen werden darf</translation>
+    </message>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>prüfen Sie, ob sie da ist und gelesen werden darf</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>the file is cut off</source>
+        <translation>die Datei ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it has %1 of %2 bytes</source>
+        <translation>sie hat %1 von %2 Bytes</translation>
+    </message>
+    <message>
+        <source>copy it again from where it came, or restore a backup copy</source>
+        <translation>kopieren Sie sie noch einmal von ihrer Quelle, oder stellen Sie eine Sicherungskopie wieder her</translation>
+    </message>
+    <message>
+        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
+        <translation>es wurde von einem neueren Odograph geschrieben (Format %1, dieses kennt Formate bis %2)</translation>
+    </message>
+    <message>
+        <source>open it with that Odograph, or update this one</source>
+        <translation>öffnen Sie es mit jenem Odograph, oder aktualisieren Sie dieses</translation>
+    </message>
+    <message>
+        <source>open the project with a newer Odograph</source>
+        <translation>öffnen Sie das Projekt mit einem neueren Odograph</translation>
+    </message>
+    <message>
+        <source>it is open in another window</source>
+        <translation>es ist in einem anderen Fenster geöffnet</translation>
+    </message>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>es ist in einem anderen Fenster geöffnet (%1)</translation>
+    </message>
+    <message>
+        <source>close it there first</source>
+        <translation>schließen Sie es dort zuerst</translation>
+    </message>
+    <message>
+        <source>a trial is being recorded into it just now</source>
+        <translation>gerade wird ein Versuch darin aufgenommen</translation>
+    </message>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>warten Sie, bis das beendet ist</translation>
+    </message>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>prüfen Sie den freien Platz und die Rechte des Projektordners</translation>
+    </message>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>prüfen Sie den freien Platz und die Rechte seines Ordners</translation>
+    </message>
+    <message>
+        <source>a file of that name is there already</source>
+        <translation>eine Datei dieses Namens gibt es schon</translation>
+    </message>
+    <message>
+        <source>choose another name, or remove that file first</source>
+        <translation>wählen Sie einen anderen Namen, oder entfernen Sie zuerst jene Datei</translation>
+    </message>
+    <message>
+        <source>there is no folder &apos;%1&apos;</source>
+        <translation>es gibt keinen Ordner &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>make the folder first, or choose another one</source>
+        <translation>legen Sie den Ordner zuerst an, oder wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>it has no file name</source>
+        <translation>es hat keinen Dateinamen</translation>
+    </message>
+    <message>
+        <source>give the file a name</source>
+        <translation>geben Sie der Datei einen Namen</translation>
+    </message>
+    <message>
+        <source>its name is too long</source>
+        <translation>sein Name ist zu lang</translation>
+    </message>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>wählen Sie einen kürzeren Namen</translation>
+    </message>
+    <message>
+        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
+        <translation>in den Ordner &apos;%1&apos; kann nicht geschrieben werden (%2)</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to and that has room</source>
+        <translation>wählen Sie einen Ordner mit Platz, in den Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>choose a folder that can be written to and has room</source>
+        <translation>wählen Sie einen beschreibbaren Ordner mit Platz</translation>
+    </message>
+    <message>
+        <source>writing it failed (%1)</source>
+        <translation>das Schreiben misslang (%1)</translation>
+    </message>
+    <message>
+        <source>it cannot be written (%1)</source>
+        <translation>sie kann nicht geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>what it concerns has been changed or used since</source>
+        <translation>was sie betrifft, wurde seither geändert oder benutzt</translation>
+    </message>
+    <message>
+        <source>take the later change back first, or leave it</source>
+        <translation>nehmen Sie zuerst die spätere Änderung zurück, oder lassen Sie es</translation>
+    </message>
+    <message>
+        <source>nothing has been changed since the project was opened</source>
+        <translation>seit dem Öffnen des Projekts wurde nichts geändert</translation>
+    </message>
+    <message>
+        <source>change something first</source>
+        <translation>ändern Sie zuerst etwas</translation>
+    </message>
+    <message>
+        <source>nothing has been undone</source>
+        <translation>nichts wurde zurückgenommen</translation>
+    </message>
+    <message>
+        <source>undo something first</source>
+        <translation>nehmen Sie zuerst etwas zurück</translation>
+    </message>
+    <message>
+        <source>the project has a %1 of that name already</source>
+        <translation>das Projekt hat schon einen Eintrag „%1“ dieses Namens</translation>
+    </message>
+    <message>
+        <source>the project has a trial of that name</source>
+        <translation>das Projekt hat einen Versuch dieses Namens</translation>
+    </message>
+    <message>
+        <source>choose another name</source>
+        <translation>wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>there is no such %1 in the project</source>
+        <translation>so etwas gibt es im Projekt nicht: %1</translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>layout</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>name of a %1</source>
+        <translation>Name (%1)</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>er ist leer</translation>
+    </message>
+    <message>
+        <source>give the %1 a name</source>
+        <translation>geben Sie einen Namen an (%1)</translation>
+    </message>
+    <message>
+        <source>it has %1 characters</source>
+        <translation>er hat %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>use at most %1</source>
+        <translation>verwenden Sie höchstens %1</translation>
+    </message>
+    <message>
+        <source>it holds a line break or another control character</source>
+        <translation>er enthält einen Zeilenumbruch oder ein anderes Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>use a name of one line</source>
+        <translation>verwenden Sie einen einzeiligen Namen</translation>
+    </message>
+    <message>
+        <source>it is not valid UTF-8 text</source>
+        <translation>er ist kein gültiger UTF-8-Text</translation>
+    </message>
+    <message>
+        <source>class &apos;%1&apos;</source>
+        <translation>Klasse &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>team &apos;%1&apos;</source>
+        <translation>Team &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos;</source>
+        <translation>Roboter &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>Kamera &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>task &apos;%1&apos;</source>
+        <translation>Aufgabe &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;</source>
+        <translation>Plan &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>file &apos;%1&apos;</source>
+        <translation>Datei &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a team belongs to it</source>
+        <translation>ein Team gehört dazu</translation>
+    </message>
+    <message>
+        <source>%1 teams belong to it</source>
+        <translation>%1 Teams gehören dazu</translation>
+    </message>
+    <message>
+        <source>move its teams to another class first, or archive it</source>
+        <translation>verschieben Sie ihre Teams zuerst in eine andere Klasse, oder archivieren Sie sie</translation>
+    </message>
+    <message>
+        <source>it drove in a trial</source>
+        <translation>er fuhr in einem Versuch</translation>
+    </message>
+    <message>
+        <source>keep it</source>
+        <translation>behalten Sie ihn</translation>
+    </message>
+    <message>
+        <source>it can be given another name</source>
+        <translation>er kann einen anderen Namen bekommen</translation>
+    </message>
+    <message>
+        <source>a trial has it</source>
+        <translation>ein Versuch hat sie</translation>
+    </message>
+    <message>
+        <source>%1 trials have it</source>
+        <translation>%1 Versuche haben sie</translation>
+    </message>
+    <message>
+        <source>give them another task first</source>
+        <translation>geben Sie ihnen zuerst eine andere Aufgabe</translation>
+    </message>
+    <message>
+        <source>trials were measured by it</source>
+        <translation>Versuche wurden danach ausgewertet</translation>
+    </message>
+    <message>
+        <source>their figures would not say any more what they were measured by</source>
+        <translation>ihre Kennwerte würden nicht mehr sagen, wonach sie ermittelt wurden</translation>
+    </message>
+    <message>
+        <source>a trial is its</source>
+        <translation>ein Versuch gehört ihm</translation>
+    </message>
+    <message>
+        <source>%1 trials are its</source>
+        <translation>%1 Versuche gehören ihm</translation>
+    </message>
+    <message>
+        <source>delete them for good first, or archive its class</source>
+        <translation>löschen Sie sie zuerst endgültig, oder archivieren Sie seine Klasse</translation>
+    </message>
+    <message>
+        <source>it has more than %1 members</source>
+        <translation>es hat mehr als %1 Mitglieder</translation>
+    </message>
+    <message>
+        <source>give the names of the people in the team</source>
+        <translation>geben Sie die Namen der Personen im Team an</translation>
+    </message>
+    <message>
+        <source>a robot belongs to it twice</source>
+        <translation>ein Roboter gehört ihm zweimal</translation>
+    </message>
+    <message>
+        <source>name each of its robots once</source>
+        <translation>nennen Sie jeden Roboter einmal</translation>
+    </message>
+    <message>
+        <source>it is being recorded</source>
+        <translation>er wird gerade aufgenommen</translation>
+    </message>
+    <message>
+        <source>trial &apos;%1&apos; is being recorded</source>
+        <translation>Versuch &apos;%1&apos; wird gerade aufgenommen</translation>
+    </message>
+    <message>
+        <source>end its recording first</source>
+        <translation>beenden Sie zuerst seine Aufnahme</translation>
+    </message>
+    <message>
+        <source>it is not in the bin</source>
+        <translation>er ist nicht im Papierkorb</translation>
+    </message>
+    <message>
+        <source>put it into the bin first</source>
+        <translation>legen Sie ihn zuerst in den Papierkorb</translation>
+    </message>
+    <message>
+        <source>its height is to be told, but none is given</source>
+        <translation>seine Höhe soll vorgegeben sein, aber es gibt keine</translation>
+    </message>
+    <message>
+        <source>give a height, or let it be estimated</source>
+        <translation>geben Sie eine Höhe an, oder lassen Sie sie schätzen</translation>
+    </message>
+    <message>
+        <source>its height is below the floor</source>
+        <translation>seine Höhe liegt unter dem Boden</translation>
+    </message>
+    <message>
+        <source>give a height of 0 or more</source>
+        <translation>geben Sie eine Höhe von 0 oder mehr an</translation>
+    </message>
+    <message>
+        <source>its size is not above 0</source>
+        <translation>seine Größe ist nicht größer als 0</translation>
+    </message>
+    <message>
+        <source>give length and width in millimetres, like 260x190</source>
+        <translation>geben Sie Länge und Breite in Millimetern an, etwa 260x190</translation>
+    </message>
+    <message>
+        <source>length &apos;%1&apos;</source>
+        <translation>Länge &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>not a number with the unit mm, cm or m</source>
+        <translation>keine Zahl mit der Einheit mm, cm oder m</translation>
+    </message>
+    <message>
+        <source>write it like 25mm, 2.5cm or 0.3m</source>
+        <translation>schreiben Sie etwa 25mm, 2.5cm oder 0.3m</translation>
+    </message>
+    <message>
+        <source>not a finite decimal number</source>
+        <translation>keine endliche Dezimalzahl</translation>
+    </message>
+    <message>
+        <source>write it with digits and a point, like 12.5</source>
+        <translation>schreiben Sie sie mit Ziffern und Punkt, etwa 12.5</translation>
+    </message>
+    <message>
+        <source>correct the pixels</source>
+        <translation>berichtigen Sie die Pixel</translation>
+    </message>
+    <message>
+        <source>correct it</source>
+        <translation>berichtigen Sie es</translation>
+    </message>
+    <message>
+        <source>correct one of them</source>
+        <translation>berichtigen Sie einen davon</translation>
+    </message>
+    <message>
+        <source>point %1 is there twice</source>
+        <translation>Punkt %1 gibt es zweimal</translation>
+    </message>
+    <message>
+        <source>point %1 lies at or beyond the horizon of %2</source>
+        <translation>Punkt %1 liegt am oder hinter dem Horizont von %2</translation>
+    </message>
+    <message>
+        <source>choose points of the floor</source>
+        <translation>wählen Sie Punkte des Bodens</translation>
+    </message>
+    <message>
+        <source>point %1 lies where a lens cannot have put it</source>
+        <translation>Punkt %1 liegt, wohin ihn kein Objektiv abbilden kann</translation>
+    </message>
+    <message>
+        <source>check its pixels and the intrinsics of both cameras</source>
+        <translation>prüfen Sie seine Pixel und die Objektivdaten beider Kameras</translation>
+    </message>
+    <message>
+        <source>the points are mirrored between the pictures of the two cameras</source>
+        <translation>die Punkte sind zwischen den Bildern der beiden Kameras gespiegelt</translation>
+    </message>
+    <message>
+        <source>check which label belongs to which point in %1 and in this camera</source>
+        <translation>prüfen Sie, welche Bezeichnung in %1 und in dieser Kamera zu welchem Punkt gehört</translation>
+    </message>
+    <message>
+        <source>point %1 would lie at or beyond the horizon</source>
+        <translation>Punkt %1 läge am oder hinter dem Horizont</translation>
+    </message>
+    <message>
+        <source>check its pixels in both pictures</source>
+        <translation>prüfen Sie seine Pixel in beiden Bildern</translation>
+    </message>
+    <message>
+        <source>the floor among the points is known only to ±%1 mm</source>
+        <translation>der Boden zwischen den Punkten ist nur auf ±%1 mm bekannt</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor, or register %1 better first</source>
+        <translation>verteilen Sie die Punkte über den Boden, oder messen Sie zuerst %1 besser ein</translation>
+    </message>
+    <message>
+        <source>the markers fit only to %1 px, but %2</source>
+        <translation>die Marker passen nur auf %1 px, aber %2</translation>
+    </message>
+    <message>
+        <source>the %1 markers misfit by %2 px (%3 mm) and check one another too little to tell which of them</source>
+        <translation>die %1 Marker passen um %2 px (%3 mm) nicht und prüfen einander zu wenig, um zu sagen, welcher es ist</translation>
+    </message>
+    <message>
+        <source>it may be wrong by much more</source>
+        <translation>der Fehler kann viel größer sein</translation>
+    </message>
+    <message>
+        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <translation>auf dem Plan &apos;%2&apos; gibt es %1 Kamera, zwei sind nötig</translation>
+    </message>
+    <message>
+        <source>register the cameras one by one by this layout first</source>
+        <translation>messen Sie die Kameras zuerst einzeln über diesen Plan ein</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
+        <translation>Kamera &apos;%1&apos; sieht nur %2 der Marker</translation>
+    </message>
+    <message>
+        <source>register it by more of them first</source>
+        <translation>messen Sie sie zuerst über mehr davon ein</translation>
+    </message>
+    <message>
+        <source>no two of the cameras see the same marker</source>
+        <translation>keine zwei der Kameras sehen denselben Marker</translation>
+    </message>
+    <message>
+        <source>let them see some of the same floor</source>
+        <translation>lassen Sie sie ein Stück gemeinsamen Bodens sehen</translation>
+    </message>
+    <message>
+        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>das erste Ende liegt am oder hinter dem Horizont der Kamera &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>das zweite Ende liegt am oder hinter dem Horizont der Kamera &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>lay the stick on the floor, nearer to the camera</source>
+        <translation>legen Sie den Stab auf den Boden, näher an die Kamera</translation>
+    </message>
+    <message>
+        <source>the floor markers cannot be found</source>
+        <translation>die Marker auf dem Boden sind nicht zu finden</translation>
+    </message>
+    <message>
+        <source>the markers cannot be told apart</source>
+        <translation>die Marker sind nicht zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <translation>auf %1 Arten passen sie gleich gut zum Plan, der von mehreren Seiten gleich aussieht</translation>
+    </message>
+    <message>
+        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <translation>keine Benennung der %1 Ringe und Punkte passt zum Plan</translation>
+    </message>
+    <message>
+        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <translation>prüfen Sie die Orte des Plans und ihre Einheit, verdecken Sie andere runde Dinge, oder markieren Sie die Marker von Hand</translation>
+    </message>
+    <message>
+        <source>tag %1 (marker %2) is seen %3 times</source>
+        <translation>Tag %1 (Marker %2) ist %3-mal zu sehen</translation>
+    </message>
+    <message>
+        <source>leave one of them on the floor</source>
+        <translation>lassen Sie eines davon auf dem Boden</translation>
+    </message>
+    <message>
+        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
+        <translation>die Achsen des Plans &apos;%1&apos; können nicht geändert werden</translation>
+    </message>
+    <message>
+        <source>it has no marker %1</source>
+        <translation>er hat keinen Marker %1</translation>
+    </message>
+    <message>
+        <source>name one of %1</source>
+        <translation>nennen Sie einen von %1</translation>
+    </message>
+    <message>
+        <source>the markers that X is to run along lie at one place</source>
+        <translation>die Marker, entlang derer X verlaufen soll, liegen an einer Stelle</translation>
+    </message>
+    <message>
+        <source>name two that lie apart</source>
+        <translation>nennen Sie zwei, die auseinander liegen</translation>
+    </message>
+    <message>
+        <source>give one of them</source>
+        <translation>geben Sie eins davon an</translation>
+    </message>
+    <message>
+        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>X allein umzukehren würde den Boden spiegeln, und keine Kamera darüber sieht ihn so</translation>
+    </message>
+    <message>
+        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>Y allein umzukehren würde den Boden spiegeln, und keine Kamera darüber sieht ihn so</translation>
+    </message>
+    <message>
+        <source>reverse both (a half turn), or turn the axes</source>
+        <translation>kehren Sie beide um (halbe Drehung), oder drehen Sie die Achsen</translation>
+    </message>
+    <message>
+        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <translation>wenn der Plan gespiegelt notiert wurde, berichtigen Sie seine Vorzeichen und fügen Sie ihn neu hinzu</translation>
+    </message>
+    <message>
+        <source>%1 cannot be set while it is automatic</source>
+        <translation>%1 kann nicht eingestellt werden, solange es automatisch ist</translation>
+    </message>
+    <message>
+        <source>turn the automatic off</source>
+        <translation>schalten Sie die Automatik aus</translation>
+    </message>
+    <message>
+        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
+        <translation>prüfen Sie Strom und Kabel, und dass dieser Rechner eine Adresse im Netz der Kamera hat</translation>
+    </message>
+    <message>
+        <source>a camera whose program has crashed is free again after some seconds</source>
+        <translation>eine Kamera, deren Programm abgestürzt ist, ist nach einigen Sekunden wieder frei</translation>
+    </message>
+    <message>
+        <source>no camera of this serial number answers</source>
+        <translation>keine Kamera mit dieser Seriennummer antwortet</translation>
+    </message>
+    <message>
+        <source>check its power and cable; odograph cameras lists those that answer</source>
+        <translation>prüfen Sie Strom und Kabel; odograph cameras nennt die, die antworten</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not understood</source>
+        <translation>&apos;%1&apos; ist nicht verständlich</translation>
+    </message>
+    <message>
+        <source>give each point a label</source>
+        <translation>geben Sie jedem Punkt eine Bezeichnung</translation>
+    </message>
+    <message>
+        <source>write one value for each of %1</source>
+        <translation>schreiben Sie je einen Wert für %1</translation>
+    </message>
+    <message>
+        <source>not of the form #rrggbb</source>
+        <translation>nicht von der Form #rrggbb</translation>
+    </message>
+    <message>
+        <source>write it like #d72328</source>
+        <translation>schreiben Sie etwa #d72328</translation>
+    </message>
+    <message>
+        <source>a board of %1 inner corners is too small</source>
+        <translation>eine Tafel mit %1 inneren Ecken ist zu klein</translation>
+    </message>
+    <message>
+        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <translation>geben Sie mindestens 3x3 an, etwa 9x6, oder lassen Sie die Größe weg</translation>
+    </message>
+    <message>
+        <source>the squares have no size</source>
+        <translation>die Felder haben keine Größe</translation>
+    </message>
+    <message>
+        <source>give it like 25mm</source>
+        <translation>geben Sie sie etwa als 25mm an</translation>
+    </message>
+    <message>
+        <source>there is no marker dictionary %1</source>
+        <translation>es gibt kein Marker-Wörterbuch %1</translation>
+    </message>
+    <message>
+        <source>analyse the trial again</source>
+        <translation>werten Sie den Versuch neu aus</translation>
+    </message>
+    <message>
+        <source>analysis of a trial</source>
+        <translation>Auswertung eines Versuchs</translation>
+    </message>
+    <message>
+        <source>the change could not be noted (%1)</source>
+        <translation>die Änderung konnte nicht vermerkt werden (%1)</translation>
+    </message>
+    <message>
+        <source>try it again</source>
+        <translation>versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>rückgängig machen</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>wiederholen</translation>
+    </message>
+    <message>
+        <source>an earlier step of this change failed</source>
+        <translation>ein früherer Schritt dieser Änderung misslang</translation>
+    </message>
+    <message>
+        <source>try the whole change again</source>
+        <translation>versuchen Sie die ganze Änderung noch einmal</translation>
+    </message>
+    <message>
+        <source>cannot hold %1</source>
+        <translation>%1 kann nicht gesperrt werden</translation>
+    </message>
+    <message>
+        <source>the labels are not those that it has</source>
+        <translation>die Bezeichnungen sind nicht die seinen</translation>
+    </message>
+    <message>
+        <source>add another layout for other markers</source>
+        <translation>fügen Sie für andere Marker einen anderen Plan hinzu</translation>
+    </message>
+    <message>
+        <source>the copy differs from what was written</source>
+        <translation>die Kopie weicht vom Geschriebenen ab</translation>
+    </message>
+    <message>
+        <source>it says of itself to have the format %1</source>
+        <translation>sie gibt das Format %1 an</translation>
+    </message>
+    <message>
+        <source>type the name anew</source>
+        <translation>tippen Sie den Namen neu</translation>
+    </message>
+    <message>
+        <source>type the text anew</source>
+        <translation>tippen Sie den Text neu</translation>
+    </message>
+    <message>
+        <source>it has no %1 yet</source>
+        <translation>es hat noch nichts dieser Art: %1</translation>
+    </message>
+    <message>
+        <source>add one first</source>
+        <translation>fügen Sie zuerst eins hinzu</translation>
+    </message>
+    <message>
+        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
+        <translation>es hat das ältere Format %1 und muss vor dem Lesen aktualisiert werden, aber %2</translation>
+    </message>
+    <message>
+        <source>it could not be brought to format %1 (%2)</source>
+        <translation>es konnte nicht auf Format %1 gebracht werden (%2)</translation>
+    </message>
+    <message>
+        <source>reading it failed (%1)</source>
+        <translation>das Lesen misslang (%1)</translation>
+    </message>
+    <message>
+        <source>recording &apos;%1&apos;</source>
+        <translation>Aufnahme &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>its recording has ended already</source>
+        <translation>seine Aufnahme ist schon beendet</translation>
+    </message>
+    <message>
+        <source>record another trial</source>
+        <translation>nehmen Sie einen anderen Versuch auf</translation>
+    </message>
+    <message>
+        <source>comparison of %1</source>
+        <translation>Vergleich von %1</translation>
+    </message>
+    <message>
+        <source>it has more than %1 lines</source>
+        <translation>sie hat mehr als %1 Zeilen</translation>
+    </message>
+    <message>
+        <source>keep those that matter</source>
+        <translation>behalten Sie die wichtigen</translation>
+    </message>
+    <message>
+        <source>a number in it is none</source>
+        <translation>eine Zahl darin ist keine</translation>
+    </message>
+    <message>
+        <source>give three numbers</source>
+        <translation>geben Sie drei Zahlen an</translation>
+    </message>
+    <message>
+        <source>its points are 0, or beyond 1000</source>
+        <translation>ihre Punkte sind 0 oder jenseits von 1000</translation>
+    </message>
+    <message>
+        <source>give points from 1 to 1000, below zero for a penalty</source>
+        <translation>geben Sie Punkte von 1 bis 1000 an, für eine Strafe unter null</translation>
+    </message>
+    <message>
+        <source>it is shorter than 1 mm</source>
+        <translation>sie ist kürzer als 1 mm</translation>
+    </message>
+    <message>
+        <source>its points are not on a floor of 1 km</source>
+        <translation>seine Punkte liegen nicht auf einem Boden von 1 km</translation>
+    </message>
+    <message>
+        <source>it has more than %1 points</source>
+        <translation>sie hat mehr als %1 Punkte</translation>
+    </message>
+    <message>
+        <source>its place is not a number</source>
+        <translation>sein Ort ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>a slalom has 1 to 100 poles, not %1</source>
+        <translation>ein Slalom hat 1 bis 100 Stangen, nicht %1</translation>
+    </message>
+    <message>
+        <source>give another number</source>
+        <translation>geben Sie eine andere Zahl an</translation>
+    </message>
+    <message>
+        <source>the board was found in none of %1 pictures (%2)</source>
+        <translation>die Tafel wurde in keinem von %1 Bildern gefunden (%2)</translation>
+    </message>
+    <message>
+        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
+        <translation>zeigen Sie die ganze Tafel, flach, scharf und gleichmäßig beleuchtet, und prüfen Sie Muster und Größe</translation>
+    </message>
+    <message>
+        <source>the size of its pictures is not known</source>
+        <translation>die Größe ihrer Bilder ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>it has no intrinsics and no recording</source>
+        <translation>sie hat keine Objektivdaten und keine Aufnahme</translation>
+    </message>
+    <message>
+        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
+        <translation>kalibrieren Sie sie, importieren Sie ihre Objektivdaten, oder importieren Sie zuerst einen Versuch mit ihr</translation>
+    </message>
+    <message>
+        <source>it was never calibrated</source>
+        <translation>sie wurde nie kalibriert</translation>
+    </message>
+    <message>
+        <source>it was registered through another camera</source>
+        <translation>sie wurde über eine andere Kamera eingemessen</translation>
+    </message>
+    <message>
+        <source>register it through that camera again</source>
+        <translation>messen Sie sie über jene Kamera neu ein</translation>
+    </message>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>sie kann nicht angesehen werden (%1)</translation>
+    </message>
+    <message>
+        <source>choose a robot of the trial</source>
+        <translation>wählen Sie einen Roboter des Versuchs</translation>
+    </message>
+    <message>
+        <source>no track of it was imported</source>
+        <translation>von ihm wurde keine Spur importiert</translation>
+    </message>
+    <message>
+        <source>begin the file with the line %1</source>
+        <translation>beginnen Sie die Datei mit der Zeile %1</translation>
+    </message>
+    <message>
+        <source>begin the file with the line class,team or class,team,pseudonym</source>
+        <translation>beginnen Sie die Datei mit der Zeile class,team oder class,team,pseudonym</translation>
+    </message>
+    <message>
+        <source>there is no such rule of a zone</source>
+        <translation>diese Regel einer Zone gibt es nicht</translation>
+    </message>
+    <message>
+        <source>it has less than three corners</source>
+        <translation>sie hat weniger als drei Ecken</translation>
+    </message>
+    <message>
+        <source>give the corners of its outline, all the way round</source>
+        <translation>geben Sie die Ecken ihres Umrisses an, ringsherum</translation>
+    </message>
+    <message>
+        <source>give the corners in order, all the way round</source>
+        <translation>geben Sie die Ecken der Reihe nach ringsherum an</translation>
+    </message>
+    <message>
+        <source>it has more than %1 corners</source>
+        <translation>sie hat mehr als %1 Ecken</translation>
+    </message>
+    <message>
+        <source>draw it more coarsely</source>
+        <translation>zeichnen Sie sie gröber</translation>
+    </message>
+    <message>
+        <source>sample it more coarsely</source>
+        <translation>tasten Sie sie gröber ab</translation>
+    </message>
+    <message>
+        <source>its corners are not on a floor of 1 km</source>
+        <translation>ihre Ecken liegen nicht auf einem Boden von 1 km</translation>
+    </message>
+    <message>
+        <source>two corners are less than 1 mm apart</source>
+        <translation>zwei Ecken liegen weniger als 1 mm auseinander</translation>
+    </message>
+    <message>
+        <source>give each corner once</source>
+        <translation>geben Sie jede Ecke einmal an</translation>
+    </message>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>ihr Umriss kreuzt sich selbst</translation>
+    </message>
+    <message>
+        <source>the task has %1 zones already</source>
+        <translation>die Aufgabe hat schon %1 Zonen</translation>
+    </message>
+    <message>
+        <source>join zones that lie beside one another</source>
+        <translation>verbinden Sie nebeneinander liegende Zonen</translation>
+    </message>
+    <message>
+        <source>give each zone a name of its own</source>
+        <translation>geben Sie jeder Zone einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>give where it lies in millimetres</source>
+        <translation>geben Sie an, wo es liegt, in Millimetern</translation>
+    </message>
+    <message>
+        <source>name a picture</source>
+        <translation>nennen Sie ein Bild</translation>
+    </message>
+    <message>
+        <source>the file is larger than 1 GB</source>
+        <translation>die Datei ist größer als 1 GB</translation>
+    </message>
+    <message>
+        <source>the file could not be read</source>
+        <translation>die Datei konnte nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
+        <translation>es ist kein PNG-, JPEG-, BMP-, TIFF- oder PNM-Bild</translation>
+    </message>
+    <message>
+        <source>convert it to PNG or JPEG</source>
+        <translation>wandeln Sie es in PNG oder JPEG um</translation>
+    </message>
+    <message>
+        <source>make it smaller</source>
+        <translation>machen Sie es kleiner</translation>
+    </message>
+    <message>
+        <source>its content is damaged or cut short</source>
+        <translation>sein Inhalt ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>copy it again</source>
+        <translation>kopieren Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>cannot decode %1</source>
+        <translation>%1 kann nicht dekodiert werden</translation>
+    </message>
+    <message>
+        <source>cannot show frame %1 of %2</source>
+        <translation>Bild %1 von %2 kann nicht gezeigt werden</translation>
+    </message>
+    <message>
+        <source>it has frames 0 to %1</source>
+        <translation>es hat die Bilder 0 bis %1</translation>
+    </message>
+    <message>
+        <source>choose one of these</source>
+        <translation>wählen Sie eines davon</translation>
+    </message>
+    <message>
+        <source>cannot write the recording %1</source>
+        <translation>die Aufnahme %1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>check that its folder may be written to and has room</source>
+        <translation>prüfen Sie, ob sein Ordner beschreibbar ist und Platz hat</translation>
+    </message>
+    <message>
+        <source>check that the folder may be written to and has room</source>
+        <translation>prüfen Sie, ob der Ordner beschreibbar ist und Platz hat</translation>
+    </message>
+    <message>
+        <source>writing has failed before</source>
+        <translation>das Schreiben ist schon vorher misslungen</translation>
+    </message>
+    <message>
+        <source>its pictures have more than 100 megapixels</source>
+        <translation>seine Bilder haben mehr als 100 Megapixel</translation>
+    </message>
+    <message>
+        <source>convert it to a smaller size</source>
+        <translation>wandeln Sie es in eine kleinere Größe um</translation>
+    </message>
+    <message>
+        <source>H.264 needs an even width and height, not %1</source>
+        <translation>H.264 braucht gerade Breite und Höhe, nicht %1</translation>
+    </message>
+    <message>
+        <source>use MJPEG or FFV1, or another size</source>
+        <translation>verwenden Sie MJPEG oder FFV1, oder eine andere Größe</translation>
+    </message>
+    <message>
+        <source>the installed libavcodec has no encoder for it</source>
+        <translation>das installierte libavcodec hat keinen Encoder dafür</translation>
+    </message>
+    <message>
+        <source>neither their pixels nor a picture to look in was given</source>
+        <translation>weder ihre Pixel noch ein Bild zum Suchen wurde angegeben</translation>
+    </message>
+    <message>
+        <source>it was made with it already</source>
+        <translation>sie wurde schon damit gemacht</translation>
+    </message>
+    <message>
+        <source>calibrate the lens first, or put another calibration in force</source>
+        <translation>kalibrieren Sie zuerst das Objektiv, oder setzen Sie eine andere Kalibrierung in Kraft</translation>
+    </message>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>Projekt &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>Kopie &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>copy of &apos;%1&apos;</source>
+        <translation>Kopie von &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>export of &apos;%1&apos;</source>
+        <translation>Export von &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>cannot open the video %1</source>
+        <translation>das Video %1 kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>cannot write a frame to the video %1</source>
+        <translation>in das Video %1 kann kein Bild geschrieben werden</translation>
+    </message>
+    <message>
+        <source>cannot finish the video %1</source>
+        <translation>das Video %1 kann nicht abgeschlossen werden</translation>
+    </message>
+    <message>
+        <source>cannot encode the video</source>
+        <translation>das Video kann nicht kodiert werden</translation>
+    </message>
+    <message>
+        <source>the encoder would not start (%1)</source>
+        <translation>der Encoder startet nicht (%1)</translation>
+    </message>
+    <message>
+        <source>check the size, the frame rate and the quality that were asked for</source>
+        <translation>prüfen Sie die verlangte Größe, Bildrate und Qualität</translation>
+    </message>
+    <message>
+        <source>cannot record into %1</source>
+        <translation>in %1 kann nicht aufgenommen werden</translation>
+    </message>
+    <message>
+        <source>demo in &apos;%1&apos;</source>
+        <translation>Demo in &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>colour in the box</source>
+        <translation>Farbe im Rahmen</translation>
+    </message>
+    <message>
+        <source>the box is too small, or outside the picture</source>
+        <translation>der Rahmen ist zu klein oder außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>draw it round the robot, at least 8 pixels wide and high</source>
+        <translation>ziehen Sie ihn um den Roboter, mindestens 8 Pixel breit und hoch</translation>
+    </message>
+    <message>
+        <source>the box leaves nothing of the floor to compare with</source>
+        <translation>der Rahmen lässt nichts vom Boden zum Vergleichen übrig</translation>
+    </message>
+    <message>
+        <source>draw it closely round the robot</source>
+        <translation>ziehen Sie ihn eng um den Roboter</translation>
+    </message>
+    <message>
+        <source>what differs from the floor around it is grey, black or white</source>
+        <translation>was sich vom Boden unterscheidet, ist grau, schwarz oder weiß</translation>
+    </message>
+    <message>
+        <source>put a coloured plate on the robot, and draw the box round that</source>
+        <translation>setzen Sie eine farbige Platte auf den Roboter, und ziehen Sie den Rahmen um sie</translation>
+    </message>
+    <message>
+        <source>it holds no colour that differs from the floor around it</source>
+        <translation>er enthält keine Farbe, die sich vom Boden ringsum unterscheidet</translation>
+    </message>
+    <message>
+        <source>draw it closely round the robot, or put a plate of another colour on it</source>
+        <translation>ziehen Sie ihn eng um den Roboter, oder setzen Sie eine Platte anderer Farbe darauf</translation>
+    </message>
+    <message>
+        <source>Cannot track</source>
+        <translation>Verfolgen nicht möglich</translation>
+    </message>
+    <message>
+        <source>Cannot track robot %1</source>
+        <translation>Roboter %1 kann nicht verfolgt werden</translation>
+    </message>
+    <message>
+        <source>no robot is given</source>
+        <translation>es ist kein Roboter angegeben</translation>
+    </message>
+    <message>
+        <source>add a robot with its colour first</source>
+        <translation>fügen Sie zuerst einen Roboter mit seiner Farbe hinzu</translation>
+    </message>
+    <message>
+        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
+        <translation>seine Farbe %1 ist grau, und nur der Farbton unterscheidet einen Roboter vom Boden</translation>
+    </message>
+    <message>
+        <source>put a coloured plate on it and tell that colour</source>
+        <translation>setzen Sie eine farbige Platte darauf und geben Sie deren Farbe an</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s path cannot be measured</source>
+        <translation>die Bahn des Roboters kann nicht gemessen werden</translation>
+    </message>
+    <message>
+        <source>the trial has no view</source>
+        <translation>der Versuch hat keine Sicht</translation>
+    </message>
+    <message>
+        <source>import at least one video for it</source>
+        <translation>importieren Sie mindestens ein Video dafür</translation>
+    </message>
+    <message>
+        <source>camera %1 is not registered to the floor</source>
+        <translation>Kamera %1 ist nicht eingemessen</translation>
+    </message>
+    <message>
+        <source>cameras %1 are not registered to the floor</source>
+        <translation>die Kameras %1 sind nicht eingemessen</translation>
+    </message>
+    <message>
+        <source>run odograph register for at least one of them</source>
+        <translation>messen Sie mindestens eine davon ein</translation>
+    </message>
+    <message>
+        <source>run odograph register for them</source>
+        <translation>messen Sie sie ein</translation>
+    </message>
+    <message>
+        <source>view %1 has no frame</source>
+        <translation>die Sicht %1 hat kein Bild</translation>
+    </message>
+    <message>
+        <source>track the trial&apos;s videos first</source>
+        <translation>verfolgen Sie zuerst die Videos des Versuchs</translation>
+    </message>
+    <message>
+        <source>the robot was not found in any picture of %1</source>
+        <translation>der Roboter wurde in keinem Bild von %1 gefunden</translation>
+    </message>
+    <message>
+        <source>check that the robot&apos;s colour in the project is the one in the pictures, that nothing else has it, and that the light is sufficient</source>
+        <translation>prüfen Sie, ob die Farbe des Roboters im Projekt die in den Bildern ist, nichts anderes sie hat und das Licht ausreicht</translation>
+    </message>
+    <message>
+        <source>only cameras that are not registered to the floor saw the robot</source>
+        <translation>nur nicht eingemessene Kameras sahen den Roboter</translation>
+    </message>
+    <message>
+        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
+        <translation>seine Höhe soll trianguliert werden, aber zwei eingemessene Sichten sahen ihn fast nie zugleich</translation>
+    </message>
+    <message>
+        <source>add a second view, or give the robot one height</source>
+        <translation>fügen Sie eine zweite Sicht hinzu, oder geben Sie dem Roboter eine Höhe</translation>
+    </message>
+    <message>
+        <source>not enough data</source>
+        <translation>nicht genug Daten</translation>
+    </message>
+    <message>
+        <source>of %1 frames %2 give a position that can be used</source>
+        <translation>von %1 Bildern ergeben %2 einen brauchbaren Ort</translation>
+    </message>
+    <message>
+        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
+        <translation>wählen Sie ein längeres Video, oder prüfen Sie die Farbe des Roboters und das Licht</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>er wurde noch nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <translation>er wurde noch nicht verfolgt, es gibt also nichts neu auszuwerten</translation>
+    </message>
+    <message>
+        <source>track it first</source>
+        <translation>verfolgen Sie ihn zuerst</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>comparison of trial &apos;%1&apos;</source>
+        <translation>Vergleich des Versuchs &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it takes two runs</source>
+        <translation>es braucht zwei Fahrten</translation>
+    </message>
+    <message>
+        <source>choose another run as well</source>
+        <translation>wählen Sie noch eine Fahrt</translation>
+    </message>
+    <message>
+        <source>a run cannot be compared with itself</source>
+        <translation>eine Fahrt kann nicht mit sich selbst verglichen werden</translation>
+    </message>
+    <message>
+        <source>it has several robots</source>
+        <translation>er hat mehrere Roboter</translation>
+    </message>
+    <message>
+        <source>choose one of them</source>
+        <translation>wählen Sie einen davon</translation>
+    </message>
+    <message>
+        <source>its tracks were imported, so there is no video to track in</source>
+        <translation>seine Spuren wurden importiert, es gibt kein Video zum Verfolgen</translation>
+    </message>
+    <message>
+        <source>its task was changed while it was measured</source>
+        <translation>seine Aufgabe wurde während der Auswertung geändert</translation>
+    </message>
+    <message>
+        <source>the project has no robot to look for</source>
+        <translation>das Projekt hat keinen Roboter, nach dem zu suchen wäre</translation>
+    </message>
+    <message>
+        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <translation>ihre Bilder haben %1, aber die Kamera wurde bei %2 kalibriert</translation>
+    </message>
+    <message>
+        <source>calibrate and register the camera at the size it records</source>
+        <translation>kalibrieren und messen Sie die Kamera bei der Größe ein, in der sie aufnimmt</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
+        <translation>Sicht &apos;%1&apos; des Versuchs &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>synchronisation of the clips</source>
+        <translation>Synchronisierung der Videos</translation>
+    </message>
+    <message>
+        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
+        <translation>lassen Sie einmal das Raumlicht aufblitzen, während beide Kameras aufnehmen, oder geben Sie den Versatz an</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>Tor &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>Zone &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>its ends are not on a floor of 1 km</source>
+        <translation>seine Enden liegen nicht auf einem Boden von 1 km</translation>
+    </message>
+    <message>
+        <source>check the numbers</source>
+        <translation>prüfen Sie die Zahlen</translation>
+    </message>
+    <message>
+        <source>its ends are less than 1 mm apart</source>
+        <translation>seine Enden liegen weniger als 1 mm auseinander</translation>
+    </message>
+    <message>
+        <source>give the two ends of the line that is to be passed</source>
+        <translation>geben Sie die beiden Enden der Linie an, die zu überfahren ist</translation>
+    </message>
+    <message>
+        <source>the name is there twice</source>
+        <translation>den Namen gibt es zweimal</translation>
+    </message>
+    <message>
+        <source>give each gate a name of its own</source>
+        <translation>geben Sie jedem Tor einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos; is the start already</source>
+        <translation>Tor &apos;%1&apos; ist schon der Start</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos; is the finish already</source>
+        <translation>Tor &apos;%1&apos; ist schon das Ziel</translation>
+    </message>
+    <message>
+        <source>keep one start and one finish, or one gate with the role start_finish</source>
+        <translation>behalten Sie einen Start und ein Ziel, oder ein Tor, das beides ist</translation>
+    </message>
+    <message>
+        <source>reference path</source>
+        <translation>Sollbahn</translation>
+    </message>
+    <message>
+        <source>it has too few points</source>
+        <translation>sie hat zu wenige Punkte</translation>
+    </message>
+    <message>
+        <source>give two points or more, three where the path is closed</source>
+        <translation>geben Sie zwei Punkte oder mehr an, drei bei geschlossener Bahn</translation>
+    </message>
+    <message>
+        <source>limits of a task</source>
+        <translation>Grenzwerte einer Aufgabe</translation>
+    </message>
+    <message>
+        <source>a limit is not above zero</source>
+        <translation>ein Grenzwert ist nicht größer als null</translation>
+    </message>
+    <message>
+        <source>give the largest speed and acceleration that a robot can have in the task</source>
+        <translation>geben Sie die größte Geschwindigkeit und Beschleunigung an, die ein Roboter in der Aufgabe haben kann</translation>
+    </message>
+    <message>
+        <source>template of a task</source>
+        <translation>Muster einer Aufgabe</translation>
+    </message>
+    <message>
+        <source>a size is less than 1 mm</source>
+        <translation>eine Größe ist kleiner als 1 mm</translation>
+    </message>
+    <message>
+        <source>give the sizes in millimetres</source>
+        <translation>geben Sie die Größen in Millimetern an</translation>
+    </message>
+    <message>
+        <source>scoring</source>
+        <translation>Wertung</translation>
+    </message>
+    <message>
+        <source>line %1 of the scoring</source>
+        <translation>Zeile %1 der Wertung</translation>
+    </message>
+    <message>
+        <source>it names no figure</source>
+        <translation>sie nennt keinen Kennwert</translation>
+    </message>
+    <message>
+        <source>choose what is scored</source>
+        <translation>wählen Sie, was gewertet wird</translation>
+    </message>
+    <message>
+        <source>all points and no points are at the same value</source>
+        <translation>alle Punkte und keine Punkte liegen beim selben Wert</translation>
+    </message>
+    <message>
+        <source>give two values, between which the points rise</source>
+        <translation>geben Sie zwei Werte an, zwischen denen die Punkte steigen</translation>
+    </message>
+    <message>
+        <source>%1 points are too few for it</source>
+        <translation>%1 Punkte sind dafür zu wenig</translation>
+    </message>
+    <message>
+        <source>choose a longer range</source>
+        <translation>wählen Sie einen längeren Bereich</translation>
+    </message>
+    <message>
+        <source>the robot was not measured there, so there is nothing to judge</source>
+        <translation>der Roboter wurde dort nicht gemessen, es gibt nichts zu beurteilen</translation>
+    </message>
+    <message>
+        <source>there is no such frame</source>
+        <translation>dieses Bild gibt es nicht</translation>
+    </message>
+    <message>
+        <source>import of trial &apos;%1&apos;</source>
+        <translation>Import des Versuchs &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>no video was given</source>
+        <translation>kein Video wurde angegeben</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; was given two videos</source>
+        <translation>für Kamera &apos;%1&apos; wurden zwei Videos angegeben</translation>
+    </message>
+    <message>
+        <source>give each view its own camera</source>
+        <translation>geben Sie jeder Sicht ihre eigene Kamera</translation>
+    </message>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3 s</source>
+        <translation>die Sichten &apos;%1&apos; und &apos;%2&apos; haben bei einem Versatz von %3 s keine gemeinsame Zeit</translation>
+    </message>
+    <message>
+        <source>check the files and the --sync offset</source>
+        <translation>prüfen Sie die Dateien und den Versatz</translation>
+    </message>
+    <message>
+        <source>it is not an ordinary file</source>
+        <translation>es ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>name a video file</source>
+        <translation>nennen Sie eine Videodatei</translation>
+    </message>
+    <message>
+        <source>name a video file in it</source>
+        <translation>nennen Sie eine Videodatei darin</translation>
+    </message>
+    <message>
+        <source>name a file</source>
+        <translation>nennen Sie eine Datei</translation>
+    </message>
+    <message>
+        <source>check the permissions of its folder</source>
+        <translation>prüfen Sie die Rechte seines Ordners</translation>
+    </message>
+    <message>
+        <source>copy it from the camera again</source>
+        <translation>kopieren Sie sie noch einmal von der Kamera</translation>
+    </message>
+    <message>
+        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
+        <translation>es ist kein Video lesbarer Art, oder sein Kopf ist beschädigt oder fehlt (%1)</translation>
+    </message>
+    <message>
+        <source>give an MP4, MOV, MKV or AVI file</source>
+        <translation>geben Sie eine MP4-, MOV-, MKV- oder AVI-Datei an</translation>
+    </message>
+    <message>
+        <source>copy it from the camera again if it was cut short</source>
+        <translation>kopieren Sie sie noch einmal von der Kamera, wenn sie abgeschnitten wurde</translation>
+    </message>
+    <message>
+        <source>it holds no video stream that can be read</source>
+        <translation>sie enthält keinen lesbaren Videostrom</translation>
+    </message>
+    <message>
+        <source>give the file that the camera recorded</source>
+        <translation>geben Sie die Datei an, die die Kamera aufgenommen hat</translation>
+    </message>
+    <message>
+        <source>there is no decoder for %1</source>
+        <translation>es gibt keinen Decoder für %1</translation>
+    </message>
+    <message>
+        <source>its decoder would not start (%1)</source>
+        <translation>sein Decoder startet nicht (%1)</translation>
+    </message>
+    <message>
+        <source>convert it to H.264</source>
+        <translation>wandeln Sie es in H.264 um</translation>
+    </message>
+    <message>
+        <source>its data are damaged</source>
+        <translation>seine Daten sind beschädigt</translation>
+    </message>
+    <message>
+        <source>it is left out</source>
+        <translation>es wird weggelassen</translation>
+    </message>
+    <message>
+        <source>the video has no picture</source>
+        <translation>das Video hat kein Bild</translation>
+    </message>
+    <message>
+        <source>it has no picture</source>
+        <translation>es hat kein Bild</translation>
+    </message>
+    <message>
+        <source>give another file</source>
+        <translation>geben Sie eine andere Datei an</translation>
+    </message>
+    <message>
+        <source>check that the folder exists, may be written to and has room</source>
+        <translation>prüfen Sie, ob es den Ordner gibt, ob er beschreibbar ist und Platz hat</translation>
+    </message>
+    <message>
+        <source>cannot write the video %1</source>
+        <translation>das Video %1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>its name ends with neither .mkv nor .mp4</source>
+        <translation>sein Name endet weder auf .mkv noch auf .mp4</translation>
+    </message>
+    <message>
+        <source>give it one of these endings</source>
+        <translation>geben Sie ihm eine dieser Endungen</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; packen</translation>
+    </message>
+    <message>
+        <source>unpack &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; entpacken</translation>
+    </message>
+    <message>
+        <source>unpack into &apos;%1&apos;</source>
+        <translation>nach &apos;%1&apos; entpacken</translation>
+    </message>
+    <message>
+        <source>it is there already</source>
+        <translation>das gibt es schon</translation>
+    </message>
+    <message>
+        <source>choose a folder that is not there yet</source>
+        <translation>wählen Sie einen Ordner, den es noch nicht gibt</translation>
+    </message>
+    <message>
+        <source>choose an empty folder</source>
+        <translation>wählen Sie einen leeren Ordner</translation>
+    </message>
+    <message>
+        <source>it has become shorter meanwhile</source>
+        <translation>sie ist inzwischen kürzer geworden</translation>
+    </message>
+    <message>
+        <source>wait until nobody writes to it, and try again</source>
+        <translation>warten Sie, bis niemand mehr darin schreibt, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>there is no project in it</source>
+        <translation>darin ist kein Projekt</translation>
+    </message>
+    <message>
+        <source>it has too many files</source>
+        <translation>es hat zu viele Dateien</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not belong into a packed project</source>
+        <translation>&apos;%1&apos; gehört nicht in ein gepacktes Projekt</translation>
+    </message>
+    <message>
+        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
+        <translation>wählen Sie eine Datei, die Odograph gepackt hat, und kopieren Sie sie neu, wenn sie beschädigt ist</translation>
+    </message>
+    <message>
+        <source>it is written in UTF-16</source>
+        <translation>sie ist in UTF-16 geschrieben</translation>
+    </message>
+    <message>
+        <source>it is not a UTF-8 text file</source>
+        <translation>es ist keine UTF-8-Textdatei</translation>
+    </message>
+    <message>
+        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
+        <translation>speichern Sie sie neu als &quot;CSV UTF-8&quot; oder als UTF-8-Text</translation>
+    </message>
+    <message>
+        <source>save it again as UTF-8 text</source>
+        <translation>speichern Sie sie neu als UTF-8-Text</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 KiB</source>
+        <translation>sie ist größer als %1 KiB</translation>
+    </message>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>prüfen Sie, ob es die richtige Datei ist</translation>
+    </message>
+    <message>
+        <source>its columns are separated by semicolons</source>
+        <translation>seine Spalten sind durch Semikolons getrennt</translation>
+    </message>
+    <message>
+        <source>save it with commas, and with a point in its numbers</source>
+        <translation>speichern Sie sie mit Kommas und mit Punkt in den Zahlen</translation>
+    </message>
+    <message>
+        <source>save it with commas</source>
+        <translation>speichern Sie sie mit Kommas</translation>
+    </message>
+    <message>
+        <source>it lacks the expected header line</source>
+        <translation>die erwartete Kopfzeile fehlt</translation>
+    </message>
+    <message>
+        <source>it lacks the column %1</source>
+        <translation>die Spalte %1 fehlt</translation>
+    </message>
+    <message>
+        <source>it has %1 cells instead of %2</source>
+        <translation>sie hat %1 Zellen statt %2</translation>
+    </message>
+    <message>
+        <source>a quoted cell does not end</source>
+        <translation>eine Zelle in Anführungszeichen endet nicht</translation>
+    </message>
+    <message>
+        <source>close the quotes</source>
+        <translation>schließen Sie die Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos; is not a finite number</source>
+        <translation>%1 &apos;%2&apos; ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the label is empty</source>
+        <translation>die Bezeichnung ist leer</translation>
+    </message>
+    <message>
+        <source>the label &apos;%1&apos; is in line %2 already</source>
+        <translation>die Bezeichnung &apos;%1&apos; steht schon in Zeile %2</translation>
+    </message>
+    <message>
+        <source>the label &apos;%1&apos; is there twice</source>
+        <translation>die Bezeichnung &apos;%1&apos; gibt es zweimal</translation>
+    </message>
+    <message>
+        <source>give each marker a label</source>
+        <translation>geben Sie jedem Marker eine Bezeichnung</translation>
+    </message>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>geben Sie jedem Marker eine eigene Bezeichnung</translation>
+    </message>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>geben Sie jedem Punkt eine eigene Bezeichnung</translation>
+    </message>
+    <message>
+        <source>there are no markers below the header</source>
+        <translation>unter der Kopfzeile stehen keine Marker</translation>
+    </message>
+    <message>
+        <source>write one line for each marker</source>
+        <translation>schreiben Sie eine Zeile je Marker</translation>
+    </message>
+    <message>
+        <source>mend these lines</source>
+        <translation>bessern Sie diese Zeilen aus</translation>
+    </message>
+    <message>
+        <source>nothing was imported</source>
+        <translation>nichts wurde importiert</translation>
+    </message>
+    <message>
+        <source>it has no team</source>
+        <translation>sie hat kein Team</translation>
+    </message>
+    <message>
+        <source>write a line with class and team below the header</source>
+        <translation>schreiben Sie unter die Kopfzeile eine Zeile mit Klasse und Team</translation>
+    </message>
+    <message>
+        <source>roster &apos;%1&apos;</source>
+        <translation>Klassenliste &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>no track was given</source>
+        <translation>keine Spur wurde angegeben</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; was given two tracks</source>
+        <translation>für Roboter &apos;%1&apos; wurden zwei Spuren angegeben</translation>
+    </message>
+    <message>
+        <source>give each robot one</source>
+        <translation>geben Sie jedem Roboter eine</translation>
+    </message>
+    <message>
+        <source>its column &apos;%1&apos; is in a unit that is not known</source>
+        <translation>seine Spalte &apos;%1&apos; hat eine unbekannte Einheit</translation>
+    </message>
+    <message>
+        <source>give times in s or ms and places in m, cm or mm</source>
+        <translation>geben Sie Zeiten in s oder ms und Orte in m, cm oder mm an</translation>
+    </message>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;</source>
+        <translation>keine seiner Spuren heißt &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>give the robot the name of one of them</source>
+        <translation>geben Sie dem Roboter den Namen einer davon</translation>
+    </message>
+    <message>
+        <source>it has no samples</source>
+        <translation>sie hat keine Messpunkte</translation>
+    </message>
+    <message>
+        <source>its times do not rise</source>
+        <translation>seine Zeiten steigen nicht</translation>
+    </message>
+    <message>
+        <source>import another file</source>
+        <translation>importieren Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>Suche in &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>prüfen Sie, ob der Ordner da ist und gelesen werden darf</translation>
+    </message>
+    <message>
+        <source>lost videos</source>
+        <translation>fehlende Videos</translation>
+    </message>
+    <message>
+        <source>no video of this project is lost</source>
+        <translation>kein Video dieses Projekts fehlt</translation>
+    </message>
+    <message>
+        <source>there is nothing to do</source>
+        <translation>es gibt nichts zu tun</translation>
+    </message>
+    <message>
+        <source>the lost video is not there</source>
+        <translation>das fehlende Video ist nicht dort</translation>
+    </message>
+    <message>
+        <source>none of the %1 lost videos is there</source>
+        <translation>keins der %1 fehlenden Videos ist dort</translation>
+    </message>
+    <message>
+        <source>choose the folder where they were copied to</source>
+        <translation>wählen Sie den Ordner, in den sie kopiert wurden</translation>
+    </message>
+    <message>
+        <source>%1 is there already</source>
+        <translation>%1 gibt es schon</translation>
+    </message>
+    <message>
+        <source>open it, or choose another folder</source>
+        <translation>öffnen Sie es, oder wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>choose a folder you can write to, with 300 MB free</source>
+        <translation>wählen Sie einen beschreibbaren Ordner mit 300 MB Platz</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

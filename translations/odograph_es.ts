@@ -1603,6 +1603,2558 @@
         <source>%1.</source>
         <translation>%1.</translation>
     </message>
+    <message>
+        <source>the picture is too small to hold a board</source>
+        <translation>la imagen es demasiado pequeña para un tablero</translation>
+    </message>
+    <message>
+        <source>use a picture of the camera</source>
+        <translation>use una imagen de la cámara</translation>
+    </message>
+    <message>
+        <source>use pictures of the camera</source>
+        <translation>use imágenes de la cámara</translation>
+    </message>
+    <message>
+        <source>use another picture</source>
+        <translation>use otra imagen</translation>
+    </message>
+    <message>
+        <source>the picture is too small</source>
+        <translation>la imagen es demasiado pequeña</translation>
+    </message>
+    <message>
+        <source>the picture has no size</source>
+        <translation>la imagen no tiene tamaño</translation>
+    </message>
+    <message>
+        <source>the board is blurred</source>
+        <translation>el tablero está borroso</translation>
+    </message>
+    <message>
+        <source>its edges are %1 pixels wide</source>
+        <translation>sus bordes tienen %1 píxeles de ancho</translation>
+    </message>
+    <message>
+        <source>hold it still, and focus the camera</source>
+        <translation>manténgalo quieto y enfoque la cámara</translation>
+    </message>
+    <message>
+        <source>a corner of the board cannot be made out</source>
+        <translation>no se distingue una esquina del tablero</translation>
+    </message>
+    <message>
+        <source>keep the board clear and well lit</source>
+        <translation>mantenga el tablero despejado y bien iluminado</translation>
+    </message>
+    <message>
+        <source>this board has %1 inner corners, %2 was asked for</source>
+        <translation>este tablero tiene %1 esquinas interiores, se pidió %2</translation>
+    </message>
+    <message>
+        <source>count the inner corners, or leave the size out</source>
+        <translation>cuente las esquinas interiores, u omita el tamaño</translation>
+    </message>
+    <message>
+        <source>the board is cut off</source>
+        <translation>el tablero está cortado</translation>
+    </message>
+    <message>
+        <source>only %1 of its %2 inner corners are seen</source>
+        <translation>solo se ven %1 de sus %2 esquinas interiores</translation>
+    </message>
+    <message>
+        <source>keep the whole board in the picture</source>
+        <translation>mantenga todo el tablero en la imagen</translation>
+    </message>
+    <message>
+        <source>no board found</source>
+        <translation>no se encontró ningún tablero</translation>
+    </message>
+    <message>
+        <source>%1 of its markers could be read</source>
+        <translation>se pudieron leer %1 de sus marcadores</translation>
+    </message>
+    <message>
+        <source>show the whole board, flat, sharp and well lit</source>
+        <translation>muestre todo el tablero, plano, nítido y bien iluminado</translation>
+    </message>
+    <message>
+        <source>show the board larger, sharp and well lit</source>
+        <translation>muestre el tablero más grande, nítido y bien iluminado</translation>
+    </message>
+    <message>
+        <source>only %1 corners of the board are seen</source>
+        <translation>solo se ven %1 esquinas del tablero</translation>
+    </message>
+    <message>
+        <source>show more of the board</source>
+        <translation>muestre más del tablero</translation>
+    </message>
+    <message>
+        <source>show one ChArUco board</source>
+        <translation>muestre un tablero ChArUco</translation>
+    </message>
+    <message>
+        <source>the camera cannot be calibrated</source>
+        <translation>la cámara no se puede calibrar</translation>
+    </message>
+    <message>
+        <source>calibration of camera &apos;%1&apos;</source>
+        <translation>calibración de la cámara &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>three pictures of the board are needed, %1 can be used</source>
+        <translation>se necesitan tres imágenes del tablero, %1 sirven</translation>
+    </message>
+    <message>
+        <source>take ten or more, the board tilted differently in each</source>
+        <translation>tome diez o más, con el tablero inclinado de otra forma en cada una</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners do not agree with the others</source>
+        <translation>el %1 % de las esquinas no concuerda con las demás</translation>
+    </message>
+    <message>
+        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <translation>compruebe que todas las imágenes son nítidas, de un mismo tablero plano y de una cámara con un mismo zoom y enfoque</translation>
+    </message>
+    <message>
+        <source>no lens fits these pictures</source>
+        <translation>ninguna lente se ajusta a estas imágenes</translation>
+    </message>
+    <message>
+        <source>check that all are of one camera, at one zoom and focus</source>
+        <translation>compruebe que todas son de una cámara, con un mismo zoom y enfoque</translation>
+    </message>
+    <message>
+        <source>choose others</source>
+        <translation>elija otras</translation>
+    </message>
+    <message>
+        <source>use pictures of one camera at one zoom and focus</source>
+        <translation>use imágenes de una cámara con un mismo zoom y enfoque</translation>
+    </message>
+    <message>
+        <source>all %1 pictures show the board in one place, the %2 %3 % of the picture</source>
+        <translation>las %1 imágenes muestran el tablero en un mismo lugar (%2, %3 % de la imagen)</translation>
+    </message>
+    <message>
+        <source>how the lens bends elsewhere stays unknown</source>
+        <translation>se desconoce cómo deforma la lente en otros lugares</translation>
+    </message>
+    <message>
+        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <translation>muestre el tablero en el centro y cerca de cada esquina de la imagen, y más cerca</translation>
+    </message>
+    <message>
+        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <translation>las %1 imágenes muestran el tablero casi en la misma postura, lo que no determina la distancia focal</translation>
+    </message>
+    <message>
+        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <translation>tome imágenes con el tablero inclinado de 30 a 45 grados, hacia cada lado</translation>
+    </message>
+    <message>
+        <source>the pictures determine the focal length only to %1 %</source>
+        <translation>las imágenes determinan la distancia focal solo al %1 %</translation>
+    </message>
+    <message>
+        <source>the board is seen too nearly frontal</source>
+        <translation>el tablero se ve demasiado de frente</translation>
+    </message>
+    <message>
+        <source>two halves of the pictures give focal lengths that differ by %1 %</source>
+        <translation>dos mitades de las imágenes dan distancias focales que difieren en un %1 %</translation>
+    </message>
+    <message>
+        <source>the floor cannot be registered</source>
+        <translation>no se puede registrar el suelo</translation>
+    </message>
+    <message>
+        <source>the camera cannot be registered through another</source>
+        <translation>la cámara no se puede registrar mediante otra</translation>
+    </message>
+    <message>
+        <source>the cameras cannot be registered together</source>
+        <translation>las cámaras no se pueden registrar juntas</translation>
+    </message>
+    <message>
+        <source>the length cannot be measured</source>
+        <translation>no se puede medir la longitud</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos;</source>
+        <translation>registro de la cámara &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>marker %1 stands twice in the layout</source>
+        <translation>el marcador %1 está dos veces en el plano</translation>
+    </message>
+    <message>
+        <source>marker %1 stands twice in the picture</source>
+        <translation>el marcador %1 está dos veces en la imagen</translation>
+    </message>
+    <message>
+        <source>give each marker a name of its own</source>
+        <translation>dé a cada marcador un nombre propio</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie at one place of the floor</source>
+        <translation>los marcadores %1 y %2 están en un mismo lugar del suelo</translation>
+    </message>
+    <message>
+        <source>correct the layout</source>
+        <translation>corrija el plano</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie on one pixel</source>
+        <translation>los marcadores %1 y %2 están en un mismo píxel</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 lie on one pixel</source>
+        <translation>los puntos %1 y %2 están en un mismo píxel</translation>
+    </message>
+    <message>
+        <source>mark each of them where it is seen</source>
+        <translation>marque cada uno donde se ve</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie only %3 mm apart, too close for two of four</source>
+        <translation>los marcadores %1 y %2 están a solo %3 mm, demasiado cerca para ser dos de cuatro</translation>
+    </message>
+    <message>
+        <source>spread the markers over the floor</source>
+        <translation>reparta los marcadores por el suelo</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor</source>
+        <translation>reparta los puntos por el suelo</translation>
+    </message>
+    <message>
+        <source>spread them over the floor</source>
+        <translation>repártalos por el suelo</translation>
+    </message>
+    <message>
+        <source>four markers are needed that the layout and the picture have in common</source>
+        <translation>se necesitan cuatro marcadores comunes al plano y a la imagen</translation>
+    </message>
+    <message>
+        <source>there are %1 (%2)</source>
+        <translation>hay %1 (%2)</translation>
+    </message>
+    <message>
+        <source>there are %1 (%2), and the layout does not know %3</source>
+        <translation>hay %1 (%2), y el plano no conoce %3</translation>
+    </message>
+    <message>
+        <source>there are %1</source>
+        <translation>hay %1</translation>
+    </message>
+    <message>
+        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <translation>marque más marcadores del plano, con los nombres del plano</translation>
+    </message>
+    <message>
+        <source>the markers are mirrored</source>
+        <translation>los marcadores están en espejo</translation>
+    </message>
+    <message>
+        <source>seen in this order the camera would be below the floor</source>
+        <translation>en este orden la cámara estaría bajo el suelo</translation>
+    </message>
+    <message>
+        <source>seen from above, Y must point to the left of X</source>
+        <translation>visto desde arriba, Y debe apuntar a la izquierda de X</translation>
+    </message>
+    <message>
+        <source>check the signs of the layout</source>
+        <translation>compruebe los signos del plano</translation>
+    </message>
+    <message>
+        <source>check these labels</source>
+        <translation>compruebe estos rótulos</translation>
+    </message>
+    <message>
+        <source>the camera would stand only %1 mm above the floor</source>
+        <translation>la cámara estaría a solo %1 mm del suelo</translation>
+    </message>
+    <message>
+        <source>the camera would stand %1 m above the floor</source>
+        <translation>la cámara estaría a %1 m del suelo</translation>
+    </message>
+    <message>
+        <source>marker %1 would lie at or beyond the horizon</source>
+        <translation>el marcador %1 estaría en el horizonte o más allá</translation>
+    </message>
+    <message>
+        <source>check its place and its pixel</source>
+        <translation>compruebe su lugar y su píxel</translation>
+    </message>
+    <message>
+        <source>the markers do not fit a flat floor</source>
+        <translation>los marcadores no se ajustan a un suelo plano</translation>
+    </message>
+    <message>
+        <source>%1 px RMS, most at %2 (%3 px)</source>
+        <translation>%1 px RMS, sobre todo en %2 (%3 px)</translation>
+    </message>
+    <message>
+        <source>check the layout, the labels and the intrinsics</source>
+        <translation>compruebe el plano, los rótulos y los parámetros intrínsecos</translation>
+    </message>
+    <message>
+        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2 mm</source>
+        <translation>los marcadores están casi en una línea (%1 los que más), de modo que el suelo solo se conoce a ±%2 mm</translation>
+    </message>
+    <message>
+        <source>mark and measure them again, or add another</source>
+        <translation>márquelos y mídalos de nuevo, o añada otro</translation>
+    </message>
+    <message>
+        <source>the markers do not determine where the cameras stand</source>
+        <translation>los marcadores no determinan dónde están las cámaras</translation>
+    </message>
+    <message>
+        <source>the points do not determine where the camera stands</source>
+        <translation>los puntos no determinan dónde está la cámara</translation>
+    </message>
+    <message>
+        <source>four points are needed that both cameras see</source>
+        <translation>se necesitan cuatro puntos que vean ambas cámaras</translation>
+    </message>
+    <message>
+        <source>add points of the floor, such as corners of tiles</source>
+        <translation>añada puntos del suelo, como esquinas de baldosas</translation>
+    </message>
+    <message>
+        <source>%1 of %2 were found, four are needed</source>
+        <translation>se encontraron %1 de %2, hacen falta cuatro</translation>
+    </message>
+    <message>
+        <source>missing: %1</source>
+        <translation>faltan: %1</translation>
+    </message>
+    <message>
+        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
+        <translation>muestre los tags que faltan (AprilTag 36h11, numerados desde 0 en el orden del plano) o anillos, o marque los marcadores a mano</translation>
+    </message>
+    <message>
+        <source>%1 rings or dots were found, four are needed</source>
+        <translation>se encontraron %1 anillos o puntos, hacen falta cuatro</translation>
+    </message>
+    <message>
+        <source>show more of them, larger or in better light, or mark the markers by hand</source>
+        <translation>muestre más, más grandes o con mejor luz, o marque los marcadores a mano</translation>
+    </message>
+    <message>
+        <source>tell by hand which of them is %1</source>
+        <translation>indique a mano cuál de ellos es %1</translation>
+    </message>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>no se puede saber si %1 se ha movido</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 markers were found again, two are needed</source>
+        <translation>se encontraron de nuevo %1 de sus %2 marcadores, hacen falta dos</translation>
+    </message>
+    <message>
+        <source>clear the view of the markers</source>
+        <translation>despeje la vista de los marcadores</translation>
+    </message>
+    <message>
+        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <translation>si ya no están o la cámara mira a otro lado, regístrela de nuevo</translation>
+    </message>
+    <message>
+        <source>these intrinsics cannot be used</source>
+        <translation>estos parámetros intrínsecos no se pueden usar</translation>
+    </message>
+    <message>
+        <source>calibrate the camera again, or import another file</source>
+        <translation>calibre la cámara de nuevo, o importe otro archivo</translation>
+    </message>
+    <message>
+        <source>register it first, by markers or through another camera</source>
+        <translation>regístrela antes, con marcadores o mediante otra cámara</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered</source>
+        <translation>la cámara &apos;%1&apos; no está registrada</translation>
+    </message>
+    <message>
+        <source>a camera cannot be registered through itself</source>
+        <translation>una cámara no se puede registrar mediante sí misma</translation>
+    </message>
+    <message>
+        <source>name another camera that is registered</source>
+        <translation>indique otra cámara que esté registrada</translation>
+    </message>
+    <message>
+        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <translation>ambos extremos están en un mismo píxel de la cámara &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>mark the two ends where they are seen</source>
+        <translation>marque los dos extremos donde se ven</translation>
+    </message>
+    <message>
+        <source>no camera was given that sees it</source>
+        <translation>no se dio ninguna cámara que la vea</translation>
+    </message>
+    <message>
+        <source>mark its ends in one picture at least</source>
+        <translation>marque sus extremos en al menos una imagen</translation>
+    </message>
+    <message>
+        <source>the told length is not above 0</source>
+        <translation>la longitud indicada no es mayor que 0</translation>
+    </message>
+    <message>
+        <source>give the length as it was measured with a tape</source>
+        <translation>dé la longitud medida con una cinta métrica</translation>
+    </message>
+    <message>
+        <source>the picture is %1, the camera was registered at %2</source>
+        <translation>la imagen es de %1, la cámara se registró a %2</translation>
+    </message>
+    <message>
+        <source>give a picture of that size</source>
+        <translation>dé una imagen de ese tamaño</translation>
+    </message>
+    <message>
+        <source>this computer</source>
+        <translation>esta computadora</translation>
+    </message>
+    <message>
+        <source>it slept for %1, and nothing was recorded meanwhile</source>
+        <translation>estuvo suspendida %1 y entretanto no se grabó nada</translation>
+    </message>
+    <message>
+        <source>what came before is kept</source>
+        <translation>lo anterior se conserva</translation>
+    </message>
+    <message>
+        <source>keep it awake while it records</source>
+        <translation>manténgala despierta mientras graba</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
+    <message>
+        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
+        <translation>solo toma %1 imágenes por segundo de las %2 pedidas</translation>
+    </message>
+    <message>
+        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
+        <translation>dele más luz o una exposición más corta, o pida una frecuencia menor</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>no está</translation>
+    </message>
+    <message>
+        <source>plug it in, or choose one of those that odograph cameras lists</source>
+        <translation>conéctela, o elija una de las que muestra odograph cameras</translation>
+    </message>
+    <message>
+        <source>choose one of those that odograph cameras lists</source>
+        <translation>elija una de las que muestra odograph cameras</translation>
+    </message>
+    <message>
+        <source>you may not use it</source>
+        <translation>no tiene permiso para usarla</translation>
+    </message>
+    <message>
+        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
+        <translation>únase al grupo video (sudo usermod -aG video YOUR-NAME) y vuelva a entrar</translation>
+    </message>
+    <message>
+        <source>another program uses it</source>
+        <translation>otro programa la usa</translation>
+    </message>
+    <message>
+        <source>close that program</source>
+        <translation>cierre ese programa</translation>
+    </message>
+    <message>
+        <source>it was unplugged</source>
+        <translation>se desconectó</translation>
+    </message>
+    <message>
+        <source>plug it in again</source>
+        <translation>conéctela de nuevo</translation>
+    </message>
+    <message>
+        <source>plug %1 in again</source>
+        <translation>conecte de nuevo %1</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures</source>
+        <translation>su bus USB no tiene espacio para sus imágenes</translation>
+    </message>
+    <message>
+        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
+        <translation>conéctela donde no comparta bus con otra cámara, o elija MJPEG, una imagen menor o una frecuencia menor (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
+    </message>
+    <message>
+        <source>it cannot be opened (%1)</source>
+        <translation>no se puede abrir (%1)</translation>
+    </message>
+    <message>
+        <source>check its cable and address</source>
+        <translation>compruebe su cable y su dirección</translation>
+    </message>
+    <message>
+        <source>check that you may use it (a udev rule), and that no other program does</source>
+        <translation>compruebe que puede usarla (una regla de udev) y que ningún otro programa la usa</translation>
+    </message>
+    <message>
+        <source>no picture came for half a second</source>
+        <translation>no llegó ninguna imagen durante medio segundo</translation>
+    </message>
+    <message>
+        <source>wait, or check its cable</source>
+        <translation>espere, o compruebe su cable</translation>
+    </message>
+    <message>
+        <source>it does not answer</source>
+        <translation>no responde</translation>
+    </message>
+    <message>
+        <source>check its power and cable</source>
+        <translation>compruebe su alimentación y su cable</translation>
+    </message>
+    <message>
+        <source>it does not start (%1)</source>
+        <translation>no arranca (%1)</translation>
+    </message>
+    <message>
+        <source>check its cable, and that no other program uses it</source>
+        <translation>compruebe su cable y que ningún otro programa la use</translation>
+    </message>
+    <message>
+        <source>another camera (%1) is in its place</source>
+        <translation>otra cámara (%1) está en su lugar</translation>
+    </message>
+    <message>
+        <source>another camera (%1) is in the place of camera %2</source>
+        <translation>otra cámara (%1) está en el lugar de la cámara %2</translation>
+    </message>
+    <message>
+        <source>connect the one that belongs there, or begin anew with this one</source>
+        <translation>conecte la que corresponde, o empiece de nuevo con esta</translation>
+    </message>
+    <message>
+        <source>it came back with pictures of another size or format</source>
+        <translation>volvió con imágenes de otro tamaño o formato</translation>
+    </message>
+    <message>
+        <source>set it as before, or begin anew with size and format in its address</source>
+        <translation>ajústela como antes, o empiece de nuevo con tamaño y formato en su dirección</translation>
+    </message>
+    <message>
+        <source>it has nothing named &apos;%1&apos; that could be set</source>
+        <translation>no tiene nada llamado &apos;%1&apos; que se pueda ajustar</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>omítalo</translation>
+    </message>
+    <message>
+        <source>it refuses this value of %1</source>
+        <translation>rechaza este valor de %1</translation>
+    </message>
+    <message>
+        <source>choose another one</source>
+        <translation>elija otro</translation>
+    </message>
+    <message>
+        <source>%1 cannot be set as the camera stands now</source>
+        <translation>%1 no se puede ajustar con la cámara como está ahora</translation>
+    </message>
+    <message>
+        <source>turn off the automatic that moves it first</source>
+        <translation>desactive antes el automatismo que lo mueve</translation>
+    </message>
+    <message>
+        <source>%1 goes from %2 to %3</source>
+        <translation>%1 va de %2 a %3</translation>
+    </message>
+    <message>
+        <source>choose a value between</source>
+        <translation>elija un valor intermedio</translation>
+    </message>
+    <message>
+        <source>%1 gives no pictures</source>
+        <translation>%1 no da imágenes</translation>
+    </message>
+    <message>
+        <source>it has no format that can be read</source>
+        <translation>no tiene ningún formato legible</translation>
+    </message>
+    <message>
+        <source>take another camera</source>
+        <translation>use otra cámara</translation>
+    </message>
+    <message>
+        <source>it does not offer what was asked for</source>
+        <translation>no ofrece lo que se pidió</translation>
+    </message>
+    <message>
+        <source>choose of what it offers</source>
+        <translation>elija de lo que ofrece</translation>
+    </message>
+    <message>
+        <source>it does not take %1</source>
+        <translation>no admite %1</translation>
+    </message>
+    <message>
+        <source>ask for another size or format</source>
+        <translation>pida otro tamaño o formato</translation>
+    </message>
+    <message>
+        <source>it does not take this size</source>
+        <translation>no admite este tamaño</translation>
+    </message>
+    <message>
+        <source>it does not take this rate</source>
+        <translation>no admite esta frecuencia</translation>
+    </message>
+    <message>
+        <source>it does not take this exposure</source>
+        <translation>no admite esta exposición</translation>
+    </message>
+    <message>
+        <source>it does not take this gain</source>
+        <translation>no admite esta ganancia</translation>
+    </message>
+    <message>
+        <source>ask it for something else, or leave that to the camera</source>
+        <translation>pida otra cosa, o déjelo a la cámara</translation>
+    </message>
+    <message>
+        <source>no camera has such an address</source>
+        <translation>ninguna cámara tiene esa dirección</translation>
+    </message>
+    <message>
+        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
+        <translation>dé una como v4l2:/dev/video0, aravis:192.168.1.20, sim:A o file:PATH</translation>
+    </message>
+    <message>
+        <source>the video has ended</source>
+        <translation>el video ha terminado</translation>
+    </message>
+    <message>
+        <source>open it again to see it from the start</source>
+        <translation>ábralo de nuevo para verlo desde el principio</translation>
+    </message>
+    <message>
+        <source>the recording %1</source>
+        <translation>la grabación %1</translation>
+    </message>
+    <message>
+        <source>make room, or move the project to another disk</source>
+        <translation>libere espacio, o mueva el proyecto a otro disco</translation>
+    </message>
+    <message>
+        <source>what was recorded so far is kept</source>
+        <translation>lo grabado hasta ahora se conserva</translation>
+    </message>
+    <message>
+        <source>recording of trial &apos;%1&apos;</source>
+        <translation>grabación del ensayo &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>check that they are connected and not used by another program</source>
+        <translation>compruebe que están conectadas y que otro programa no las usa</translation>
+    </message>
+    <message>
+        <source>check that it is connected and not used by another program</source>
+        <translation>compruebe que está conectada y que otro programa no la usa</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; gave no picture</source>
+        <translation>la cámara &apos;%1&apos; no dio ninguna imagen</translation>
+    </message>
+    <message>
+        <source>no camera was given</source>
+        <translation>no se dio ninguna cámara</translation>
+    </message>
+    <message>
+        <source>address &apos;%1&apos; of live positions</source>
+        <translation>dirección &apos;%1&apos; de posiciones en vivo</translation>
+    </message>
+    <message>
+        <source>it is no IPv4 address with a port</source>
+        <translation>no es una dirección IPv4 con puerto</translation>
+    </message>
+    <message>
+        <source>write it like 224.5.23.2:10006</source>
+        <translation>escríbala como 224.5.23.2:10006</translation>
+    </message>
+    <message>
+        <source>live positions to %1</source>
+        <translation>posiciones en vivo a %1</translation>
+    </message>
+    <message>
+        <source>interface &apos;%1&apos; takes no multicast</source>
+        <translation>la interfaz &apos;%1&apos; no admite multidifusión</translation>
+    </message>
+    <message>
+        <source>this machine has none of that name</source>
+        <translation>esta computadora no tiene ninguna con ese nombre</translation>
+    </message>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>cierre otros programas e inténtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>cancelado</translation>
+    </message>
+    <message>
+        <source>nothing was changed</source>
+        <translation>no se cambió nada</translation>
+    </message>
+    <message>
+        <source>another program is writing to it</source>
+        <translation>otro programa está escribiendo en él</translation>
+    </message>
+    <message>
+        <source>close the other program and try again</source>
+        <translation>cierre el otro programa e inténtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>it cannot be written to</source>
+        <translation>no se puede escribir en él</translation>
+    </message>
+    <message>
+        <source>its folder cannot be written to</source>
+        <translation>no se puede escribir en su carpeta</translation>
+    </message>
+    <message>
+        <source>copy it to a folder that you may write to, and open the copy</source>
+        <translation>cópielo a una carpeta en la que pueda escribir y abra la copia</translation>
+    </message>
+    <message>
+        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
+        <translation>cópielo con sus videos a una carpeta en la que pueda escribir y abra la copia</translation>
+    </message>
+    <message>
+        <source>the disk is full, the change was not saved</source>
+        <translation>el disco está lleno, el cambio no se guardó</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>el disco está lleno</translation>
+    </message>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>libere espacio en el disco e inténtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>the disk reported an error, the change was not saved</source>
+        <translation>el disco comunicó un error, el cambio no se guardó</translation>
+    </message>
+    <message>
+        <source>check the disk, and copy the project to another one</source>
+        <translation>compruebe el disco y copie el proyecto a otro</translation>
+    </message>
+    <message>
+        <source>check the disk and try again</source>
+        <translation>compruebe el disco e inténtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>check the disk</source>
+        <translation>compruebe el disco</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>el archivo está dañado</translation>
+    </message>
+    <message>
+        <source>its tables are not those of a project</source>
+        <translation>sus tablas no son las de un proyecto</translation>
+    </message>
+    <message>
+        <source>restore it from a backup copy</source>
+        <translation>restáurelo desde una copia de seguridad</translation>
+    </message>
+    <message>
+        <source>the project file is damaged</source>
+        <translation>el archivo del proyecto está dañado</translation>
+    </message>
+    <message>
+        <source>it is not a project file</source>
+        <translation>no es un archivo de proyecto</translation>
+    </message>
+    <message>
+        <source>it is a database of another program</source>
+        <translation>es una base de datos de otro programa</translation>
+    </message>
+    <message>
+        <source>choose a file that Odograph has written</source>
+        <translation>elija un archivo escrito por Odograph</translation>
+    </message>
+    <message>
+        <source>it refers to something that is not in the project, or a value is missing</source>
+        <translation>se refiere a algo que no está en el proyecto, o falta un valor</translation>
+    </message>
+    <message>
+        <source>add what it refers to first</source>
+        <translation>añada primero aquello a lo que se refiere</translation>
+    </message>
+    <message>
+        <source>the database refused</source>
+        <translation>la base de datos lo rechazó</translation>
+    </message>
+    <message>
+        <source>run a check of the project</source>
+        <translation>ejecute una comprobación del proyecto</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>no existe ese archivo</translation>
+    </message>
+    <message>
+        <source>check the name, or make a new project</source>
+        <translation>compruebe el nombre, o cree un proyecto nuevo</translation>
+    </message>
+    <message>
+        <source>check the name</source>
+        <translation>compruebe el nombre</translation>
+    </message>
+    <message>
+        <source>check the name and the folder</source>
+        <translation>compruebe el nombre y la carpeta</translation>
+    </message>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>es una carpeta o un dispositivo, no un archivo</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>es una carpeta</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>no se puede leer</translation>
+    </message>
+    <message>
+        <source>it cannot be read (%1)</source>
+        <translation>no se puede leer (%1)</translation>
+    </message>
+    <message>
+        <source>check that you may read the file</source>
+        <translation>compruebe que puede leer el archivo</translation>
+    </message>
+    <message>
+        <source>check that the file is there and may be read</source>
+        <translation>compruebe que el archivo está ahí y se puede leer</translation>
+    </message>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>compruebe que está ahí y se puede leer</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>el archivo está vacío</translation>
+    </message>
+    <message>
+        <source>the file is cut off</source>
+        <translation>el archivo está truncado</translation>
+    </message>
+    <message>
+        <source>it has %1 of %2 bytes</source>
+        <translation>tiene %1 de %2 bytes</translation>
+    </message>
+    <message>
+        <source>copy it again from where it came, or restore a backup copy</source>
+        <translation>cópielo de nuevo desde su origen, o restaure una copia de seguridad</translation>
+    </message>
+    <message>
+        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
+        <translation>lo escribió un Odograph más reciente (formato %1, este conoce formatos hasta %2)</translation>
+    </message>
+    <message>
+        <source>open it with that Odograph, or update this one</source>
+        <translation>ábralo con ese Odograph, o actualice este</translation>
+    </message>
+    <message>
+        <source>open the project with a newer Odograph</source>
+        <translation>abra el proyecto con un Odograph más reciente</translation>
+    </message>
+    <message>
+        <source>it is open in another window</source>
+        <translation>está abierto en otra ventana</translation>
+    </message>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>está abierto en otra ventana (%1)</translation>
+    </message>
+    <message>
+        <source>close it there first</source>
+        <translation>ciérrelo allí primero</translation>
+    </message>
+    <message>
+        <source>a trial is being recorded into it just now</source>
+        <translation>se está grabando un ensayo en él ahora mismo</translation>
+    </message>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>espere a que termine</translation>
+    </message>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>compruebe el espacio libre y los permisos de la carpeta del proyecto</translation>
+    </message>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>compruebe el espacio libre y los permisos de su carpeta</translation>
+    </message>
+    <message>
+        <source>a file of that name is there already</source>
+        <translation>ya existe un archivo con ese nombre</translation>
+    </message>
+    <message>
+        <source>choose another name, or remove that file first</source>
+        <translation>elija otro nombre, o elimine antes ese archivo</translation>
+    </message>
+    <message>
+        <source>there is no folder &apos;%1&apos;</source>
+        <translation>no existe la carpeta &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>make the folder first, or choose another one</source>
+        <translation>cree antes la carpeta, o elija otra</translation>
+    </message>
+    <message>
+        <source>it has no file name</source>
+        <translation>no tiene nombre de archivo</translation>
+    </message>
+    <message>
+        <source>give the file a name</source>
+        <translation>dé un nombre al archivo</translation>
+    </message>
+    <message>
+        <source>its name is too long</source>
+        <translation>su nombre es demasiado largo</translation>
+    </message>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>elija un nombre más corto</translation>
+    </message>
+    <message>
+        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
+        <translation>no se puede escribir en la carpeta &apos;%1&apos; (%2)</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>elija una carpeta en la que pueda escribir</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to and that has room</source>
+        <translation>elija una carpeta con espacio en la que pueda escribir</translation>
+    </message>
+    <message>
+        <source>choose a folder that can be written to and has room</source>
+        <translation>elija una carpeta con espacio en la que se pueda escribir</translation>
+    </message>
+    <message>
+        <source>writing it failed (%1)</source>
+        <translation>falló la escritura (%1)</translation>
+    </message>
+    <message>
+        <source>it cannot be written (%1)</source>
+        <translation>no se puede escribir (%1)</translation>
+    </message>
+    <message>
+        <source>what it concerns has been changed or used since</source>
+        <translation>aquello a lo que afecta se ha cambiado o usado desde entonces</translation>
+    </message>
+    <message>
+        <source>take the later change back first, or leave it</source>
+        <translation>deshaga primero el cambio posterior, o déjelo</translation>
+    </message>
+    <message>
+        <source>nothing has been changed since the project was opened</source>
+        <translation>no se ha cambiado nada desde que se abrió el proyecto</translation>
+    </message>
+    <message>
+        <source>change something first</source>
+        <translation>cambie algo antes</translation>
+    </message>
+    <message>
+        <source>nothing has been undone</source>
+        <translation>no se ha deshecho nada</translation>
+    </message>
+    <message>
+        <source>undo something first</source>
+        <translation>deshaga algo antes</translation>
+    </message>
+    <message>
+        <source>the project has a %1 of that name already</source>
+        <translation>el proyecto ya tiene un elemento «%1» con ese nombre</translation>
+    </message>
+    <message>
+        <source>the project has a trial of that name</source>
+        <translation>el proyecto tiene un ensayo con ese nombre</translation>
+    </message>
+    <message>
+        <source>choose another name</source>
+        <translation>elija otro nombre</translation>
+    </message>
+    <message>
+        <source>there is no such %1 in the project</source>
+        <translation>no existe en el proyecto: %1</translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation>clase</translation>
+    </message>
+    <message>
+        <source>team</source>
+        <translation>equipo</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>cámara</translation>
+    </message>
+    <message>
+        <source>task</source>
+        <translation>tarea</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>ensayo</translation>
+    </message>
+    <message>
+        <source>layout</source>
+        <translation>plano</translation>
+    </message>
+    <message>
+        <source>name of a %1</source>
+        <translation>nombre (%1)</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>está vacío</translation>
+    </message>
+    <message>
+        <source>give the %1 a name</source>
+        <translation>dé un nombre (%1)</translation>
+    </message>
+    <message>
+        <source>it has %1 characters</source>
+        <translation>tiene %1 caracteres</translation>
+    </message>
+    <message>
+        <source>use at most %1</source>
+        <translation>use como máximo %1</translation>
+    </message>
+    <message>
+        <source>it holds a line break or another control character</source>
+        <translation>contiene un salto de línea u otro carácter de control</translation>
+    </message>
+    <message>
+        <source>use a name of one line</source>
+        <translation>use un nombre de una línea</translation>
+    </message>
+    <message>
+        <source>it is not valid UTF-8 text</source>
+        <translation>no es texto UTF-8 válido</translation>
+    </message>
+    <message>
+        <source>class &apos;%1&apos;</source>
+        <translation>clase &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>team &apos;%1&apos;</source>
+        <translation>equipo &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos;</source>
+        <translation>robot &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>cámara &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>task &apos;%1&apos;</source>
+        <translation>tarea &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;</source>
+        <translation>plano &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>file &apos;%1&apos;</source>
+        <translation>archivo &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a team belongs to it</source>
+        <translation>un equipo pertenece a ella</translation>
+    </message>
+    <message>
+        <source>%1 teams belong to it</source>
+        <translation>%1 equipos pertenecen a ella</translation>
+    </message>
+    <message>
+        <source>move its teams to another class first, or archive it</source>
+        <translation>pase antes sus equipos a otra clase, o archívela</translation>
+    </message>
+    <message>
+        <source>it drove in a trial</source>
+        <translation>corrió en un ensayo</translation>
+    </message>
+    <message>
+        <source>keep it</source>
+        <translation>consérvelo</translation>
+    </message>
+    <message>
+        <source>it can be given another name</source>
+        <translation>se le puede dar otro nombre</translation>
+    </message>
+    <message>
+        <source>a trial has it</source>
+        <translation>un ensayo la tiene</translation>
+    </message>
+    <message>
+        <source>%1 trials have it</source>
+        <translation>%1 ensayos la tienen</translation>
+    </message>
+    <message>
+        <source>give them another task first</source>
+        <translation>deles antes otra tarea</translation>
+    </message>
+    <message>
+        <source>trials were measured by it</source>
+        <translation>se midieron ensayos con ella</translation>
+    </message>
+    <message>
+        <source>their figures would not say any more what they were measured by</source>
+        <translation>sus indicadores ya no dirían con qué se midieron</translation>
+    </message>
+    <message>
+        <source>a trial is its</source>
+        <translation>un ensayo es suyo</translation>
+    </message>
+    <message>
+        <source>%1 trials are its</source>
+        <translation>%1 ensayos son suyos</translation>
+    </message>
+    <message>
+        <source>delete them for good first, or archive its class</source>
+        <translation>elimínelos antes definitivamente, o archive su clase</translation>
+    </message>
+    <message>
+        <source>it has more than %1 members</source>
+        <translation>tiene más de %1 miembros</translation>
+    </message>
+    <message>
+        <source>give the names of the people in the team</source>
+        <translation>dé los nombres de las personas del equipo</translation>
+    </message>
+    <message>
+        <source>a robot belongs to it twice</source>
+        <translation>un robot le pertenece dos veces</translation>
+    </message>
+    <message>
+        <source>name each of its robots once</source>
+        <translation>nombre cada robot una vez</translation>
+    </message>
+    <message>
+        <source>it is being recorded</source>
+        <translation>se está grabando</translation>
+    </message>
+    <message>
+        <source>trial &apos;%1&apos; is being recorded</source>
+        <translation>el ensayo &apos;%1&apos; se está grabando</translation>
+    </message>
+    <message>
+        <source>end its recording first</source>
+        <translation>termine antes su grabación</translation>
+    </message>
+    <message>
+        <source>it is not in the bin</source>
+        <translation>no está en la papelera</translation>
+    </message>
+    <message>
+        <source>put it into the bin first</source>
+        <translation>póngalo antes en la papelera</translation>
+    </message>
+    <message>
+        <source>its height is to be told, but none is given</source>
+        <translation>su altura debe indicarse, pero no se da</translation>
+    </message>
+    <message>
+        <source>give a height, or let it be estimated</source>
+        <translation>dé una altura, o deje que se estime</translation>
+    </message>
+    <message>
+        <source>its height is below the floor</source>
+        <translation>su altura está por debajo del suelo</translation>
+    </message>
+    <message>
+        <source>give a height of 0 or more</source>
+        <translation>dé una altura de 0 o más</translation>
+    </message>
+    <message>
+        <source>its size is not above 0</source>
+        <translation>su tamaño no es mayor que 0</translation>
+    </message>
+    <message>
+        <source>give length and width in millimetres, like 260x190</source>
+        <translation>dé largo y ancho en milímetros, como 260x190</translation>
+    </message>
+    <message>
+        <source>length &apos;%1&apos;</source>
+        <translation>longitud &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>not a number with the unit mm, cm or m</source>
+        <translation>no es un número con la unidad mm, cm o m</translation>
+    </message>
+    <message>
+        <source>write it like 25mm, 2.5cm or 0.3m</source>
+        <translation>escríbalo como 25mm, 2.5cm o 0.3m</translation>
+    </message>
+    <message>
+        <source>not a finite decimal number</source>
+        <translation>no es un número decimal finito</translation>
+    </message>
+    <message>
+        <source>write it with digits and a point, like 12.5</source>
+        <translation>escríbalo con cifras y punto, como 12.5</translation>
+    </message>
+    <message>
+        <source>correct the pixels</source>
+        <translation>corrija los píxeles</translation>
+    </message>
+    <message>
+        <source>correct it</source>
+        <translation>corríjalo</translation>
+    </message>
+    <message>
+        <source>correct one of them</source>
+        <translation>corrija uno de ellos</translation>
+    </message>
+    <message>
+        <source>point %1 is there twice</source>
+        <translation>el punto %1 está dos veces</translation>
+    </message>
+    <message>
+        <source>point %1 lies at or beyond the horizon of %2</source>
+        <translation>el punto %1 está en el horizonte de %2 o más allá</translation>
+    </message>
+    <message>
+        <source>choose points of the floor</source>
+        <translation>elija puntos del suelo</translation>
+    </message>
+    <message>
+        <source>point %1 lies where a lens cannot have put it</source>
+        <translation>el punto %1 está donde ninguna lente puede haberlo puesto</translation>
+    </message>
+    <message>
+        <source>check its pixels and the intrinsics of both cameras</source>
+        <translation>compruebe sus píxeles y los parámetros intrínsecos de ambas cámaras</translation>
+    </message>
+    <message>
+        <source>the points are mirrored between the pictures of the two cameras</source>
+        <translation>los puntos están en espejo entre las imágenes de las dos cámaras</translation>
+    </message>
+    <message>
+        <source>check which label belongs to which point in %1 and in this camera</source>
+        <translation>compruebe qué rótulo corresponde a qué punto en %1 y en esta cámara</translation>
+    </message>
+    <message>
+        <source>point %1 would lie at or beyond the horizon</source>
+        <translation>el punto %1 estaría en el horizonte o más allá</translation>
+    </message>
+    <message>
+        <source>check its pixels in both pictures</source>
+        <translation>compruebe sus píxeles en ambas imágenes</translation>
+    </message>
+    <message>
+        <source>the floor among the points is known only to ±%1 mm</source>
+        <translation>el suelo entre los puntos se conoce solo a ±%1 mm</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor, or register %1 better first</source>
+        <translation>reparta los puntos por el suelo, o registre mejor antes %1</translation>
+    </message>
+    <message>
+        <source>the markers fit only to %1 px, but %2</source>
+        <translation>los marcadores se ajustan solo a %1 px, pero %2</translation>
+    </message>
+    <message>
+        <source>the %1 markers misfit by %2 px (%3 mm) and check one another too little to tell which of them</source>
+        <translation>los %1 marcadores se desajustan %2 px (%3 mm) y se comprueban demasiado poco entre sí para saber cuál de ellos es</translation>
+    </message>
+    <message>
+        <source>it may be wrong by much more</source>
+        <translation>el error puede ser mucho mayor</translation>
+    </message>
+    <message>
+        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <translation>hay %1 cámara en el plano &apos;%2&apos;, hacen falta dos</translation>
+    </message>
+    <message>
+        <source>register the cameras one by one by this layout first</source>
+        <translation>registre antes las cámaras una a una con este plano</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
+        <translation>la cámara &apos;%1&apos; solo ve %2 de los marcadores</translation>
+    </message>
+    <message>
+        <source>register it by more of them first</source>
+        <translation>regístrela antes con más de ellos</translation>
+    </message>
+    <message>
+        <source>no two of the cameras see the same marker</source>
+        <translation>ningún par de cámaras ve el mismo marcador</translation>
+    </message>
+    <message>
+        <source>let them see some of the same floor</source>
+        <translation>haga que vean parte del mismo suelo</translation>
+    </message>
+    <message>
+        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>el primer extremo está en el horizonte de la cámara &apos;%1&apos; o más allá</translation>
+    </message>
+    <message>
+        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>el segundo extremo está en el horizonte de la cámara &apos;%1&apos; o más allá</translation>
+    </message>
+    <message>
+        <source>lay the stick on the floor, nearer to the camera</source>
+        <translation>ponga la vara en el suelo, más cerca de la cámara</translation>
+    </message>
+    <message>
+        <source>the floor markers cannot be found</source>
+        <translation>no se encuentran los marcadores del suelo</translation>
+    </message>
+    <message>
+        <source>the markers cannot be told apart</source>
+        <translation>los marcadores no se distinguen entre sí</translation>
+    </message>
+    <message>
+        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <translation>se ajustan igual de bien al plano de %1 maneras, ya que se ve igual desde varios lados</translation>
+    </message>
+    <message>
+        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <translation>ninguna forma de nombrar los %1 anillos y puntos se ajusta al plano</translation>
+    </message>
+    <message>
+        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <translation>compruebe los lugares del plano y su unidad, tape otras cosas redondas, o marque los marcadores a mano</translation>
+    </message>
+    <message>
+        <source>tag %1 (marker %2) is seen %3 times</source>
+        <translation>el tag %1 (marcador %2) se ve %3 veces</translation>
+    </message>
+    <message>
+        <source>leave one of them on the floor</source>
+        <translation>deje uno de ellos en el suelo</translation>
+    </message>
+    <message>
+        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
+        <translation>no se pueden cambiar los ejes del plano &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it has no marker %1</source>
+        <translation>no tiene el marcador %1</translation>
+    </message>
+    <message>
+        <source>name one of %1</source>
+        <translation>nombre uno de %1</translation>
+    </message>
+    <message>
+        <source>the markers that X is to run along lie at one place</source>
+        <translation>los marcadores por los que debe ir X están en un mismo lugar</translation>
+    </message>
+    <message>
+        <source>name two that lie apart</source>
+        <translation>nombre dos que estén separados</translation>
+    </message>
+    <message>
+        <source>give one of them</source>
+        <translation>dé uno de ellos</translation>
+    </message>
+    <message>
+        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>invertir solo X reflejaría el suelo, y ninguna cámara sobre él lo ve así</translation>
+    </message>
+    <message>
+        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>invertir solo Y reflejaría el suelo, y ninguna cámara sobre él lo ve así</translation>
+    </message>
+    <message>
+        <source>reverse both (a half turn), or turn the axes</source>
+        <translation>invierta ambos (media vuelta), o gire los ejes</translation>
+    </message>
+    <message>
+        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <translation>si el plano se anotó en espejo, corrija sus signos y añádalo de nuevo</translation>
+    </message>
+    <message>
+        <source>%1 cannot be set while it is automatic</source>
+        <translation>%1 no se puede ajustar mientras sea automático</translation>
+    </message>
+    <message>
+        <source>turn the automatic off</source>
+        <translation>desactive el automatismo</translation>
+    </message>
+    <message>
+        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
+        <translation>compruebe su alimentación y su cable, y que esta computadora tiene una dirección en la red de la cámara</translation>
+    </message>
+    <message>
+        <source>a camera whose program has crashed is free again after some seconds</source>
+        <translation>una cámara cuyo programa se bloqueó vuelve a estar libre tras unos segundos</translation>
+    </message>
+    <message>
+        <source>no camera of this serial number answers</source>
+        <translation>ninguna cámara con ese número de serie responde</translation>
+    </message>
+    <message>
+        <source>check its power and cable; odograph cameras lists those that answer</source>
+        <translation>compruebe su alimentación y su cable; odograph cameras muestra las que responden</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not understood</source>
+        <translation>no se entiende &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>give each point a label</source>
+        <translation>dé un rótulo a cada punto</translation>
+    </message>
+    <message>
+        <source>write one value for each of %1</source>
+        <translation>escriba un valor para cada uno de %1</translation>
+    </message>
+    <message>
+        <source>not of the form #rrggbb</source>
+        <translation>no tiene la forma #rrggbb</translation>
+    </message>
+    <message>
+        <source>write it like #d72328</source>
+        <translation>escríbalo como #d72328</translation>
+    </message>
+    <message>
+        <source>a board of %1 inner corners is too small</source>
+        <translation>un tablero de %1 esquinas interiores es demasiado pequeño</translation>
+    </message>
+    <message>
+        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <translation>dé al menos 3x3, como 9x6, u omita el tamaño</translation>
+    </message>
+    <message>
+        <source>the squares have no size</source>
+        <translation>las casillas no tienen tamaño</translation>
+    </message>
+    <message>
+        <source>give it like 25mm</source>
+        <translation>dé por ejemplo 25mm</translation>
+    </message>
+    <message>
+        <source>there is no marker dictionary %1</source>
+        <translation>no existe el diccionario de marcadores %1</translation>
+    </message>
+    <message>
+        <source>analyse the trial again</source>
+        <translation>vuelva a analizar el ensayo</translation>
+    </message>
+    <message>
+        <source>analysis of a trial</source>
+        <translation>análisis de un ensayo</translation>
+    </message>
+    <message>
+        <source>the change could not be noted (%1)</source>
+        <translation>no se pudo anotar el cambio (%1)</translation>
+    </message>
+    <message>
+        <source>try it again</source>
+        <translation>inténtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>deshacer</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>rehacer</translation>
+    </message>
+    <message>
+        <source>an earlier step of this change failed</source>
+        <translation>falló un paso anterior de este cambio</translation>
+    </message>
+    <message>
+        <source>try the whole change again</source>
+        <translation>intente de nuevo todo el cambio</translation>
+    </message>
+    <message>
+        <source>cannot hold %1</source>
+        <translation>no se puede bloquear %1</translation>
+    </message>
+    <message>
+        <source>the labels are not those that it has</source>
+        <translation>los rótulos no son los que tiene</translation>
+    </message>
+    <message>
+        <source>add another layout for other markers</source>
+        <translation>añada otro plano para otros marcadores</translation>
+    </message>
+    <message>
+        <source>the copy differs from what was written</source>
+        <translation>la copia difiere de lo escrito</translation>
+    </message>
+    <message>
+        <source>it says of itself to have the format %1</source>
+        <translation>dice tener el formato %1</translation>
+    </message>
+    <message>
+        <source>type the name anew</source>
+        <translation>escriba el nombre de nuevo</translation>
+    </message>
+    <message>
+        <source>type the text anew</source>
+        <translation>escriba el texto de nuevo</translation>
+    </message>
+    <message>
+        <source>it has no %1 yet</source>
+        <translation>aún no tiene: %1</translation>
+    </message>
+    <message>
+        <source>add one first</source>
+        <translation>añada uno antes</translation>
+    </message>
+    <message>
+        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
+        <translation>tiene el formato anterior %1 y debe actualizarse antes de leerse, pero %2</translation>
+    </message>
+    <message>
+        <source>it could not be brought to format %1 (%2)</source>
+        <translation>no se pudo llevar al formato %1 (%2)</translation>
+    </message>
+    <message>
+        <source>reading it failed (%1)</source>
+        <translation>falló la lectura (%1)</translation>
+    </message>
+    <message>
+        <source>recording &apos;%1&apos;</source>
+        <translation>grabación &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>its recording has ended already</source>
+        <translation>su grabación ya terminó</translation>
+    </message>
+    <message>
+        <source>record another trial</source>
+        <translation>grabe otro ensayo</translation>
+    </message>
+    <message>
+        <source>comparison of %1</source>
+        <translation>comparación de %1</translation>
+    </message>
+    <message>
+        <source>it has more than %1 lines</source>
+        <translation>tiene más de %1 líneas</translation>
+    </message>
+    <message>
+        <source>keep those that matter</source>
+        <translation>conserve las que importan</translation>
+    </message>
+    <message>
+        <source>a number in it is none</source>
+        <translation>uno de sus números no lo es</translation>
+    </message>
+    <message>
+        <source>give three numbers</source>
+        <translation>dé tres números</translation>
+    </message>
+    <message>
+        <source>its points are 0, or beyond 1000</source>
+        <translation>sus puntos son 0, o pasan de 1000</translation>
+    </message>
+    <message>
+        <source>give points from 1 to 1000, below zero for a penalty</source>
+        <translation>dé puntos de 1 a 1000, bajo cero para una penalización</translation>
+    </message>
+    <message>
+        <source>it is shorter than 1 mm</source>
+        <translation>mide menos de 1 mm</translation>
+    </message>
+    <message>
+        <source>its points are not on a floor of 1 km</source>
+        <translation>sus puntos no están en un suelo de 1 km</translation>
+    </message>
+    <message>
+        <source>it has more than %1 points</source>
+        <translation>tiene más de %1 puntos</translation>
+    </message>
+    <message>
+        <source>its place is not a number</source>
+        <translation>su lugar no es un número</translation>
+    </message>
+    <message>
+        <source>a slalom has 1 to 100 poles, not %1</source>
+        <translation>un eslalon tiene de 1 a 100 postes, no %1</translation>
+    </message>
+    <message>
+        <source>give another number</source>
+        <translation>dé otro número</translation>
+    </message>
+    <message>
+        <source>the board was found in none of %1 pictures (%2)</source>
+        <translation>no se encontró el tablero en ninguna de %1 imágenes (%2)</translation>
+    </message>
+    <message>
+        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
+        <translation>muestre todo el tablero, plano, nítido y con luz uniforme, y compruebe el patrón y el tamaño</translation>
+    </message>
+    <message>
+        <source>the size of its pictures is not known</source>
+        <translation>no se conoce el tamaño de sus imágenes</translation>
+    </message>
+    <message>
+        <source>it has no intrinsics and no recording</source>
+        <translation>no tiene parámetros intrínsecos ni grabación</translation>
+    </message>
+    <message>
+        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
+        <translation>calíbrela, importe sus parámetros intrínsecos, o importe antes un ensayo con ella</translation>
+    </message>
+    <message>
+        <source>it was never calibrated</source>
+        <translation>nunca se calibró</translation>
+    </message>
+    <message>
+        <source>it was registered through another camera</source>
+        <translation>se registró mediante otra cámara</translation>
+    </message>
+    <message>
+        <source>register it through that camera again</source>
+        <translation>regístrela de nuevo mediante esa cámara</translation>
+    </message>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>no se puede examinar (%1)</translation>
+    </message>
+    <message>
+        <source>choose a robot of the trial</source>
+        <translation>elija un robot del ensayo</translation>
+    </message>
+    <message>
+        <source>no track of it was imported</source>
+        <translation>no se importó ninguna traza de él</translation>
+    </message>
+    <message>
+        <source>begin the file with the line %1</source>
+        <translation>empiece el archivo con la línea %1</translation>
+    </message>
+    <message>
+        <source>begin the file with the line class,team or class,team,pseudonym</source>
+        <translation>empiece el archivo con la línea class,team o class,team,pseudonym</translation>
+    </message>
+    <message>
+        <source>there is no such rule of a zone</source>
+        <translation>no existe esa regla de zona</translation>
+    </message>
+    <message>
+        <source>it has less than three corners</source>
+        <translation>tiene menos de tres esquinas</translation>
+    </message>
+    <message>
+        <source>give the corners of its outline, all the way round</source>
+        <translation>dé las esquinas de su contorno, todo alrededor</translation>
+    </message>
+    <message>
+        <source>give the corners in order, all the way round</source>
+        <translation>dé las esquinas en orden, todo alrededor</translation>
+    </message>
+    <message>
+        <source>it has more than %1 corners</source>
+        <translation>tiene más de %1 esquinas</translation>
+    </message>
+    <message>
+        <source>draw it more coarsely</source>
+        <translation>dibújela de forma más gruesa</translation>
+    </message>
+    <message>
+        <source>sample it more coarsely</source>
+        <translation>tome menos puntos</translation>
+    </message>
+    <message>
+        <source>its corners are not on a floor of 1 km</source>
+        <translation>sus esquinas no están en un suelo de 1 km</translation>
+    </message>
+    <message>
+        <source>two corners are less than 1 mm apart</source>
+        <translation>dos esquinas están a menos de 1 mm</translation>
+    </message>
+    <message>
+        <source>give each corner once</source>
+        <translation>dé cada esquina una vez</translation>
+    </message>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>su contorno se cruza a sí mismo</translation>
+    </message>
+    <message>
+        <source>the task has %1 zones already</source>
+        <translation>la tarea ya tiene %1 zonas</translation>
+    </message>
+    <message>
+        <source>join zones that lie beside one another</source>
+        <translation>una zonas que estén una junto a otra</translation>
+    </message>
+    <message>
+        <source>give each zone a name of its own</source>
+        <translation>dé a cada zona un nombre propio</translation>
+    </message>
+    <message>
+        <source>give where it lies in millimetres</source>
+        <translation>indique dónde está en milímetros</translation>
+    </message>
+    <message>
+        <source>name a picture</source>
+        <translation>indique una imagen</translation>
+    </message>
+    <message>
+        <source>the file is larger than 1 GB</source>
+        <translation>el archivo ocupa más de 1 GB</translation>
+    </message>
+    <message>
+        <source>the file could not be read</source>
+        <translation>no se pudo leer el archivo</translation>
+    </message>
+    <message>
+        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
+        <translation>no es una imagen PNG, JPEG, BMP, TIFF ni PNM</translation>
+    </message>
+    <message>
+        <source>convert it to PNG or JPEG</source>
+        <translation>conviértala a PNG o JPEG</translation>
+    </message>
+    <message>
+        <source>make it smaller</source>
+        <translation>hágala más pequeña</translation>
+    </message>
+    <message>
+        <source>its content is damaged or cut short</source>
+        <translation>su contenido está dañado o truncado</translation>
+    </message>
+    <message>
+        <source>copy it again</source>
+        <translation>cópiela de nuevo</translation>
+    </message>
+    <message>
+        <source>cannot decode %1</source>
+        <translation>no se puede decodificar %1</translation>
+    </message>
+    <message>
+        <source>cannot show frame %1 of %2</source>
+        <translation>no se puede mostrar el fotograma %1 de %2</translation>
+    </message>
+    <message>
+        <source>it has frames 0 to %1</source>
+        <translation>tiene los fotogramas 0 a %1</translation>
+    </message>
+    <message>
+        <source>choose one of these</source>
+        <translation>elija uno de estos</translation>
+    </message>
+    <message>
+        <source>cannot write the recording %1</source>
+        <translation>no se puede escribir la grabación %1</translation>
+    </message>
+    <message>
+        <source>check that its folder may be written to and has room</source>
+        <translation>compruebe que se puede escribir en su carpeta y que tiene espacio</translation>
+    </message>
+    <message>
+        <source>check that the folder may be written to and has room</source>
+        <translation>compruebe que se puede escribir en la carpeta y que tiene espacio</translation>
+    </message>
+    <message>
+        <source>writing has failed before</source>
+        <translation>la escritura ya había fallado antes</translation>
+    </message>
+    <message>
+        <source>its pictures have more than 100 megapixels</source>
+        <translation>sus imágenes tienen más de 100 megapíxeles</translation>
+    </message>
+    <message>
+        <source>convert it to a smaller size</source>
+        <translation>conviértalo a un tamaño menor</translation>
+    </message>
+    <message>
+        <source>H.264 needs an even width and height, not %1</source>
+        <translation>H.264 necesita ancho y alto pares, no %1</translation>
+    </message>
+    <message>
+        <source>use MJPEG or FFV1, or another size</source>
+        <translation>use MJPEG o FFV1, u otro tamaño</translation>
+    </message>
+    <message>
+        <source>the installed libavcodec has no encoder for it</source>
+        <translation>el libavcodec instalado no tiene codificador para ello</translation>
+    </message>
+    <message>
+        <source>neither their pixels nor a picture to look in was given</source>
+        <translation>no se dieron ni sus píxeles ni una imagen donde buscar</translation>
+    </message>
+    <message>
+        <source>it was made with it already</source>
+        <translation>ya se hizo con ella</translation>
+    </message>
+    <message>
+        <source>calibrate the lens first, or put another calibration in force</source>
+        <translation>calibre antes la lente, o ponga en vigor otra calibración</translation>
+    </message>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>proyecto &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>copia &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>copy of &apos;%1&apos;</source>
+        <translation>copia de &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>export of &apos;%1&apos;</source>
+        <translation>exportación de &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>cannot open the video %1</source>
+        <translation>no se puede abrir el video %1</translation>
+    </message>
+    <message>
+        <source>cannot write a frame to the video %1</source>
+        <translation>no se puede escribir un fotograma en el video %1</translation>
+    </message>
+    <message>
+        <source>cannot finish the video %1</source>
+        <translation>no se puede terminar el video %1</translation>
+    </message>
+    <message>
+        <source>cannot encode the video</source>
+        <translation>no se puede codificar el video</translation>
+    </message>
+    <message>
+        <source>the encoder would not start (%1)</source>
+        <translation>el codificador no arrancó (%1)</translation>
+    </message>
+    <message>
+        <source>check the size, the frame rate and the quality that were asked for</source>
+        <translation>compruebe el tamaño, la frecuencia y la calidad pedidos</translation>
+    </message>
+    <message>
+        <source>cannot record into %1</source>
+        <translation>no se puede grabar en %1</translation>
+    </message>
+    <message>
+        <source>demo in &apos;%1&apos;</source>
+        <translation>demo en &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>colour in the box</source>
+        <translation>color en el recuadro</translation>
+    </message>
+    <message>
+        <source>the box is too small, or outside the picture</source>
+        <translation>el recuadro es demasiado pequeño o está fuera de la imagen</translation>
+    </message>
+    <message>
+        <source>draw it round the robot, at least 8 pixels wide and high</source>
+        <translation>dibújelo alrededor del robot, de al menos 8 píxeles de ancho y alto</translation>
+    </message>
+    <message>
+        <source>the box leaves nothing of the floor to compare with</source>
+        <translation>el recuadro no deja nada del suelo para comparar</translation>
+    </message>
+    <message>
+        <source>draw it closely round the robot</source>
+        <translation>dibújelo ceñido al robot</translation>
+    </message>
+    <message>
+        <source>what differs from the floor around it is grey, black or white</source>
+        <translation>lo que difiere del suelo de alrededor es gris, negro o blanco</translation>
+    </message>
+    <message>
+        <source>put a coloured plate on the robot, and draw the box round that</source>
+        <translation>ponga una placa de color en el robot y dibuje el recuadro alrededor de ella</translation>
+    </message>
+    <message>
+        <source>it holds no colour that differs from the floor around it</source>
+        <translation>no contiene ningún color distinto del suelo de alrededor</translation>
+    </message>
+    <message>
+        <source>draw it closely round the robot, or put a plate of another colour on it</source>
+        <translation>dibújelo ceñido al robot, o póngale una placa de otro color</translation>
+    </message>
+    <message>
+        <source>Cannot track</source>
+        <translation>No se puede rastrear</translation>
+    </message>
+    <message>
+        <source>Cannot track robot %1</source>
+        <translation>No se puede rastrear el robot %1</translation>
+    </message>
+    <message>
+        <source>no robot is given</source>
+        <translation>no se indica ningún robot</translation>
+    </message>
+    <message>
+        <source>add a robot with its colour first</source>
+        <translation>añada antes un robot con su color</translation>
+    </message>
+    <message>
+        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
+        <translation>su color %1 es gris, y solo el tono distingue un robot del suelo</translation>
+    </message>
+    <message>
+        <source>put a coloured plate on it and tell that colour</source>
+        <translation>póngale una placa de color e indique ese color</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s path cannot be measured</source>
+        <translation>no se puede medir la trayectoria del robot</translation>
+    </message>
+    <message>
+        <source>the trial has no view</source>
+        <translation>el ensayo no tiene ninguna vista</translation>
+    </message>
+    <message>
+        <source>import at least one video for it</source>
+        <translation>importe al menos un video para él</translation>
+    </message>
+    <message>
+        <source>camera %1 is not registered to the floor</source>
+        <translation>la cámara %1 no está registrada respecto al suelo</translation>
+    </message>
+    <message>
+        <source>cameras %1 are not registered to the floor</source>
+        <translation>las cámaras %1 no están registradas respecto al suelo</translation>
+    </message>
+    <message>
+        <source>run odograph register for at least one of them</source>
+        <translation>registre al menos una de ellas</translation>
+    </message>
+    <message>
+        <source>run odograph register for them</source>
+        <translation>regístrelas</translation>
+    </message>
+    <message>
+        <source>view %1 has no frame</source>
+        <translation>la vista %1 no tiene fotogramas</translation>
+    </message>
+    <message>
+        <source>track the trial&apos;s videos first</source>
+        <translation>rastree antes los videos del ensayo</translation>
+    </message>
+    <message>
+        <source>the robot was not found in any picture of %1</source>
+        <translation>el robot no se encontró en ninguna imagen de %1</translation>
+    </message>
+    <message>
+        <source>check that the robot&apos;s colour in the project is the one in the pictures, that nothing else has it, and that the light is sufficient</source>
+        <translation>compruebe que el color del robot en el proyecto es el de las imágenes, que nada más lo tiene y que la luz basta</translation>
+    </message>
+    <message>
+        <source>only cameras that are not registered to the floor saw the robot</source>
+        <translation>solo vieron el robot cámaras no registradas respecto al suelo</translation>
+    </message>
+    <message>
+        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
+        <translation>su altura debe triangularse, pero dos vistas registradas casi nunca lo vieron a la vez</translation>
+    </message>
+    <message>
+        <source>add a second view, or give the robot one height</source>
+        <translation>añada una segunda vista, o dé al robot una altura</translation>
+    </message>
+    <message>
+        <source>not enough data</source>
+        <translation>datos insuficientes</translation>
+    </message>
+    <message>
+        <source>of %1 frames %2 give a position that can be used</source>
+        <translation>de %1 fotogramas, %2 dan una posición utilizable</translation>
+    </message>
+    <message>
+        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
+        <translation>elija un video más largo, o compruebe el color del robot y la luz</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>aún no se ha rastreado</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <translation>aún no se ha rastreado, así que no hay nada que volver a analizar</translation>
+    </message>
+    <message>
+        <source>track it first</source>
+        <translation>rastréelo antes</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <translation>comparación</translation>
+    </message>
+    <message>
+        <source>comparison of trial &apos;%1&apos;</source>
+        <translation>comparación del ensayo &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it takes two runs</source>
+        <translation>hacen falta dos recorridos</translation>
+    </message>
+    <message>
+        <source>choose another run as well</source>
+        <translation>elija además otro recorrido</translation>
+    </message>
+    <message>
+        <source>a run cannot be compared with itself</source>
+        <translation>un recorrido no se puede comparar consigo mismo</translation>
+    </message>
+    <message>
+        <source>it has several robots</source>
+        <translation>tiene varios robots</translation>
+    </message>
+    <message>
+        <source>choose one of them</source>
+        <translation>elija uno de ellos</translation>
+    </message>
+    <message>
+        <source>its tracks were imported, so there is no video to track in</source>
+        <translation>sus trazas se importaron, así que no hay video que rastrear</translation>
+    </message>
+    <message>
+        <source>its task was changed while it was measured</source>
+        <translation>su tarea se cambió mientras se medía</translation>
+    </message>
+    <message>
+        <source>the project has no robot to look for</source>
+        <translation>el proyecto no tiene ningún robot que buscar</translation>
+    </message>
+    <message>
+        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <translation>sus imágenes son de %1 pero la cámara se calibró a %2</translation>
+    </message>
+    <message>
+        <source>calibrate and register the camera at the size it records</source>
+        <translation>calibre y registre la cámara con el tamaño con que graba</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
+        <translation>vista &apos;%1&apos; del ensayo &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>synchronisation of the clips</source>
+        <translation>sincronización de los videos</translation>
+    </message>
+    <message>
+        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
+        <translation>destelle una vez las luces de la sala mientras graban ambas cámaras, o indique el desfase</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>puerta &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>zona &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>its ends are not on a floor of 1 km</source>
+        <translation>sus extremos no están en un suelo de 1 km</translation>
+    </message>
+    <message>
+        <source>check the numbers</source>
+        <translation>compruebe los números</translation>
+    </message>
+    <message>
+        <source>its ends are less than 1 mm apart</source>
+        <translation>sus extremos están a menos de 1 mm</translation>
+    </message>
+    <message>
+        <source>give the two ends of the line that is to be passed</source>
+        <translation>dé los dos extremos de la línea que hay que cruzar</translation>
+    </message>
+    <message>
+        <source>the name is there twice</source>
+        <translation>el nombre está dos veces</translation>
+    </message>
+    <message>
+        <source>give each gate a name of its own</source>
+        <translation>dé a cada puerta un nombre propio</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos; is the start already</source>
+        <translation>la puerta &apos;%1&apos; ya es la salida</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos; is the finish already</source>
+        <translation>la puerta &apos;%1&apos; ya es la meta</translation>
+    </message>
+    <message>
+        <source>keep one start and one finish, or one gate with the role start_finish</source>
+        <translation>deje una salida y una meta, o una puerta que sea ambas</translation>
+    </message>
+    <message>
+        <source>reference path</source>
+        <translation>trayectoria de referencia</translation>
+    </message>
+    <message>
+        <source>it has too few points</source>
+        <translation>tiene muy pocos puntos</translation>
+    </message>
+    <message>
+        <source>give two points or more, three where the path is closed</source>
+        <translation>dé dos puntos o más, tres si la trayectoria es cerrada</translation>
+    </message>
+    <message>
+        <source>limits of a task</source>
+        <translation>límites de una tarea</translation>
+    </message>
+    <message>
+        <source>a limit is not above zero</source>
+        <translation>un límite no es mayor que cero</translation>
+    </message>
+    <message>
+        <source>give the largest speed and acceleration that a robot can have in the task</source>
+        <translation>dé la mayor velocidad y aceleración que un robot puede tener en la tarea</translation>
+    </message>
+    <message>
+        <source>template of a task</source>
+        <translation>plantilla de una tarea</translation>
+    </message>
+    <message>
+        <source>a size is less than 1 mm</source>
+        <translation>un tamaño es menor de 1 mm</translation>
+    </message>
+    <message>
+        <source>give the sizes in millimetres</source>
+        <translation>dé los tamaños en milímetros</translation>
+    </message>
+    <message>
+        <source>scoring</source>
+        <translation>puntuación</translation>
+    </message>
+    <message>
+        <source>line %1 of the scoring</source>
+        <translation>línea %1 de la puntuación</translation>
+    </message>
+    <message>
+        <source>it names no figure</source>
+        <translation>no nombra ningún indicador</translation>
+    </message>
+    <message>
+        <source>choose what is scored</source>
+        <translation>elija qué se puntúa</translation>
+    </message>
+    <message>
+        <source>all points and no points are at the same value</source>
+        <translation>todos los puntos y ningún punto están en el mismo valor</translation>
+    </message>
+    <message>
+        <source>give two values, between which the points rise</source>
+        <translation>dé dos valores entre los que suban los puntos</translation>
+    </message>
+    <message>
+        <source>%1 points are too few for it</source>
+        <translation>%1 puntos son pocos para ello</translation>
+    </message>
+    <message>
+        <source>choose a longer range</source>
+        <translation>elija un intervalo más largo</translation>
+    </message>
+    <message>
+        <source>the robot was not measured there, so there is nothing to judge</source>
+        <translation>el robot no se midió ahí, así que no hay nada que juzgar</translation>
+    </message>
+    <message>
+        <source>there is no such frame</source>
+        <translation>no existe ese fotograma</translation>
+    </message>
+    <message>
+        <source>import of trial &apos;%1&apos;</source>
+        <translation>importación del ensayo &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>no video was given</source>
+        <translation>no se dio ningún video</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; was given two videos</source>
+        <translation>a la cámara &apos;%1&apos; se le dieron dos videos</translation>
+    </message>
+    <message>
+        <source>give each view its own camera</source>
+        <translation>dé a cada vista su propia cámara</translation>
+    </message>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3 s</source>
+        <translation>las vistas &apos;%1&apos; y &apos;%2&apos; no tienen tiempo en común con un desfase de %3 s</translation>
+    </message>
+    <message>
+        <source>check the files and the --sync offset</source>
+        <translation>compruebe los archivos y el desfase</translation>
+    </message>
+    <message>
+        <source>it is not an ordinary file</source>
+        <translation>no es un archivo ordinario</translation>
+    </message>
+    <message>
+        <source>name a video file</source>
+        <translation>indique un archivo de video</translation>
+    </message>
+    <message>
+        <source>name a video file in it</source>
+        <translation>indique un archivo de video que esté en ella</translation>
+    </message>
+    <message>
+        <source>name a file</source>
+        <translation>indique un archivo</translation>
+    </message>
+    <message>
+        <source>check the permissions of its folder</source>
+        <translation>compruebe los permisos de su carpeta</translation>
+    </message>
+    <message>
+        <source>copy it from the camera again</source>
+        <translation>cópielo de nuevo de la cámara</translation>
+    </message>
+    <message>
+        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
+        <translation>no es un video de un tipo legible, o su cabecera está dañada o falta (%1)</translation>
+    </message>
+    <message>
+        <source>give an MP4, MOV, MKV or AVI file</source>
+        <translation>dé un archivo MP4, MOV, MKV o AVI</translation>
+    </message>
+    <message>
+        <source>copy it from the camera again if it was cut short</source>
+        <translation>cópielo de nuevo de la cámara si quedó truncado</translation>
+    </message>
+    <message>
+        <source>it holds no video stream that can be read</source>
+        <translation>no contiene ninguna pista de video legible</translation>
+    </message>
+    <message>
+        <source>give the file that the camera recorded</source>
+        <translation>dé el archivo que grabó la cámara</translation>
+    </message>
+    <message>
+        <source>there is no decoder for %1</source>
+        <translation>no hay decodificador para %1</translation>
+    </message>
+    <message>
+        <source>its decoder would not start (%1)</source>
+        <translation>su decodificador no arrancó (%1)</translation>
+    </message>
+    <message>
+        <source>convert it to H.264</source>
+        <translation>conviértalo a H.264</translation>
+    </message>
+    <message>
+        <source>its data are damaged</source>
+        <translation>sus datos están dañados</translation>
+    </message>
+    <message>
+        <source>it is left out</source>
+        <translation>se omite</translation>
+    </message>
+    <message>
+        <source>the video has no picture</source>
+        <translation>el video no tiene ninguna imagen</translation>
+    </message>
+    <message>
+        <source>it has no picture</source>
+        <translation>no tiene ninguna imagen</translation>
+    </message>
+    <message>
+        <source>give another file</source>
+        <translation>dé otro archivo</translation>
+    </message>
+    <message>
+        <source>check that the folder exists, may be written to and has room</source>
+        <translation>compruebe que la carpeta existe, se puede escribir en ella y tiene espacio</translation>
+    </message>
+    <message>
+        <source>cannot write the video %1</source>
+        <translation>no se puede escribir el video %1</translation>
+    </message>
+    <message>
+        <source>its name ends with neither .mkv nor .mp4</source>
+        <translation>su nombre no termina en .mkv ni en .mp4</translation>
+    </message>
+    <message>
+        <source>give it one of these endings</source>
+        <translation>dele una de estas terminaciones</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>no se puede escribir &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>empaquetar &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>unpack &apos;%1&apos;</source>
+        <translation>desempaquetar &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>unpack into &apos;%1&apos;</source>
+        <translation>desempaquetar en &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is there already</source>
+        <translation>ya existe</translation>
+    </message>
+    <message>
+        <source>choose a folder that is not there yet</source>
+        <translation>elija una carpeta que aún no exista</translation>
+    </message>
+    <message>
+        <source>choose an empty folder</source>
+        <translation>elija una carpeta vacía</translation>
+    </message>
+    <message>
+        <source>it has become shorter meanwhile</source>
+        <translation>entretanto se ha acortado</translation>
+    </message>
+    <message>
+        <source>wait until nobody writes to it, and try again</source>
+        <translation>espere a que nadie escriba en él e inténtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>there is no project in it</source>
+        <translation>no contiene ningún proyecto</translation>
+    </message>
+    <message>
+        <source>it has too many files</source>
+        <translation>tiene demasiados archivos</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not belong into a packed project</source>
+        <translation>&apos;%1&apos; no corresponde a un proyecto empaquetado</translation>
+    </message>
+    <message>
+        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
+        <translation>elija un archivo empaquetado por Odograph, y cópielo de nuevo si está dañado</translation>
+    </message>
+    <message>
+        <source>it is written in UTF-16</source>
+        <translation>está escrito en UTF-16</translation>
+    </message>
+    <message>
+        <source>it is not a UTF-8 text file</source>
+        <translation>no es un archivo de texto UTF-8</translation>
+    </message>
+    <message>
+        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
+        <translation>guárdelo de nuevo como &quot;CSV UTF-8&quot; o como texto UTF-8</translation>
+    </message>
+    <message>
+        <source>save it again as UTF-8 text</source>
+        <translation>guárdelo de nuevo como texto UTF-8</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 KiB</source>
+        <translation>ocupa más de %1 KiB</translation>
+    </message>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>compruebe que es el archivo correcto</translation>
+    </message>
+    <message>
+        <source>its columns are separated by semicolons</source>
+        <translation>sus columnas están separadas por punto y coma</translation>
+    </message>
+    <message>
+        <source>save it with commas, and with a point in its numbers</source>
+        <translation>guárdelo con comas, y con punto en sus números</translation>
+    </message>
+    <message>
+        <source>save it with commas</source>
+        <translation>guárdelo con comas</translation>
+    </message>
+    <message>
+        <source>it lacks the expected header line</source>
+        <translation>le falta la línea de cabecera esperada</translation>
+    </message>
+    <message>
+        <source>it lacks the column %1</source>
+        <translation>le falta la columna %1</translation>
+    </message>
+    <message>
+        <source>it has %1 cells instead of %2</source>
+        <translation>tiene %1 celdas en lugar de %2</translation>
+    </message>
+    <message>
+        <source>a quoted cell does not end</source>
+        <translation>una celda entre comillas no termina</translation>
+    </message>
+    <message>
+        <source>close the quotes</source>
+        <translation>cierre las comillas</translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos; is not a finite number</source>
+        <translation>%1 &apos;%2&apos; no es un número finito</translation>
+    </message>
+    <message>
+        <source>the label is empty</source>
+        <translation>el rótulo está vacío</translation>
+    </message>
+    <message>
+        <source>the label &apos;%1&apos; is in line %2 already</source>
+        <translation>el rótulo &apos;%1&apos; ya está en la línea %2</translation>
+    </message>
+    <message>
+        <source>the label &apos;%1&apos; is there twice</source>
+        <translation>el rótulo &apos;%1&apos; está dos veces</translation>
+    </message>
+    <message>
+        <source>give each marker a label</source>
+        <translation>dé un rótulo a cada marcador</translation>
+    </message>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>dé a cada marcador un rótulo propio</translation>
+    </message>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>dé a cada punto un rótulo propio</translation>
+    </message>
+    <message>
+        <source>there are no markers below the header</source>
+        <translation>no hay marcadores debajo de la cabecera</translation>
+    </message>
+    <message>
+        <source>write one line for each marker</source>
+        <translation>escriba una línea por marcador</translation>
+    </message>
+    <message>
+        <source>mend these lines</source>
+        <translation>corrija estas líneas</translation>
+    </message>
+    <message>
+        <source>nothing was imported</source>
+        <translation>no se importó nada</translation>
+    </message>
+    <message>
+        <source>it has no team</source>
+        <translation>no tiene ningún equipo</translation>
+    </message>
+    <message>
+        <source>write a line with class and team below the header</source>
+        <translation>escriba bajo la cabecera una línea con clase y equipo</translation>
+    </message>
+    <message>
+        <source>roster &apos;%1&apos;</source>
+        <translation>lista de clase &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>no track was given</source>
+        <translation>no se dio ninguna traza</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; was given two tracks</source>
+        <translation>al robot &apos;%1&apos; se le dieron dos trazas</translation>
+    </message>
+    <message>
+        <source>give each robot one</source>
+        <translation>dé una a cada robot</translation>
+    </message>
+    <message>
+        <source>its column &apos;%1&apos; is in a unit that is not known</source>
+        <translation>su columna &apos;%1&apos; está en una unidad desconocida</translation>
+    </message>
+    <message>
+        <source>give times in s or ms and places in m, cm or mm</source>
+        <translation>dé los tiempos en s o ms y los lugares en m, cm o mm</translation>
+    </message>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;</source>
+        <translation>ninguna de sus trazas se llama &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>give the robot the name of one of them</source>
+        <translation>dé al robot el nombre de una de ellas</translation>
+    </message>
+    <message>
+        <source>it has no samples</source>
+        <translation>no tiene muestras</translation>
+    </message>
+    <message>
+        <source>its times do not rise</source>
+        <translation>sus tiempos no crecen</translation>
+    </message>
+    <message>
+        <source>import another file</source>
+        <translation>importe otro archivo</translation>
+    </message>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>buscar en &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>compruebe que la carpeta está ahí y se puede leer</translation>
+    </message>
+    <message>
+        <source>lost videos</source>
+        <translation>videos perdidos</translation>
+    </message>
+    <message>
+        <source>no video of this project is lost</source>
+        <translation>no falta ningún video de este proyecto</translation>
+    </message>
+    <message>
+        <source>there is nothing to do</source>
+        <translation>no hay nada que hacer</translation>
+    </message>
+    <message>
+        <source>the lost video is not there</source>
+        <translation>el video perdido no está ahí</translation>
+    </message>
+    <message>
+        <source>none of the %1 lost videos is there</source>
+        <translation>ninguno de los %1 videos perdidos está ahí</translation>
+    </message>
+    <message>
+        <source>choose the folder where they were copied to</source>
+        <translation>elija la carpeta donde se copiaron</translation>
+    </message>
+    <message>
+        <source>%1 is there already</source>
+        <translation>%1 ya existe</translation>
+    </message>
+    <message>
+        <source>open it, or choose another folder</source>
+        <translation>ábralo, o elija otra carpeta</translation>
+    </message>
+    <message>
+        <source>choose a folder you can write to, with 300 MB free</source>
+        <translation>elija una carpeta en la que pueda escribir, con 300 MB libres</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

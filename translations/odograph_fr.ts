@@ -1603,6 +1603,2558 @@
         <source>%1.</source>
         <translation>%1.</translation>
     </message>
+    <message>
+        <source>the picture is too small to hold a board</source>
+        <translation>l’image est trop petite pour une mire</translation>
+    </message>
+    <message>
+        <source>use a picture of the camera</source>
+        <translation>utilisez une image de la caméra</translation>
+    </message>
+    <message>
+        <source>use pictures of the camera</source>
+        <translation>utilisez des images de la caméra</translation>
+    </message>
+    <message>
+        <source>use another picture</source>
+        <translation>utilisez une autre image</translation>
+    </message>
+    <message>
+        <source>the picture is too small</source>
+        <translation>l’image est trop petite</translation>
+    </message>
+    <message>
+        <source>the picture has no size</source>
+        <translation>l’image n’a pas de taille</translation>
+    </message>
+    <message>
+        <source>the board is blurred</source>
+        <translation>la mire est floue</translation>
+    </message>
+    <message>
+        <source>its edges are %1 pixels wide</source>
+        <translation>ses bords font %1 pixels de large</translation>
+    </message>
+    <message>
+        <source>hold it still, and focus the camera</source>
+        <translation>tenez-la immobile, et faites la mise au point</translation>
+    </message>
+    <message>
+        <source>a corner of the board cannot be made out</source>
+        <translation>un coin de la mire ne se distingue pas</translation>
+    </message>
+    <message>
+        <source>keep the board clear and well lit</source>
+        <translation>gardez la mire dégagée et bien éclairée</translation>
+    </message>
+    <message>
+        <source>this board has %1 inner corners, %2 was asked for</source>
+        <translation>cette mire a %1 coins intérieurs, %2 était demandé</translation>
+    </message>
+    <message>
+        <source>count the inner corners, or leave the size out</source>
+        <translation>comptez les coins intérieurs, ou omettez la taille</translation>
+    </message>
+    <message>
+        <source>the board is cut off</source>
+        <translation>la mire est coupée</translation>
+    </message>
+    <message>
+        <source>only %1 of its %2 inner corners are seen</source>
+        <translation>seuls %1 de ses %2 coins intérieurs sont vus</translation>
+    </message>
+    <message>
+        <source>keep the whole board in the picture</source>
+        <translation>gardez toute la mire dans l’image</translation>
+    </message>
+    <message>
+        <source>no board found</source>
+        <translation>aucune mire trouvée</translation>
+    </message>
+    <message>
+        <source>%1 of its markers could be read</source>
+        <translation>%1 de ses marqueurs ont pu être lus</translation>
+    </message>
+    <message>
+        <source>show the whole board, flat, sharp and well lit</source>
+        <translation>montrez toute la mire, plate, nette et bien éclairée</translation>
+    </message>
+    <message>
+        <source>show the board larger, sharp and well lit</source>
+        <translation>montrez la mire plus grande, nette et bien éclairée</translation>
+    </message>
+    <message>
+        <source>only %1 corners of the board are seen</source>
+        <translation>seuls %1 coins de la mire sont vus</translation>
+    </message>
+    <message>
+        <source>show more of the board</source>
+        <translation>montrez davantage de la mire</translation>
+    </message>
+    <message>
+        <source>show one ChArUco board</source>
+        <translation>montrez une seule mire ChArUco</translation>
+    </message>
+    <message>
+        <source>the camera cannot be calibrated</source>
+        <translation>la caméra ne peut pas être étalonnée</translation>
+    </message>
+    <message>
+        <source>calibration of camera &apos;%1&apos;</source>
+        <translation>étalonnage de la caméra &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>three pictures of the board are needed, %1 can be used</source>
+        <translation>il faut trois photos de la mire, %1 sont utilisables</translation>
+    </message>
+    <message>
+        <source>take ten or more, the board tilted differently in each</source>
+        <translation>prenez-en dix ou plus, la mire inclinée différemment à chaque fois</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners do not agree with the others</source>
+        <translation>%1&#xa0;% des coins ne concordent pas avec les autres</translation>
+    </message>
+    <message>
+        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <translation>vérifiez que toutes les photos sont nettes, d’une même mire plate et d’une caméra au même zoom et à la même mise au point</translation>
+    </message>
+    <message>
+        <source>no lens fits these pictures</source>
+        <translation>aucun objectif ne convient à ces photos</translation>
+    </message>
+    <message>
+        <source>check that all are of one camera, at one zoom and focus</source>
+        <translation>vérifiez que toutes sont d’une même caméra, au même zoom et à la même mise au point</translation>
+    </message>
+    <message>
+        <source>choose others</source>
+        <translation>choisissez-en d’autres</translation>
+    </message>
+    <message>
+        <source>use pictures of one camera at one zoom and focus</source>
+        <translation>utilisez des photos d’une caméra au même zoom et à la même mise au point</translation>
+    </message>
+    <message>
+        <source>all %1 pictures show the board in one place, the %2 %3 % of the picture</source>
+        <translation>les %1 photos montrent la mire à une seule place (%2, %3&#xa0;% de l’image)</translation>
+    </message>
+    <message>
+        <source>how the lens bends elsewhere stays unknown</source>
+        <translation>la distorsion ailleurs reste inconnue</translation>
+    </message>
+    <message>
+        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <translation>montrez la mire au milieu et près de chaque coin de l’image, et de plus près</translation>
+    </message>
+    <message>
+        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <translation>les %1 photos montrent la mire presque dans la même orientation, ce qui ne détermine pas la distance focale</translation>
+    </message>
+    <message>
+        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <translation>prenez des photos avec la mire inclinée de 30 à 45 degrés, de chaque côté</translation>
+    </message>
+    <message>
+        <source>the pictures determine the focal length only to %1 %</source>
+        <translation>les photos ne déterminent la distance focale qu’à %1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>the board is seen too nearly frontal</source>
+        <translation>la mire est vue trop de face</translation>
+    </message>
+    <message>
+        <source>two halves of the pictures give focal lengths that differ by %1 %</source>
+        <translation>deux moitiés des photos donnent des distances focales différant de %1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>the floor cannot be registered</source>
+        <translation>le sol ne peut pas être localisé</translation>
+    </message>
+    <message>
+        <source>the camera cannot be registered through another</source>
+        <translation>la caméra ne peut pas être localisée par une autre</translation>
+    </message>
+    <message>
+        <source>the cameras cannot be registered together</source>
+        <translation>les caméras ne peuvent pas être localisées ensemble</translation>
+    </message>
+    <message>
+        <source>the length cannot be measured</source>
+        <translation>la longueur ne peut pas être mesurée</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos;</source>
+        <translation>localisation de la caméra &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>marker %1 stands twice in the layout</source>
+        <translation>le marqueur %1 est deux fois dans le plan</translation>
+    </message>
+    <message>
+        <source>marker %1 stands twice in the picture</source>
+        <translation>le marqueur %1 est deux fois dans l’image</translation>
+    </message>
+    <message>
+        <source>give each marker a name of its own</source>
+        <translation>donnez à chaque marqueur son propre nom</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie at one place of the floor</source>
+        <translation>les marqueurs %1 et %2 sont au même endroit du sol</translation>
+    </message>
+    <message>
+        <source>correct the layout</source>
+        <translation>corrigez le plan</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie on one pixel</source>
+        <translation>les marqueurs %1 et %2 sont sur le même pixel</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 lie on one pixel</source>
+        <translation>les points %1 et %2 sont sur le même pixel</translation>
+    </message>
+    <message>
+        <source>mark each of them where it is seen</source>
+        <translation>pointez chacun là où il est vu</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie only %3 mm apart, too close for two of four</source>
+        <translation>les marqueurs %1 et %2 ne sont qu’à %3 mm l’un de l’autre, trop proches pour deux sur quatre</translation>
+    </message>
+    <message>
+        <source>spread the markers over the floor</source>
+        <translation>répartissez les marqueurs sur le sol</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor</source>
+        <translation>répartissez les points sur le sol</translation>
+    </message>
+    <message>
+        <source>spread them over the floor</source>
+        <translation>répartissez-les sur le sol</translation>
+    </message>
+    <message>
+        <source>four markers are needed that the layout and the picture have in common</source>
+        <translation>il faut quatre marqueurs communs au plan et à l’image</translation>
+    </message>
+    <message>
+        <source>there are %1 (%2)</source>
+        <translation>il y en a %1 (%2)</translation>
+    </message>
+    <message>
+        <source>there are %1 (%2), and the layout does not know %3</source>
+        <translation>il y en a %1 (%2), et le plan ne connaît pas %3</translation>
+    </message>
+    <message>
+        <source>there are %1</source>
+        <translation>il y en a %1</translation>
+    </message>
+    <message>
+        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <translation>pointez davantage de marqueurs du plan, sous les noms du plan</translation>
+    </message>
+    <message>
+        <source>the markers are mirrored</source>
+        <translation>les marqueurs sont en miroir</translation>
+    </message>
+    <message>
+        <source>seen in this order the camera would be below the floor</source>
+        <translation>vue dans cet ordre, la caméra serait sous le sol</translation>
+    </message>
+    <message>
+        <source>seen from above, Y must point to the left of X</source>
+        <translation>vu d’en haut, Y doit pointer à gauche de X</translation>
+    </message>
+    <message>
+        <source>check the signs of the layout</source>
+        <translation>vérifiez les signes du plan</translation>
+    </message>
+    <message>
+        <source>check these labels</source>
+        <translation>vérifiez ces libellés</translation>
+    </message>
+    <message>
+        <source>the camera would stand only %1 mm above the floor</source>
+        <translation>la caméra ne serait qu’à %1 mm du sol</translation>
+    </message>
+    <message>
+        <source>the camera would stand %1 m above the floor</source>
+        <translation>la caméra serait à %1 m du sol</translation>
+    </message>
+    <message>
+        <source>marker %1 would lie at or beyond the horizon</source>
+        <translation>le marqueur %1 serait à l’horizon ou au-delà</translation>
+    </message>
+    <message>
+        <source>check its place and its pixel</source>
+        <translation>vérifiez sa place et son pixel</translation>
+    </message>
+    <message>
+        <source>the markers do not fit a flat floor</source>
+        <translation>les marqueurs ne s’ajustent pas à un sol plan</translation>
+    </message>
+    <message>
+        <source>%1 px RMS, most at %2 (%3 px)</source>
+        <translation>%1 px RMS, surtout en %2 (%3 px)</translation>
+    </message>
+    <message>
+        <source>check the layout, the labels and the intrinsics</source>
+        <translation>vérifiez le plan, les libellés et les paramètres intrinsèques</translation>
+    </message>
+    <message>
+        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2 mm</source>
+        <translation>les marqueurs sont presque alignés (surtout %1), si bien que le sol n’est connu qu’à ±%2 mm</translation>
+    </message>
+    <message>
+        <source>mark and measure them again, or add another</source>
+        <translation>pointez-les et mesurez-les à nouveau, ou ajoutez-en un</translation>
+    </message>
+    <message>
+        <source>the markers do not determine where the cameras stand</source>
+        <translation>les marqueurs ne déterminent pas où sont les caméras</translation>
+    </message>
+    <message>
+        <source>the points do not determine where the camera stands</source>
+        <translation>les points ne déterminent pas où est la caméra</translation>
+    </message>
+    <message>
+        <source>four points are needed that both cameras see</source>
+        <translation>il faut quatre points vus par les deux caméras</translation>
+    </message>
+    <message>
+        <source>add points of the floor, such as corners of tiles</source>
+        <translation>ajoutez des points du sol, tels que des coins de carreaux</translation>
+    </message>
+    <message>
+        <source>%1 of %2 were found, four are needed</source>
+        <translation>%1 sur %2 ont été trouvés, il en faut quatre</translation>
+    </message>
+    <message>
+        <source>missing: %1</source>
+        <translation>manquent&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
+        <translation>montrez les tags manquants (AprilTag 36h11, numérotés à partir de 0 dans l’ordre du plan) ou des anneaux, ou pointez les marqueurs à la main</translation>
+    </message>
+    <message>
+        <source>%1 rings or dots were found, four are needed</source>
+        <translation>%1 anneaux ou pastilles ont été trouvés, il en faut quatre</translation>
+    </message>
+    <message>
+        <source>show more of them, larger or in better light, or mark the markers by hand</source>
+        <translation>montrez-en davantage, plus grands ou mieux éclairés, ou pointez les marqueurs à la main</translation>
+    </message>
+    <message>
+        <source>tell by hand which of them is %1</source>
+        <translation>indiquez à la main lequel est %1</translation>
+    </message>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>impossible de dire si %1 a bougé</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 markers were found again, two are needed</source>
+        <translation>%1 de ses %2 marqueurs ont été retrouvés, il en faut deux</translation>
+    </message>
+    <message>
+        <source>clear the view of the markers</source>
+        <translation>dégagez la vue des marqueurs</translation>
+    </message>
+    <message>
+        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <translation>s’ils ont disparu ou si la caméra regarde ailleurs, localisez-la à nouveau</translation>
+    </message>
+    <message>
+        <source>these intrinsics cannot be used</source>
+        <translation>ces paramètres intrinsèques sont inutilisables</translation>
+    </message>
+    <message>
+        <source>calibrate the camera again, or import another file</source>
+        <translation>étalonnez à nouveau la caméra, ou importez un autre fichier</translation>
+    </message>
+    <message>
+        <source>register it first, by markers or through another camera</source>
+        <translation>localisez-la d’abord, par marqueurs ou par une autre caméra</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered</source>
+        <translation>la caméra &apos;%1&apos; n’est pas localisée</translation>
+    </message>
+    <message>
+        <source>a camera cannot be registered through itself</source>
+        <translation>une caméra ne peut pas être localisée par elle-même</translation>
+    </message>
+    <message>
+        <source>name another camera that is registered</source>
+        <translation>nommez une autre caméra localisée</translation>
+    </message>
+    <message>
+        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <translation>les deux extrémités sont sur le même pixel de la caméra &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>mark the two ends where they are seen</source>
+        <translation>pointez les deux extrémités là où elles sont vues</translation>
+    </message>
+    <message>
+        <source>no camera was given that sees it</source>
+        <translation>aucune caméra qui la voit n’a été donnée</translation>
+    </message>
+    <message>
+        <source>mark its ends in one picture at least</source>
+        <translation>pointez ses extrémités dans au moins une image</translation>
+    </message>
+    <message>
+        <source>the told length is not above 0</source>
+        <translation>la longueur indiquée n’est pas supérieure à 0</translation>
+    </message>
+    <message>
+        <source>give the length as it was measured with a tape</source>
+        <translation>donnez la longueur mesurée au mètre ruban</translation>
+    </message>
+    <message>
+        <source>the picture is %1, the camera was registered at %2</source>
+        <translation>l’image est en %1, la caméra a été localisée en %2</translation>
+    </message>
+    <message>
+        <source>give a picture of that size</source>
+        <translation>donnez une image de cette taille</translation>
+    </message>
+    <message>
+        <source>this computer</source>
+        <translation>cet ordinateur</translation>
+    </message>
+    <message>
+        <source>it slept for %1, and nothing was recorded meanwhile</source>
+        <translation>il a été en veille pendant %1, et rien n’a été enregistré entre-temps</translation>
+    </message>
+    <message>
+        <source>what came before is kept</source>
+        <translation>ce qui précède est gardé</translation>
+    </message>
+    <message>
+        <source>keep it awake while it records</source>
+        <translation>gardez-le éveillé pendant l’enregistrement</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>caméra %1</translation>
+    </message>
+    <message>
+        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
+        <translation>elle ne prend que %1 images par seconde sur les %2 demandées</translation>
+    </message>
+    <message>
+        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
+        <translation>donnez-lui plus de lumière ou une pose plus courte, ou demandez une cadence plus basse</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>elle n’est pas là</translation>
+    </message>
+    <message>
+        <source>plug it in, or choose one of those that odograph cameras lists</source>
+        <translation>branchez-la, ou choisissez-en une de celles que liste odograph cameras</translation>
+    </message>
+    <message>
+        <source>choose one of those that odograph cameras lists</source>
+        <translation>choisissez-en une de celles que liste odograph cameras</translation>
+    </message>
+    <message>
+        <source>you may not use it</source>
+        <translation>vous n’avez pas le droit de l’utiliser</translation>
+    </message>
+    <message>
+        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
+        <translation>rejoignez le groupe video (sudo usermod -aG video YOUR-NAME) et reconnectez-vous</translation>
+    </message>
+    <message>
+        <source>another program uses it</source>
+        <translation>un autre programme l’utilise</translation>
+    </message>
+    <message>
+        <source>close that program</source>
+        <translation>fermez ce programme</translation>
+    </message>
+    <message>
+        <source>it was unplugged</source>
+        <translation>elle a été débranchée</translation>
+    </message>
+    <message>
+        <source>plug it in again</source>
+        <translation>rebranchez-la</translation>
+    </message>
+    <message>
+        <source>plug %1 in again</source>
+        <translation>rebranchez %1</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures</source>
+        <translation>son bus USB n’a plus de place pour ses images</translation>
+    </message>
+    <message>
+        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
+        <translation>branchez-la là où elle ne partage pas de bus, ou choisissez MJPEG, une image plus petite ou une cadence plus basse (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
+    </message>
+    <message>
+        <source>it cannot be opened (%1)</source>
+        <translation>elle ne peut pas être ouverte (%1)</translation>
+    </message>
+    <message>
+        <source>check its cable and address</source>
+        <translation>vérifiez son câble et son adresse</translation>
+    </message>
+    <message>
+        <source>check that you may use it (a udev rule), and that no other program does</source>
+        <translation>vérifiez que vous pouvez l’utiliser (une règle udev), et qu’aucun autre programme ne le fait</translation>
+    </message>
+    <message>
+        <source>no picture came for half a second</source>
+        <translation>aucune image n’est venue pendant une demi-seconde</translation>
+    </message>
+    <message>
+        <source>wait, or check its cable</source>
+        <translation>attendez, ou vérifiez son câble</translation>
+    </message>
+    <message>
+        <source>it does not answer</source>
+        <translation>elle ne répond pas</translation>
+    </message>
+    <message>
+        <source>check its power and cable</source>
+        <translation>vérifiez son alimentation et son câble</translation>
+    </message>
+    <message>
+        <source>it does not start (%1)</source>
+        <translation>elle ne démarre pas (%1)</translation>
+    </message>
+    <message>
+        <source>check its cable, and that no other program uses it</source>
+        <translation>vérifiez son câble, et qu’aucun autre programme ne l’utilise</translation>
+    </message>
+    <message>
+        <source>another camera (%1) is in its place</source>
+        <translation>une autre caméra (%1) est à sa place</translation>
+    </message>
+    <message>
+        <source>another camera (%1) is in the place of camera %2</source>
+        <translation>une autre caméra (%1) est à la place de la caméra %2</translation>
+    </message>
+    <message>
+        <source>connect the one that belongs there, or begin anew with this one</source>
+        <translation>branchez celle qui convient, ou recommencez avec celle-ci</translation>
+    </message>
+    <message>
+        <source>it came back with pictures of another size or format</source>
+        <translation>elle est revenue avec des images d’une autre taille ou d’un autre format</translation>
+    </message>
+    <message>
+        <source>set it as before, or begin anew with size and format in its address</source>
+        <translation>réglez-la comme avant, ou recommencez avec taille et format dans son adresse</translation>
+    </message>
+    <message>
+        <source>it has nothing named &apos;%1&apos; that could be set</source>
+        <translation>elle n’a rien nommé &apos;%1&apos; qui puisse être réglé</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>omettez-le</translation>
+    </message>
+    <message>
+        <source>it refuses this value of %1</source>
+        <translation>elle refuse cette valeur de %1</translation>
+    </message>
+    <message>
+        <source>choose another one</source>
+        <translation>choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>%1 cannot be set as the camera stands now</source>
+        <translation>%1 ne peut pas être réglé dans l’état actuel de la caméra</translation>
+    </message>
+    <message>
+        <source>turn off the automatic that moves it first</source>
+        <translation>désactivez d’abord l’automatisme qui le déplace</translation>
+    </message>
+    <message>
+        <source>%1 goes from %2 to %3</source>
+        <translation>%1 va de %2 à %3</translation>
+    </message>
+    <message>
+        <source>choose a value between</source>
+        <translation>choisissez une valeur entre les deux</translation>
+    </message>
+    <message>
+        <source>%1 gives no pictures</source>
+        <translation>%1 ne donne pas d’images</translation>
+    </message>
+    <message>
+        <source>it has no format that can be read</source>
+        <translation>elle n’a aucun format lisible</translation>
+    </message>
+    <message>
+        <source>take another camera</source>
+        <translation>prenez une autre caméra</translation>
+    </message>
+    <message>
+        <source>it does not offer what was asked for</source>
+        <translation>elle n’offre pas ce qui était demandé</translation>
+    </message>
+    <message>
+        <source>choose of what it offers</source>
+        <translation>choisissez dans ce qu’elle offre</translation>
+    </message>
+    <message>
+        <source>it does not take %1</source>
+        <translation>elle n’accepte pas %1</translation>
+    </message>
+    <message>
+        <source>ask for another size or format</source>
+        <translation>demandez une autre taille ou un autre format</translation>
+    </message>
+    <message>
+        <source>it does not take this size</source>
+        <translation>elle n’accepte pas cette taille</translation>
+    </message>
+    <message>
+        <source>it does not take this rate</source>
+        <translation>elle n’accepte pas cette cadence</translation>
+    </message>
+    <message>
+        <source>it does not take this exposure</source>
+        <translation>elle n’accepte pas cette pose</translation>
+    </message>
+    <message>
+        <source>it does not take this gain</source>
+        <translation>elle n’accepte pas ce gain</translation>
+    </message>
+    <message>
+        <source>ask it for something else, or leave that to the camera</source>
+        <translation>demandez autre chose, ou laissez faire la caméra</translation>
+    </message>
+    <message>
+        <source>no camera has such an address</source>
+        <translation>aucune caméra n’a cette adresse</translation>
+    </message>
+    <message>
+        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
+        <translation>donnez-en une comme v4l2:/dev/video0, aravis:192.168.1.20, sim:A ou file:PATH</translation>
+    </message>
+    <message>
+        <source>the video has ended</source>
+        <translation>la vidéo est finie</translation>
+    </message>
+    <message>
+        <source>open it again to see it from the start</source>
+        <translation>rouvrez-la pour la voir depuis le début</translation>
+    </message>
+    <message>
+        <source>the recording %1</source>
+        <translation>l’enregistrement %1</translation>
+    </message>
+    <message>
+        <source>make room, or move the project to another disk</source>
+        <translation>libérez de la place, ou déplacez le projet sur un autre disque</translation>
+    </message>
+    <message>
+        <source>what was recorded so far is kept</source>
+        <translation>ce qui a été enregistré jusqu’ici est gardé</translation>
+    </message>
+    <message>
+        <source>recording of trial &apos;%1&apos;</source>
+        <translation>enregistrement de l’essai &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>check that they are connected and not used by another program</source>
+        <translation>vérifiez qu’elles sont branchées et qu’aucun autre programme ne les utilise</translation>
+    </message>
+    <message>
+        <source>check that it is connected and not used by another program</source>
+        <translation>vérifiez qu’elle est branchée et qu’aucun autre programme ne l’utilise</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; gave no picture</source>
+        <translation>la caméra &apos;%1&apos; n’a donné aucune image</translation>
+    </message>
+    <message>
+        <source>no camera was given</source>
+        <translation>aucune caméra n’a été donnée</translation>
+    </message>
+    <message>
+        <source>address &apos;%1&apos; of live positions</source>
+        <translation>adresse &apos;%1&apos; des positions en direct</translation>
+    </message>
+    <message>
+        <source>it is no IPv4 address with a port</source>
+        <translation>ce n’est pas une adresse IPv4 avec un port</translation>
+    </message>
+    <message>
+        <source>write it like 224.5.23.2:10006</source>
+        <translation>écrivez-la comme 224.5.23.2:10006</translation>
+    </message>
+    <message>
+        <source>live positions to %1</source>
+        <translation>positions en direct vers %1</translation>
+    </message>
+    <message>
+        <source>interface &apos;%1&apos; takes no multicast</source>
+        <translation>l’interface &apos;%1&apos; n’accepte pas le multicast</translation>
+    </message>
+    <message>
+        <source>this machine has none of that name</source>
+        <translation>cet ordinateur n’en a pas de ce nom</translation>
+    </message>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>fermez d’autres programmes et réessayez</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>annulé</translation>
+    </message>
+    <message>
+        <source>nothing was changed</source>
+        <translation>rien n’a été changé</translation>
+    </message>
+    <message>
+        <source>another program is writing to it</source>
+        <translation>un autre programme y écrit</translation>
+    </message>
+    <message>
+        <source>close the other program and try again</source>
+        <translation>fermez l’autre programme et réessayez</translation>
+    </message>
+    <message>
+        <source>it cannot be written to</source>
+        <translation>il ne peut pas être modifié</translation>
+    </message>
+    <message>
+        <source>its folder cannot be written to</source>
+        <translation>son dossier ne peut pas être modifié</translation>
+    </message>
+    <message>
+        <source>copy it to a folder that you may write to, and open the copy</source>
+        <translation>copiez-le dans un dossier où vous pouvez écrire, et ouvrez la copie</translation>
+    </message>
+    <message>
+        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
+        <translation>copiez-le avec ses vidéos dans un dossier où vous pouvez écrire, et ouvrez la copie</translation>
+    </message>
+    <message>
+        <source>the disk is full, the change was not saved</source>
+        <translation>le disque est plein, la modification n’a pas été enregistrée</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>le disque est plein</translation>
+    </message>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>libérez de la place sur le disque et réessayez</translation>
+    </message>
+    <message>
+        <source>the disk reported an error, the change was not saved</source>
+        <translation>le disque a signalé une erreur, la modification n’a pas été enregistrée</translation>
+    </message>
+    <message>
+        <source>check the disk, and copy the project to another one</source>
+        <translation>vérifiez le disque, et copiez le projet sur un autre</translation>
+    </message>
+    <message>
+        <source>check the disk and try again</source>
+        <translation>vérifiez le disque et réessayez</translation>
+    </message>
+    <message>
+        <source>check the disk</source>
+        <translation>vérifiez le disque</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>le fichier est endommagé</translation>
+    </message>
+    <message>
+        <source>its tables are not those of a project</source>
+        <translation>ses tables ne sont pas celles d’un projet</translation>
+    </message>
+    <message>
+        <source>restore it from a backup copy</source>
+        <translation>restaurez-le d’une copie de sauvegarde</translation>
+    </message>
+    <message>
+        <source>the project file is damaged</source>
+        <translation>le fichier du projet est endommagé</translation>
+    </message>
+    <message>
+        <source>it is not a project file</source>
+        <translation>ce n’est pas un fichier de projet</translation>
+    </message>
+    <message>
+        <source>it is a database of another program</source>
+        <translation>c’est la base de données d’un autre programme</translation>
+    </message>
+    <message>
+        <source>choose a file that Odograph has written</source>
+        <translation>choisissez un fichier écrit par Odograph</translation>
+    </message>
+    <message>
+        <source>it refers to something that is not in the project, or a value is missing</source>
+        <translation>il renvoie à quelque chose d’absent du projet, ou une valeur manque</translation>
+    </message>
+    <message>
+        <source>add what it refers to first</source>
+        <translation>ajoutez d’abord ce à quoi il renvoie</translation>
+    </message>
+    <message>
+        <source>the database refused</source>
+        <translation>la base de données a refusé</translation>
+    </message>
+    <message>
+        <source>run a check of the project</source>
+        <translation>lancez une vérification du projet</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n’existe pas</translation>
+    </message>
+    <message>
+        <source>check the name, or make a new project</source>
+        <translation>vérifiez le nom, ou créez un nouveau projet</translation>
+    </message>
+    <message>
+        <source>check the name</source>
+        <translation>vérifiez le nom</translation>
+    </message>
+    <message>
+        <source>check the name and the folder</source>
+        <translation>vérifiez le nom et le dossier</translation>
+    </message>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>c’est un dossier ou un périphérique, pas un fichier</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>c’est un dossier</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>il ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>it cannot be read (%1)</source>
+        <translation>il ne peut pas être lu (%1)</translation>
+    </message>
+    <message>
+        <source>check that you may read the file</source>
+        <translation>vérifiez que vous pouvez lire le fichier</translation>
+    </message>
+    <message>
+        <source>check that the file is there and may be read</source>
+        <translation>vérifiez que le fichier est là et peut être lu</translation>
+    </message>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>vérifiez qu’il est là et peut être lu</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>le fichier est vide</translation>
+    </message>
+    <message>
+        <source>the file is cut off</source>
+        <translation>le fichier est tronqué</translation>
+    </message>
+    <message>
+        <source>it has %1 of %2 bytes</source>
+        <translation>il a %1 octets sur %2</translation>
+    </message>
+    <message>
+        <source>copy it again from where it came, or restore a backup copy</source>
+        <translation>recopiez-le depuis sa source, ou restaurez une copie de sauvegarde</translation>
+    </message>
+    <message>
+        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
+        <translation>il a été écrit par un Odograph plus récent (format %1, celui-ci connaît les formats jusqu’à %2)</translation>
+    </message>
+    <message>
+        <source>open it with that Odograph, or update this one</source>
+        <translation>ouvrez-le avec cet Odograph-là, ou mettez celui-ci à jour</translation>
+    </message>
+    <message>
+        <source>open the project with a newer Odograph</source>
+        <translation>ouvrez le projet avec un Odograph plus récent</translation>
+    </message>
+    <message>
+        <source>it is open in another window</source>
+        <translation>il est ouvert dans une autre fenêtre</translation>
+    </message>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>il est ouvert dans une autre fenêtre (%1)</translation>
+    </message>
+    <message>
+        <source>close it there first</source>
+        <translation>fermez-le d’abord là-bas</translation>
+    </message>
+    <message>
+        <source>a trial is being recorded into it just now</source>
+        <translation>un essai y est en cours d’enregistrement</translation>
+    </message>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>attendez que ce soit terminé</translation>
+    </message>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>vérifiez la place libre et les droits du dossier du projet</translation>
+    </message>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>vérifiez la place libre et les droits de son dossier</translation>
+    </message>
+    <message>
+        <source>a file of that name is there already</source>
+        <translation>un fichier de ce nom existe déjà</translation>
+    </message>
+    <message>
+        <source>choose another name, or remove that file first</source>
+        <translation>choisissez un autre nom, ou supprimez d’abord ce fichier</translation>
+    </message>
+    <message>
+        <source>there is no folder &apos;%1&apos;</source>
+        <translation>il n’y a pas de dossier &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>make the folder first, or choose another one</source>
+        <translation>créez d’abord le dossier, ou choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>it has no file name</source>
+        <translation>il n’a pas de nom de fichier</translation>
+    </message>
+    <message>
+        <source>give the file a name</source>
+        <translation>donnez un nom au fichier</translation>
+    </message>
+    <message>
+        <source>its name is too long</source>
+        <translation>son nom est trop long</translation>
+    </message>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>choisissez un nom plus court</translation>
+    </message>
+    <message>
+        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
+        <translation>le dossier &apos;%1&apos; ne peut pas être modifié (%2)</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>choisissez un dossier où vous pouvez écrire</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to and that has room</source>
+        <translation>choisissez un dossier où vous pouvez écrire et qui a de la place</translation>
+    </message>
+    <message>
+        <source>choose a folder that can be written to and has room</source>
+        <translation>choisissez un dossier modifiable et qui a de la place</translation>
+    </message>
+    <message>
+        <source>writing it failed (%1)</source>
+        <translation>l’écriture a échoué (%1)</translation>
+    </message>
+    <message>
+        <source>it cannot be written (%1)</source>
+        <translation>il ne peut pas être écrit (%1)</translation>
+    </message>
+    <message>
+        <source>what it concerns has been changed or used since</source>
+        <translation>ce que cela concerne a été changé ou utilisé depuis</translation>
+    </message>
+    <message>
+        <source>take the later change back first, or leave it</source>
+        <translation>annulez d’abord la modification plus récente, ou laissez</translation>
+    </message>
+    <message>
+        <source>nothing has been changed since the project was opened</source>
+        <translation>rien n’a été changé depuis l’ouverture du projet</translation>
+    </message>
+    <message>
+        <source>change something first</source>
+        <translation>changez d’abord quelque chose</translation>
+    </message>
+    <message>
+        <source>nothing has been undone</source>
+        <translation>rien n’a été annulé</translation>
+    </message>
+    <message>
+        <source>undo something first</source>
+        <translation>annulez d’abord quelque chose</translation>
+    </message>
+    <message>
+        <source>the project has a %1 of that name already</source>
+        <translation>le projet a déjà un élément « %1&#xa0;» de ce nom</translation>
+    </message>
+    <message>
+        <source>the project has a trial of that name</source>
+        <translation>le projet a un essai de ce nom</translation>
+    </message>
+    <message>
+        <source>choose another name</source>
+        <translation>choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>there is no such %1 in the project</source>
+        <translation>absent du projet&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation>classe</translation>
+    </message>
+    <message>
+        <source>team</source>
+        <translation>équipe</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>caméra</translation>
+    </message>
+    <message>
+        <source>task</source>
+        <translation>épreuve</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>essai</translation>
+    </message>
+    <message>
+        <source>layout</source>
+        <translation>plan</translation>
+    </message>
+    <message>
+        <source>name of a %1</source>
+        <translation>nom (%1)</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>il est vide</translation>
+    </message>
+    <message>
+        <source>give the %1 a name</source>
+        <translation>donnez un nom (%1)</translation>
+    </message>
+    <message>
+        <source>it has %1 characters</source>
+        <translation>il a %1 caractères</translation>
+    </message>
+    <message>
+        <source>use at most %1</source>
+        <translation>utilisez-en %1 au plus</translation>
+    </message>
+    <message>
+        <source>it holds a line break or another control character</source>
+        <translation>il contient un saut de ligne ou un autre caractère de contrôle</translation>
+    </message>
+    <message>
+        <source>use a name of one line</source>
+        <translation>utilisez un nom d’une seule ligne</translation>
+    </message>
+    <message>
+        <source>it is not valid UTF-8 text</source>
+        <translation>ce n’est pas un texte UTF-8 valide</translation>
+    </message>
+    <message>
+        <source>class &apos;%1&apos;</source>
+        <translation>classe &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>team &apos;%1&apos;</source>
+        <translation>équipe &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos;</source>
+        <translation>robot &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>caméra &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>task &apos;%1&apos;</source>
+        <translation>épreuve &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;</source>
+        <translation>plan &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>file &apos;%1&apos;</source>
+        <translation>fichier &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a team belongs to it</source>
+        <translation>une équipe en fait partie</translation>
+    </message>
+    <message>
+        <source>%1 teams belong to it</source>
+        <translation>%1 équipes en font partie</translation>
+    </message>
+    <message>
+        <source>move its teams to another class first, or archive it</source>
+        <translation>déplacez d’abord ses équipes dans une autre classe, ou archivez-la</translation>
+    </message>
+    <message>
+        <source>it drove in a trial</source>
+        <translation>il a roulé dans un essai</translation>
+    </message>
+    <message>
+        <source>keep it</source>
+        <translation>gardez-le</translation>
+    </message>
+    <message>
+        <source>it can be given another name</source>
+        <translation>on peut lui donner un autre nom</translation>
+    </message>
+    <message>
+        <source>a trial has it</source>
+        <translation>un essai l’utilise</translation>
+    </message>
+    <message>
+        <source>%1 trials have it</source>
+        <translation>%1 essais l’utilisent</translation>
+    </message>
+    <message>
+        <source>give them another task first</source>
+        <translation>donnez-leur d’abord une autre épreuve</translation>
+    </message>
+    <message>
+        <source>trials were measured by it</source>
+        <translation>des essais ont été mesurés avec elle</translation>
+    </message>
+    <message>
+        <source>their figures would not say any more what they were measured by</source>
+        <translation>leurs valeurs ne diraient plus avec quoi elles ont été mesurées</translation>
+    </message>
+    <message>
+        <source>a trial is its</source>
+        <translation>un essai est le sien</translation>
+    </message>
+    <message>
+        <source>%1 trials are its</source>
+        <translation>%1 essais sont les siens</translation>
+    </message>
+    <message>
+        <source>delete them for good first, or archive its class</source>
+        <translation>supprimez-les d’abord définitivement, ou archivez sa classe</translation>
+    </message>
+    <message>
+        <source>it has more than %1 members</source>
+        <translation>elle a plus de %1 membres</translation>
+    </message>
+    <message>
+        <source>give the names of the people in the team</source>
+        <translation>donnez les noms des personnes de l’équipe</translation>
+    </message>
+    <message>
+        <source>a robot belongs to it twice</source>
+        <translation>un robot lui appartient deux fois</translation>
+    </message>
+    <message>
+        <source>name each of its robots once</source>
+        <translation>nommez chaque robot une fois</translation>
+    </message>
+    <message>
+        <source>it is being recorded</source>
+        <translation>il est en cours d’enregistrement</translation>
+    </message>
+    <message>
+        <source>trial &apos;%1&apos; is being recorded</source>
+        <translation>l’essai &apos;%1&apos; est en cours d’enregistrement</translation>
+    </message>
+    <message>
+        <source>end its recording first</source>
+        <translation>terminez d’abord son enregistrement</translation>
+    </message>
+    <message>
+        <source>it is not in the bin</source>
+        <translation>il n’est pas dans la corbeille</translation>
+    </message>
+    <message>
+        <source>put it into the bin first</source>
+        <translation>mettez-le d’abord dans la corbeille</translation>
+    </message>
+    <message>
+        <source>its height is to be told, but none is given</source>
+        <translation>sa hauteur doit être indiquée, mais aucune ne l’est</translation>
+    </message>
+    <message>
+        <source>give a height, or let it be estimated</source>
+        <translation>donnez une hauteur, ou laissez-la estimer</translation>
+    </message>
+    <message>
+        <source>its height is below the floor</source>
+        <translation>sa hauteur est sous le sol</translation>
+    </message>
+    <message>
+        <source>give a height of 0 or more</source>
+        <translation>donnez une hauteur de 0 ou plus</translation>
+    </message>
+    <message>
+        <source>its size is not above 0</source>
+        <translation>sa taille n’est pas supérieure à 0</translation>
+    </message>
+    <message>
+        <source>give length and width in millimetres, like 260x190</source>
+        <translation>donnez longueur et largeur en millimètres, comme 260x190</translation>
+    </message>
+    <message>
+        <source>length &apos;%1&apos;</source>
+        <translation>longueur &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>not a number with the unit mm, cm or m</source>
+        <translation>pas un nombre avec l’unité mm, cm ou m</translation>
+    </message>
+    <message>
+        <source>write it like 25mm, 2.5cm or 0.3m</source>
+        <translation>écrivez-le comme 25mm, 2.5cm ou 0.3m</translation>
+    </message>
+    <message>
+        <source>not a finite decimal number</source>
+        <translation>pas un nombre décimal fini</translation>
+    </message>
+    <message>
+        <source>write it with digits and a point, like 12.5</source>
+        <translation>écrivez-le avec des chiffres et un point, comme 12.5</translation>
+    </message>
+    <message>
+        <source>correct the pixels</source>
+        <translation>corrigez les pixels</translation>
+    </message>
+    <message>
+        <source>correct it</source>
+        <translation>corrigez-le</translation>
+    </message>
+    <message>
+        <source>correct one of them</source>
+        <translation>corrigez l’un d’eux</translation>
+    </message>
+    <message>
+        <source>point %1 is there twice</source>
+        <translation>le point %1 y est deux fois</translation>
+    </message>
+    <message>
+        <source>point %1 lies at or beyond the horizon of %2</source>
+        <translation>le point %1 est à l’horizon de %2 ou au-delà</translation>
+    </message>
+    <message>
+        <source>choose points of the floor</source>
+        <translation>choisissez des points du sol</translation>
+    </message>
+    <message>
+        <source>point %1 lies where a lens cannot have put it</source>
+        <translation>le point %1 est là où aucun objectif ne peut l’avoir mis</translation>
+    </message>
+    <message>
+        <source>check its pixels and the intrinsics of both cameras</source>
+        <translation>vérifiez ses pixels et les paramètres intrinsèques des deux caméras</translation>
+    </message>
+    <message>
+        <source>the points are mirrored between the pictures of the two cameras</source>
+        <translation>les points sont en miroir entre les images des deux caméras</translation>
+    </message>
+    <message>
+        <source>check which label belongs to which point in %1 and in this camera</source>
+        <translation>vérifiez quel libellé va à quel point dans %1 et dans cette caméra</translation>
+    </message>
+    <message>
+        <source>point %1 would lie at or beyond the horizon</source>
+        <translation>le point %1 serait à l’horizon ou au-delà</translation>
+    </message>
+    <message>
+        <source>check its pixels in both pictures</source>
+        <translation>vérifiez ses pixels dans les deux images</translation>
+    </message>
+    <message>
+        <source>the floor among the points is known only to ±%1 mm</source>
+        <translation>le sol entre les points n’est connu qu’à ±%1 mm</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor, or register %1 better first</source>
+        <translation>répartissez les points sur le sol, ou localisez mieux %1 d’abord</translation>
+    </message>
+    <message>
+        <source>the markers fit only to %1 px, but %2</source>
+        <translation>les marqueurs ne s’ajustent qu’à %1 px, mais %2</translation>
+    </message>
+    <message>
+        <source>the %1 markers misfit by %2 px (%3 mm) and check one another too little to tell which of them</source>
+        <translation>les %1 marqueurs s’écartent de %2 px (%3 mm) et se contrôlent trop peu pour dire lequel</translation>
+    </message>
+    <message>
+        <source>it may be wrong by much more</source>
+        <translation>l’erreur peut être bien plus grande</translation>
+    </message>
+    <message>
+        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <translation>il y a %1 caméra sur le plan &apos;%2&apos;, il en faut deux</translation>
+    </message>
+    <message>
+        <source>register the cameras one by one by this layout first</source>
+        <translation>localisez d’abord les caméras une à une par ce plan</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
+        <translation>la caméra &apos;%1&apos; ne voit que %2 des marqueurs</translation>
+    </message>
+    <message>
+        <source>register it by more of them first</source>
+        <translation>localisez-la d’abord par davantage d’entre eux</translation>
+    </message>
+    <message>
+        <source>no two of the cameras see the same marker</source>
+        <translation>aucune paire de caméras ne voit le même marqueur</translation>
+    </message>
+    <message>
+        <source>let them see some of the same floor</source>
+        <translation>faites-leur voir une partie commune du sol</translation>
+    </message>
+    <message>
+        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>la première extrémité est à l’horizon de la caméra &apos;%1&apos; ou au-delà</translation>
+    </message>
+    <message>
+        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>la seconde extrémité est à l’horizon de la caméra &apos;%1&apos; ou au-delà</translation>
+    </message>
+    <message>
+        <source>lay the stick on the floor, nearer to the camera</source>
+        <translation>posez la règle au sol, plus près de la caméra</translation>
+    </message>
+    <message>
+        <source>the floor markers cannot be found</source>
+        <translation>les marqueurs du sol sont introuvables</translation>
+    </message>
+    <message>
+        <source>the markers cannot be told apart</source>
+        <translation>les marqueurs ne se distinguent pas</translation>
+    </message>
+    <message>
+        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <translation>ils s’ajustent aussi bien au plan de %1 façons, car il est identique vu de plusieurs côtés</translation>
+    </message>
+    <message>
+        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <translation>aucune façon de nommer les %1 anneaux et pastilles ne convient au plan</translation>
+    </message>
+    <message>
+        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <translation>vérifiez les places du plan et leur unité, masquez les autres objets ronds, ou pointez les marqueurs à la main</translation>
+    </message>
+    <message>
+        <source>tag %1 (marker %2) is seen %3 times</source>
+        <translation>le tag %1 (marqueur %2) est vu %3 fois</translation>
+    </message>
+    <message>
+        <source>leave one of them on the floor</source>
+        <translation>n’en laissez qu’un au sol</translation>
+    </message>
+    <message>
+        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
+        <translation>les axes du plan &apos;%1&apos; ne peuvent pas être changés</translation>
+    </message>
+    <message>
+        <source>it has no marker %1</source>
+        <translation>il n’a pas de marqueur %1</translation>
+    </message>
+    <message>
+        <source>name one of %1</source>
+        <translation>nommez-en un parmi %1</translation>
+    </message>
+    <message>
+        <source>the markers that X is to run along lie at one place</source>
+        <translation>les marqueurs que X doit suivre sont au même endroit</translation>
+    </message>
+    <message>
+        <source>name two that lie apart</source>
+        <translation>nommez-en deux qui soient écartés</translation>
+    </message>
+    <message>
+        <source>give one of them</source>
+        <translation>donnez l’un d’eux</translation>
+    </message>
+    <message>
+        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>inverser X seul mettrait le sol en miroir, et aucune caméra au-dessus ne le voit ainsi</translation>
+    </message>
+    <message>
+        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>inverser Y seul mettrait le sol en miroir, et aucune caméra au-dessus ne le voit ainsi</translation>
+    </message>
+    <message>
+        <source>reverse both (a half turn), or turn the axes</source>
+        <translation>inversez les deux (un demi-tour), ou tournez les axes</translation>
+    </message>
+    <message>
+        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <translation>si le plan a été noté en miroir, corrigez ses signes et ajoutez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>%1 cannot be set while it is automatic</source>
+        <translation>%1 ne peut pas être réglé tant qu’il est automatique</translation>
+    </message>
+    <message>
+        <source>turn the automatic off</source>
+        <translation>désactivez l’automatisme</translation>
+    </message>
+    <message>
+        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
+        <translation>vérifiez son alimentation et son câble, et que cet ordinateur a une adresse dans le réseau de la caméra</translation>
+    </message>
+    <message>
+        <source>a camera whose program has crashed is free again after some seconds</source>
+        <translation>une caméra dont le programme a planté se libère après quelques secondes</translation>
+    </message>
+    <message>
+        <source>no camera of this serial number answers</source>
+        <translation>aucune caméra de ce numéro de série ne répond</translation>
+    </message>
+    <message>
+        <source>check its power and cable; odograph cameras lists those that answer</source>
+        <translation>vérifiez son alimentation et son câble&#xa0;; odograph cameras liste celles qui répondent</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not understood</source>
+        <translation>&apos;%1&apos; n’est pas compris</translation>
+    </message>
+    <message>
+        <source>give each point a label</source>
+        <translation>donnez un libellé à chaque point</translation>
+    </message>
+    <message>
+        <source>write one value for each of %1</source>
+        <translation>écrivez une valeur pour chacun de %1</translation>
+    </message>
+    <message>
+        <source>not of the form #rrggbb</source>
+        <translation>pas de la forme #rrggbb</translation>
+    </message>
+    <message>
+        <source>write it like #d72328</source>
+        <translation>écrivez-la comme #d72328</translation>
+    </message>
+    <message>
+        <source>a board of %1 inner corners is too small</source>
+        <translation>une mire de %1 coins intérieurs est trop petite</translation>
+    </message>
+    <message>
+        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <translation>donnez au moins 3x3, comme 9x6, ou omettez la taille</translation>
+    </message>
+    <message>
+        <source>the squares have no size</source>
+        <translation>les cases n’ont pas de taille</translation>
+    </message>
+    <message>
+        <source>give it like 25mm</source>
+        <translation>donnez-la comme 25mm</translation>
+    </message>
+    <message>
+        <source>there is no marker dictionary %1</source>
+        <translation>il n’y a pas de dictionnaire de marqueurs %1</translation>
+    </message>
+    <message>
+        <source>analyse the trial again</source>
+        <translation>réanalysez l’essai</translation>
+    </message>
+    <message>
+        <source>analysis of a trial</source>
+        <translation>analyse d’un essai</translation>
+    </message>
+    <message>
+        <source>the change could not be noted (%1)</source>
+        <translation>la modification n’a pas pu être notée (%1)</translation>
+    </message>
+    <message>
+        <source>try it again</source>
+        <translation>réessayez</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>annuler</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>rétablir</translation>
+    </message>
+    <message>
+        <source>an earlier step of this change failed</source>
+        <translation>une étape précédente de cette modification a échoué</translation>
+    </message>
+    <message>
+        <source>try the whole change again</source>
+        <translation>réessayez toute la modification</translation>
+    </message>
+    <message>
+        <source>cannot hold %1</source>
+        <translation>impossible de verrouiller %1</translation>
+    </message>
+    <message>
+        <source>the labels are not those that it has</source>
+        <translation>les libellés ne sont pas les siens</translation>
+    </message>
+    <message>
+        <source>add another layout for other markers</source>
+        <translation>ajoutez un autre plan pour d’autres marqueurs</translation>
+    </message>
+    <message>
+        <source>the copy differs from what was written</source>
+        <translation>la copie diffère de ce qui a été écrit</translation>
+    </message>
+    <message>
+        <source>it says of itself to have the format %1</source>
+        <translation>il déclare avoir le format %1</translation>
+    </message>
+    <message>
+        <source>type the name anew</source>
+        <translation>retapez le nom</translation>
+    </message>
+    <message>
+        <source>type the text anew</source>
+        <translation>retapez le texte</translation>
+    </message>
+    <message>
+        <source>it has no %1 yet</source>
+        <translation>il n’a pas encore de %1</translation>
+    </message>
+    <message>
+        <source>add one first</source>
+        <translation>ajoutez-en d’abord</translation>
+    </message>
+    <message>
+        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
+        <translation>il a l’ancien format %1 et doit être mis à jour avant d’être lu, mais %2</translation>
+    </message>
+    <message>
+        <source>it could not be brought to format %1 (%2)</source>
+        <translation>il n’a pas pu être porté au format %1 (%2)</translation>
+    </message>
+    <message>
+        <source>reading it failed (%1)</source>
+        <translation>la lecture a échoué (%1)</translation>
+    </message>
+    <message>
+        <source>recording &apos;%1&apos;</source>
+        <translation>enregistrement &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>its recording has ended already</source>
+        <translation>son enregistrement est déjà terminé</translation>
+    </message>
+    <message>
+        <source>record another trial</source>
+        <translation>filmez un autre essai</translation>
+    </message>
+    <message>
+        <source>comparison of %1</source>
+        <translation>comparaison de %1</translation>
+    </message>
+    <message>
+        <source>it has more than %1 lines</source>
+        <translation>il a plus de %1 lignes</translation>
+    </message>
+    <message>
+        <source>keep those that matter</source>
+        <translation>gardez celles qui comptent</translation>
+    </message>
+    <message>
+        <source>a number in it is none</source>
+        <translation>un de ses nombres n’en est pas un</translation>
+    </message>
+    <message>
+        <source>give three numbers</source>
+        <translation>donnez trois nombres</translation>
+    </message>
+    <message>
+        <source>its points are 0, or beyond 1000</source>
+        <translation>ses points sont 0, ou au-delà de 1000</translation>
+    </message>
+    <message>
+        <source>give points from 1 to 1000, below zero for a penalty</source>
+        <translation>donnez des points de 1 à 1000, négatifs pour une pénalité</translation>
+    </message>
+    <message>
+        <source>it is shorter than 1 mm</source>
+        <translation>il fait moins de 1 mm</translation>
+    </message>
+    <message>
+        <source>its points are not on a floor of 1 km</source>
+        <translation>ses points ne sont pas sur un sol de 1 km</translation>
+    </message>
+    <message>
+        <source>it has more than %1 points</source>
+        <translation>il a plus de %1 points</translation>
+    </message>
+    <message>
+        <source>its place is not a number</source>
+        <translation>sa place n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a slalom has 1 to 100 poles, not %1</source>
+        <translation>un slalom a 1 à 100 piquets, pas %1</translation>
+    </message>
+    <message>
+        <source>give another number</source>
+        <translation>donnez un autre nombre</translation>
+    </message>
+    <message>
+        <source>the board was found in none of %1 pictures (%2)</source>
+        <translation>la mire n’a été trouvée dans aucune des %1 photos (%2)</translation>
+    </message>
+    <message>
+        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
+        <translation>montrez toute la mire, plate, nette et éclairée uniformément, et vérifiez motif et taille</translation>
+    </message>
+    <message>
+        <source>the size of its pictures is not known</source>
+        <translation>la taille de ses images n’est pas connue</translation>
+    </message>
+    <message>
+        <source>it has no intrinsics and no recording</source>
+        <translation>elle n’a ni paramètres intrinsèques ni enregistrement</translation>
+    </message>
+    <message>
+        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
+        <translation>étalonnez-la, importez ses paramètres intrinsèques, ou importez d’abord un essai avec elle</translation>
+    </message>
+    <message>
+        <source>it was never calibrated</source>
+        <translation>elle n’a jamais été étalonnée</translation>
+    </message>
+    <message>
+        <source>it was registered through another camera</source>
+        <translation>elle a été localisée par une autre caméra</translation>
+    </message>
+    <message>
+        <source>register it through that camera again</source>
+        <translation>localisez-la à nouveau par cette caméra</translation>
+    </message>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>il ne peut pas être examiné (%1)</translation>
+    </message>
+    <message>
+        <source>choose a robot of the trial</source>
+        <translation>choisissez un robot de l’essai</translation>
+    </message>
+    <message>
+        <source>no track of it was imported</source>
+        <translation>aucune trajectoire de lui n’a été importée</translation>
+    </message>
+    <message>
+        <source>begin the file with the line %1</source>
+        <translation>commencez le fichier par la ligne %1</translation>
+    </message>
+    <message>
+        <source>begin the file with the line class,team or class,team,pseudonym</source>
+        <translation>commencez le fichier par la ligne class,team ou class,team,pseudonym</translation>
+    </message>
+    <message>
+        <source>there is no such rule of a zone</source>
+        <translation>cette règle de zone n’existe pas</translation>
+    </message>
+    <message>
+        <source>it has less than three corners</source>
+        <translation>elle a moins de trois coins</translation>
+    </message>
+    <message>
+        <source>give the corners of its outline, all the way round</source>
+        <translation>donnez les coins de son contour, tout autour</translation>
+    </message>
+    <message>
+        <source>give the corners in order, all the way round</source>
+        <translation>donnez les coins dans l’ordre, tout autour</translation>
+    </message>
+    <message>
+        <source>it has more than %1 corners</source>
+        <translation>elle a plus de %1 coins</translation>
+    </message>
+    <message>
+        <source>draw it more coarsely</source>
+        <translation>dessinez-la plus grossièrement</translation>
+    </message>
+    <message>
+        <source>sample it more coarsely</source>
+        <translation>échantillonnez-le plus grossièrement</translation>
+    </message>
+    <message>
+        <source>its corners are not on a floor of 1 km</source>
+        <translation>ses coins ne sont pas sur un sol de 1 km</translation>
+    </message>
+    <message>
+        <source>two corners are less than 1 mm apart</source>
+        <translation>deux coins sont à moins de 1 mm</translation>
+    </message>
+    <message>
+        <source>give each corner once</source>
+        <translation>donnez chaque coin une fois</translation>
+    </message>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>son contour se croise</translation>
+    </message>
+    <message>
+        <source>the task has %1 zones already</source>
+        <translation>l’épreuve a déjà %1 zones</translation>
+    </message>
+    <message>
+        <source>join zones that lie beside one another</source>
+        <translation>réunissez des zones voisines</translation>
+    </message>
+    <message>
+        <source>give each zone a name of its own</source>
+        <translation>donnez à chaque zone son propre nom</translation>
+    </message>
+    <message>
+        <source>give where it lies in millimetres</source>
+        <translation>donnez sa place en millimètres</translation>
+    </message>
+    <message>
+        <source>name a picture</source>
+        <translation>nommez une image</translation>
+    </message>
+    <message>
+        <source>the file is larger than 1 GB</source>
+        <translation>le fichier dépasse 1 Go</translation>
+    </message>
+    <message>
+        <source>the file could not be read</source>
+        <translation>le fichier n’a pas pu être lu</translation>
+    </message>
+    <message>
+        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
+        <translation>ce n’est pas une image PNG, JPEG, BMP, TIFF ou PNM</translation>
+    </message>
+    <message>
+        <source>convert it to PNG or JPEG</source>
+        <translation>convertissez-la en PNG ou JPEG</translation>
+    </message>
+    <message>
+        <source>make it smaller</source>
+        <translation>réduisez-la</translation>
+    </message>
+    <message>
+        <source>its content is damaged or cut short</source>
+        <translation>son contenu est abîmé ou tronqué</translation>
+    </message>
+    <message>
+        <source>copy it again</source>
+        <translation>recopiez-la</translation>
+    </message>
+    <message>
+        <source>cannot decode %1</source>
+        <translation>impossible de décoder %1</translation>
+    </message>
+    <message>
+        <source>cannot show frame %1 of %2</source>
+        <translation>impossible de montrer l’image %1 de %2</translation>
+    </message>
+    <message>
+        <source>it has frames 0 to %1</source>
+        <translation>elle a les images 0 à %1</translation>
+    </message>
+    <message>
+        <source>choose one of these</source>
+        <translation>choisissez-en une</translation>
+    </message>
+    <message>
+        <source>cannot write the recording %1</source>
+        <translation>impossible d’écrire l’enregistrement %1</translation>
+    </message>
+    <message>
+        <source>check that its folder may be written to and has room</source>
+        <translation>vérifiez que son dossier peut être modifié et a de la place</translation>
+    </message>
+    <message>
+        <source>check that the folder may be written to and has room</source>
+        <translation>vérifiez que le dossier peut être modifié et a de la place</translation>
+    </message>
+    <message>
+        <source>writing has failed before</source>
+        <translation>l’écriture avait déjà échoué</translation>
+    </message>
+    <message>
+        <source>its pictures have more than 100 megapixels</source>
+        <translation>ses images ont plus de 100 mégapixels</translation>
+    </message>
+    <message>
+        <source>convert it to a smaller size</source>
+        <translation>convertissez-la à une taille plus petite</translation>
+    </message>
+    <message>
+        <source>H.264 needs an even width and height, not %1</source>
+        <translation>H.264 exige une largeur et une hauteur paires, pas %1</translation>
+    </message>
+    <message>
+        <source>use MJPEG or FFV1, or another size</source>
+        <translation>utilisez MJPEG ou FFV1, ou une autre taille</translation>
+    </message>
+    <message>
+        <source>the installed libavcodec has no encoder for it</source>
+        <translation>le libavcodec installé n’a pas d’encodeur pour cela</translation>
+    </message>
+    <message>
+        <source>neither their pixels nor a picture to look in was given</source>
+        <translation>ni leurs pixels ni une image où chercher n’ont été donnés</translation>
+    </message>
+    <message>
+        <source>it was made with it already</source>
+        <translation>elle a déjà été faite avec lui</translation>
+    </message>
+    <message>
+        <source>calibrate the lens first, or put another calibration in force</source>
+        <translation>étalonnez d’abord l’objectif, ou mettez un autre étalonnage en vigueur</translation>
+    </message>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>projet &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>copie &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>copy of &apos;%1&apos;</source>
+        <translation>copie de &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>export of &apos;%1&apos;</source>
+        <translation>export de &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>cannot open the video %1</source>
+        <translation>impossible d’ouvrir la vidéo %1</translation>
+    </message>
+    <message>
+        <source>cannot write a frame to the video %1</source>
+        <translation>impossible d’écrire une image dans la vidéo %1</translation>
+    </message>
+    <message>
+        <source>cannot finish the video %1</source>
+        <translation>impossible de terminer la vidéo %1</translation>
+    </message>
+    <message>
+        <source>cannot encode the video</source>
+        <translation>impossible d’encoder la vidéo</translation>
+    </message>
+    <message>
+        <source>the encoder would not start (%1)</source>
+        <translation>l’encodeur n’a pas démarré (%1)</translation>
+    </message>
+    <message>
+        <source>check the size, the frame rate and the quality that were asked for</source>
+        <translation>vérifiez la taille, la cadence et la qualité demandées</translation>
+    </message>
+    <message>
+        <source>cannot record into %1</source>
+        <translation>impossible d’enregistrer dans %1</translation>
+    </message>
+    <message>
+        <source>demo in &apos;%1&apos;</source>
+        <translation>démo dans &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>colour in the box</source>
+        <translation>couleur dans le cadre</translation>
+    </message>
+    <message>
+        <source>the box is too small, or outside the picture</source>
+        <translation>le cadre est trop petit, ou hors de l’image</translation>
+    </message>
+    <message>
+        <source>draw it round the robot, at least 8 pixels wide and high</source>
+        <translation>tracez-le autour du robot, d’au moins 8 pixels de large et de haut</translation>
+    </message>
+    <message>
+        <source>the box leaves nothing of the floor to compare with</source>
+        <translation>le cadre ne laisse rien du sol pour comparer</translation>
+    </message>
+    <message>
+        <source>draw it closely round the robot</source>
+        <translation>tracez-le au plus près du robot</translation>
+    </message>
+    <message>
+        <source>what differs from the floor around it is grey, black or white</source>
+        <translation>ce qui diffère du sol autour est gris, noir ou blanc</translation>
+    </message>
+    <message>
+        <source>put a coloured plate on the robot, and draw the box round that</source>
+        <translation>posez une plaque colorée sur le robot, et tracez le cadre autour</translation>
+    </message>
+    <message>
+        <source>it holds no colour that differs from the floor around it</source>
+        <translation>il ne contient aucune couleur différente du sol autour</translation>
+    </message>
+    <message>
+        <source>draw it closely round the robot, or put a plate of another colour on it</source>
+        <translation>tracez-le au plus près du robot, ou posez dessus une plaque d’une autre couleur</translation>
+    </message>
+    <message>
+        <source>Cannot track</source>
+        <translation>Suivi impossible</translation>
+    </message>
+    <message>
+        <source>Cannot track robot %1</source>
+        <translation>Impossible de suivre le robot %1</translation>
+    </message>
+    <message>
+        <source>no robot is given</source>
+        <translation>aucun robot n’est donné</translation>
+    </message>
+    <message>
+        <source>add a robot with its colour first</source>
+        <translation>ajoutez d’abord un robot avec sa couleur</translation>
+    </message>
+    <message>
+        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
+        <translation>sa couleur %1 est grise, et seule la teinte distingue un robot du sol</translation>
+    </message>
+    <message>
+        <source>put a coloured plate on it and tell that colour</source>
+        <translation>posez dessus une plaque colorée et indiquez cette couleur</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s path cannot be measured</source>
+        <translation>la trajectoire du robot ne peut pas être mesurée</translation>
+    </message>
+    <message>
+        <source>the trial has no view</source>
+        <translation>l’essai n’a pas de vue</translation>
+    </message>
+    <message>
+        <source>import at least one video for it</source>
+        <translation>importez au moins une vidéo pour lui</translation>
+    </message>
+    <message>
+        <source>camera %1 is not registered to the floor</source>
+        <translation>la caméra %1 n’est pas localisée au sol</translation>
+    </message>
+    <message>
+        <source>cameras %1 are not registered to the floor</source>
+        <translation>les caméras %1 ne sont pas localisées au sol</translation>
+    </message>
+    <message>
+        <source>run odograph register for at least one of them</source>
+        <translation>localisez-en au moins une</translation>
+    </message>
+    <message>
+        <source>run odograph register for them</source>
+        <translation>localisez-les</translation>
+    </message>
+    <message>
+        <source>view %1 has no frame</source>
+        <translation>la vue %1 n’a pas d’image</translation>
+    </message>
+    <message>
+        <source>track the trial&apos;s videos first</source>
+        <translation>suivez d’abord les vidéos de l’essai</translation>
+    </message>
+    <message>
+        <source>the robot was not found in any picture of %1</source>
+        <translation>le robot n’a été trouvé dans aucune image de %1</translation>
+    </message>
+    <message>
+        <source>check that the robot&apos;s colour in the project is the one in the pictures, that nothing else has it, and that the light is sufficient</source>
+        <translation>vérifiez que la couleur du robot dans le projet est celle des images, que rien d’autre ne l’a et que la lumière suffit</translation>
+    </message>
+    <message>
+        <source>only cameras that are not registered to the floor saw the robot</source>
+        <translation>seules des caméras non localisées ont vu le robot</translation>
+    </message>
+    <message>
+        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
+        <translation>sa hauteur doit être triangulée, mais deux vues localisées ne l’ont presque jamais vu ensemble</translation>
+    </message>
+    <message>
+        <source>add a second view, or give the robot one height</source>
+        <translation>ajoutez une deuxième vue, ou donnez une hauteur au robot</translation>
+    </message>
+    <message>
+        <source>not enough data</source>
+        <translation>pas assez de données</translation>
+    </message>
+    <message>
+        <source>of %1 frames %2 give a position that can be used</source>
+        <translation>sur %1 images, %2 donnent une position utilisable</translation>
+    </message>
+    <message>
+        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
+        <translation>choisissez une vidéo plus longue, ou vérifiez la couleur du robot et la lumière</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>il n’a pas encore été suivi</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <translation>il n’a pas encore été suivi, il n’y a donc rien à réanalyser</translation>
+    </message>
+    <message>
+        <source>track it first</source>
+        <translation>suivez-le d’abord</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <translation>comparaison</translation>
+    </message>
+    <message>
+        <source>comparison of trial &apos;%1&apos;</source>
+        <translation>comparaison de l’essai &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it takes two runs</source>
+        <translation>il faut deux passages</translation>
+    </message>
+    <message>
+        <source>choose another run as well</source>
+        <translation>choisissez aussi un autre passage</translation>
+    </message>
+    <message>
+        <source>a run cannot be compared with itself</source>
+        <translation>un passage ne peut pas être comparé à lui-même</translation>
+    </message>
+    <message>
+        <source>it has several robots</source>
+        <translation>il a plusieurs robots</translation>
+    </message>
+    <message>
+        <source>choose one of them</source>
+        <translation>choisissez-en un</translation>
+    </message>
+    <message>
+        <source>its tracks were imported, so there is no video to track in</source>
+        <translation>ses trajectoires ont été importées, il n’y a donc pas de vidéo à suivre</translation>
+    </message>
+    <message>
+        <source>its task was changed while it was measured</source>
+        <translation>son épreuve a été changée pendant la mesure</translation>
+    </message>
+    <message>
+        <source>the project has no robot to look for</source>
+        <translation>le projet n’a pas de robot à chercher</translation>
+    </message>
+    <message>
+        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <translation>ses images sont en %1 mais la caméra a été étalonnée en %2</translation>
+    </message>
+    <message>
+        <source>calibrate and register the camera at the size it records</source>
+        <translation>étalonnez et localisez la caméra à la taille à laquelle elle filme</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
+        <translation>vue &apos;%1&apos; de l’essai &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>synchronisation of the clips</source>
+        <translation>synchronisation des vidéos</translation>
+    </message>
+    <message>
+        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
+        <translation>faites clignoter une fois la lumière de la salle pendant que les deux caméras filment, ou donnez le décalage</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>porte &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>zone &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>its ends are not on a floor of 1 km</source>
+        <translation>ses extrémités ne sont pas sur un sol de 1 km</translation>
+    </message>
+    <message>
+        <source>check the numbers</source>
+        <translation>vérifiez les nombres</translation>
+    </message>
+    <message>
+        <source>its ends are less than 1 mm apart</source>
+        <translation>ses extrémités sont à moins de 1 mm l’une de l’autre</translation>
+    </message>
+    <message>
+        <source>give the two ends of the line that is to be passed</source>
+        <translation>donnez les deux extrémités de la ligne à franchir</translation>
+    </message>
+    <message>
+        <source>the name is there twice</source>
+        <translation>le nom y est deux fois</translation>
+    </message>
+    <message>
+        <source>give each gate a name of its own</source>
+        <translation>donnez à chaque porte son propre nom</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos; is the start already</source>
+        <translation>la porte &apos;%1&apos; est déjà le départ</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos; is the finish already</source>
+        <translation>la porte &apos;%1&apos; est déjà l’arrivée</translation>
+    </message>
+    <message>
+        <source>keep one start and one finish, or one gate with the role start_finish</source>
+        <translation>gardez un départ et une arrivée, ou une porte qui soit les deux</translation>
+    </message>
+    <message>
+        <source>reference path</source>
+        <translation>tracé de référence</translation>
+    </message>
+    <message>
+        <source>it has too few points</source>
+        <translation>il a trop peu de points</translation>
+    </message>
+    <message>
+        <source>give two points or more, three where the path is closed</source>
+        <translation>donnez deux points ou plus, trois si le tracé est fermé</translation>
+    </message>
+    <message>
+        <source>limits of a task</source>
+        <translation>limites d’une épreuve</translation>
+    </message>
+    <message>
+        <source>a limit is not above zero</source>
+        <translation>une limite n’est pas supérieure à zéro</translation>
+    </message>
+    <message>
+        <source>give the largest speed and acceleration that a robot can have in the task</source>
+        <translation>donnez la vitesse et l’accélération maximales d’un robot dans l’épreuve</translation>
+    </message>
+    <message>
+        <source>template of a task</source>
+        <translation>modèle d’une épreuve</translation>
+    </message>
+    <message>
+        <source>a size is less than 1 mm</source>
+        <translation>une taille est inférieure à 1 mm</translation>
+    </message>
+    <message>
+        <source>give the sizes in millimetres</source>
+        <translation>donnez les tailles en millimètres</translation>
+    </message>
+    <message>
+        <source>scoring</source>
+        <translation>barème</translation>
+    </message>
+    <message>
+        <source>line %1 of the scoring</source>
+        <translation>ligne %1 du barème</translation>
+    </message>
+    <message>
+        <source>it names no figure</source>
+        <translation>elle ne nomme aucune grandeur</translation>
+    </message>
+    <message>
+        <source>choose what is scored</source>
+        <translation>choisissez ce qui est noté</translation>
+    </message>
+    <message>
+        <source>all points and no points are at the same value</source>
+        <translation>tous les points et aucun point sont à la même valeur</translation>
+    </message>
+    <message>
+        <source>give two values, between which the points rise</source>
+        <translation>donnez deux valeurs, entre lesquelles les points montent</translation>
+    </message>
+    <message>
+        <source>%1 points are too few for it</source>
+        <translation>%1 points ne suffisent pas</translation>
+    </message>
+    <message>
+        <source>choose a longer range</source>
+        <translation>choisissez une plage plus longue</translation>
+    </message>
+    <message>
+        <source>the robot was not measured there, so there is nothing to judge</source>
+        <translation>le robot n’y a pas été mesuré, il n’y a donc rien à juger</translation>
+    </message>
+    <message>
+        <source>there is no such frame</source>
+        <translation>cette image n’existe pas</translation>
+    </message>
+    <message>
+        <source>import of trial &apos;%1&apos;</source>
+        <translation>import de l’essai &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>no video was given</source>
+        <translation>aucune vidéo n’a été donnée</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; was given two videos</source>
+        <translation>deux vidéos ont été données pour la caméra &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>give each view its own camera</source>
+        <translation>donnez à chaque vue sa propre caméra</translation>
+    </message>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3 s</source>
+        <translation>les vues &apos;%1&apos; et &apos;%2&apos; n’ont pas de temps commun avec un décalage de %3 s</translation>
+    </message>
+    <message>
+        <source>check the files and the --sync offset</source>
+        <translation>vérifiez les fichiers et le décalage</translation>
+    </message>
+    <message>
+        <source>it is not an ordinary file</source>
+        <translation>ce n’est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>name a video file</source>
+        <translation>nommez un fichier vidéo</translation>
+    </message>
+    <message>
+        <source>name a video file in it</source>
+        <translation>nommez un fichier vidéo qui s’y trouve</translation>
+    </message>
+    <message>
+        <source>name a file</source>
+        <translation>nommez un fichier</translation>
+    </message>
+    <message>
+        <source>check the permissions of its folder</source>
+        <translation>vérifiez les droits de son dossier</translation>
+    </message>
+    <message>
+        <source>copy it from the camera again</source>
+        <translation>recopiez-le depuis la caméra</translation>
+    </message>
+    <message>
+        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
+        <translation>ce n’est pas une vidéo d’un type lisible, ou son en-tête est abîmé ou manquant (%1)</translation>
+    </message>
+    <message>
+        <source>give an MP4, MOV, MKV or AVI file</source>
+        <translation>donnez un fichier MP4, MOV, MKV ou AVI</translation>
+    </message>
+    <message>
+        <source>copy it from the camera again if it was cut short</source>
+        <translation>recopiez-le depuis la caméra s’il a été tronqué</translation>
+    </message>
+    <message>
+        <source>it holds no video stream that can be read</source>
+        <translation>il ne contient aucun flux vidéo lisible</translation>
+    </message>
+    <message>
+        <source>give the file that the camera recorded</source>
+        <translation>donnez le fichier enregistré par la caméra</translation>
+    </message>
+    <message>
+        <source>there is no decoder for %1</source>
+        <translation>il n’y a pas de décodeur pour %1</translation>
+    </message>
+    <message>
+        <source>its decoder would not start (%1)</source>
+        <translation>son décodeur n’a pas démarré (%1)</translation>
+    </message>
+    <message>
+        <source>convert it to H.264</source>
+        <translation>convertissez-le en H.264</translation>
+    </message>
+    <message>
+        <source>its data are damaged</source>
+        <translation>ses données sont abîmées</translation>
+    </message>
+    <message>
+        <source>it is left out</source>
+        <translation>il est écarté</translation>
+    </message>
+    <message>
+        <source>the video has no picture</source>
+        <translation>la vidéo n’a pas d’image</translation>
+    </message>
+    <message>
+        <source>it has no picture</source>
+        <translation>il n’a pas d’image</translation>
+    </message>
+    <message>
+        <source>give another file</source>
+        <translation>donnez un autre fichier</translation>
+    </message>
+    <message>
+        <source>check that the folder exists, may be written to and has room</source>
+        <translation>vérifiez que le dossier existe, peut être modifié et a de la place</translation>
+    </message>
+    <message>
+        <source>cannot write the video %1</source>
+        <translation>impossible d’écrire la vidéo %1</translation>
+    </message>
+    <message>
+        <source>its name ends with neither .mkv nor .mp4</source>
+        <translation>son nom ne finit ni par .mkv ni par .mp4</translation>
+    </message>
+    <message>
+        <source>give it one of these endings</source>
+        <translation>donnez-lui une de ces terminaisons</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>impossible d’écrire &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>empaquetage de &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>unpack &apos;%1&apos;</source>
+        <translation>dépaquetage de &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>unpack into &apos;%1&apos;</source>
+        <translation>dépaquetage dans &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is there already</source>
+        <translation>existe déjà</translation>
+    </message>
+    <message>
+        <source>choose a folder that is not there yet</source>
+        <translation>choisissez un dossier qui n’existe pas encore</translation>
+    </message>
+    <message>
+        <source>choose an empty folder</source>
+        <translation>choisissez un dossier vide</translation>
+    </message>
+    <message>
+        <source>it has become shorter meanwhile</source>
+        <translation>il a raccourci entre-temps</translation>
+    </message>
+    <message>
+        <source>wait until nobody writes to it, and try again</source>
+        <translation>attendez que personne n’y écrive, et réessayez</translation>
+    </message>
+    <message>
+        <source>there is no project in it</source>
+        <translation>il ne contient pas de projet</translation>
+    </message>
+    <message>
+        <source>it has too many files</source>
+        <translation>il a trop de fichiers</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not belong into a packed project</source>
+        <translation>&apos;%1&apos; n’a pas sa place dans un projet empaqueté</translation>
+    </message>
+    <message>
+        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
+        <translation>choisissez un fichier empaqueté par Odograph, et recopiez-le s’il est endommagé</translation>
+    </message>
+    <message>
+        <source>it is written in UTF-16</source>
+        <translation>il est écrit en UTF-16</translation>
+    </message>
+    <message>
+        <source>it is not a UTF-8 text file</source>
+        <translation>ce n’est pas un fichier texte UTF-8</translation>
+    </message>
+    <message>
+        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
+        <translation>enregistrez-le à nouveau en &quot;CSV UTF-8&quot; ou en texte UTF-8</translation>
+    </message>
+    <message>
+        <source>save it again as UTF-8 text</source>
+        <translation>enregistrez-le à nouveau en texte UTF-8</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 KiB</source>
+        <translation>il dépasse %1 Kio</translation>
+    </message>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>vérifiez que c’est le bon fichier</translation>
+    </message>
+    <message>
+        <source>its columns are separated by semicolons</source>
+        <translation>ses colonnes sont séparées par des points-virgules</translation>
+    </message>
+    <message>
+        <source>save it with commas, and with a point in its numbers</source>
+        <translation>enregistrez-le avec des virgules, et un point dans les nombres</translation>
+    </message>
+    <message>
+        <source>save it with commas</source>
+        <translation>enregistrez-le avec des virgules</translation>
+    </message>
+    <message>
+        <source>it lacks the expected header line</source>
+        <translation>il manque la ligne d’en-tête attendue</translation>
+    </message>
+    <message>
+        <source>it lacks the column %1</source>
+        <translation>il manque la colonne %1</translation>
+    </message>
+    <message>
+        <source>it has %1 cells instead of %2</source>
+        <translation>il a %1 cellules au lieu de %2</translation>
+    </message>
+    <message>
+        <source>a quoted cell does not end</source>
+        <translation>une cellule entre guillemets ne se ferme pas</translation>
+    </message>
+    <message>
+        <source>close the quotes</source>
+        <translation>fermez les guillemets</translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos; is not a finite number</source>
+        <translation>%1 &apos;%2&apos; n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>the label is empty</source>
+        <translation>le libellé est vide</translation>
+    </message>
+    <message>
+        <source>the label &apos;%1&apos; is in line %2 already</source>
+        <translation>le libellé &apos;%1&apos; est déjà à la ligne %2</translation>
+    </message>
+    <message>
+        <source>the label &apos;%1&apos; is there twice</source>
+        <translation>le libellé &apos;%1&apos; y est deux fois</translation>
+    </message>
+    <message>
+        <source>give each marker a label</source>
+        <translation>donnez un libellé à chaque marqueur</translation>
+    </message>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>donnez à chaque marqueur son propre libellé</translation>
+    </message>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>donnez à chaque point son propre libellé</translation>
+    </message>
+    <message>
+        <source>there are no markers below the header</source>
+        <translation>il n’y a pas de marqueurs sous l’en-tête</translation>
+    </message>
+    <message>
+        <source>write one line for each marker</source>
+        <translation>écrivez une ligne par marqueur</translation>
+    </message>
+    <message>
+        <source>mend these lines</source>
+        <translation>corrigez ces lignes</translation>
+    </message>
+    <message>
+        <source>nothing was imported</source>
+        <translation>rien n’a été importé</translation>
+    </message>
+    <message>
+        <source>it has no team</source>
+        <translation>il n’a pas d’équipe</translation>
+    </message>
+    <message>
+        <source>write a line with class and team below the header</source>
+        <translation>écrivez sous l’en-tête une ligne avec classe et équipe</translation>
+    </message>
+    <message>
+        <source>roster &apos;%1&apos;</source>
+        <translation>liste de classe &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>no track was given</source>
+        <translation>aucune trajectoire n’a été donnée</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; was given two tracks</source>
+        <translation>deux trajectoires ont été données pour le robot &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>give each robot one</source>
+        <translation>donnez-en une à chaque robot</translation>
+    </message>
+    <message>
+        <source>its column &apos;%1&apos; is in a unit that is not known</source>
+        <translation>sa colonne &apos;%1&apos; est dans une unité inconnue</translation>
+    </message>
+    <message>
+        <source>give times in s or ms and places in m, cm or mm</source>
+        <translation>donnez les temps en s ou ms et les lieux en m, cm ou mm</translation>
+    </message>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;</source>
+        <translation>aucune de ses trajectoires ne s’appelle &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>give the robot the name of one of them</source>
+        <translation>donnez au robot le nom de l’une d’elles</translation>
+    </message>
+    <message>
+        <source>it has no samples</source>
+        <translation>elle n’a pas d’échantillons</translation>
+    </message>
+    <message>
+        <source>its times do not rise</source>
+        <translation>ses temps ne croissent pas</translation>
+    </message>
+    <message>
+        <source>import another file</source>
+        <translation>importez un autre fichier</translation>
+    </message>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>recherche dans &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>vérifiez que le dossier est là et peut être lu</translation>
+    </message>
+    <message>
+        <source>lost videos</source>
+        <translation>vidéos perdues</translation>
+    </message>
+    <message>
+        <source>no video of this project is lost</source>
+        <translation>aucune vidéo de ce projet n’est perdue</translation>
+    </message>
+    <message>
+        <source>there is nothing to do</source>
+        <translation>il n’y a rien à faire</translation>
+    </message>
+    <message>
+        <source>the lost video is not there</source>
+        <translation>la vidéo perdue n’y est pas</translation>
+    </message>
+    <message>
+        <source>none of the %1 lost videos is there</source>
+        <translation>aucune des %1 vidéos perdues n’y est</translation>
+    </message>
+    <message>
+        <source>choose the folder where they were copied to</source>
+        <translation>choisissez le dossier où elles ont été copiées</translation>
+    </message>
+    <message>
+        <source>%1 is there already</source>
+        <translation>%1 existe déjà</translation>
+    </message>
+    <message>
+        <source>open it, or choose another folder</source>
+        <translation>ouvrez-le, ou choisissez un autre dossier</translation>
+    </message>
+    <message>
+        <source>choose a folder you can write to, with 300 MB free</source>
+        <translation>choisissez un dossier où vous pouvez écrire, avec 300 Mo libres</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

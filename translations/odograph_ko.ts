@@ -1601,6 +1601,2558 @@
         <source>%1.</source>
         <translation>%1.</translation>
     </message>
+    <message>
+        <source>the picture is too small to hold a board</source>
+        <translation>영상이 너무 작아 보드가 들어갈 수 없습니다</translation>
+    </message>
+    <message>
+        <source>use a picture of the camera</source>
+        <translation>카메라의 영상을 쓰십시오</translation>
+    </message>
+    <message>
+        <source>use pictures of the camera</source>
+        <translation>카메라의 영상을 쓰십시오</translation>
+    </message>
+    <message>
+        <source>use another picture</source>
+        <translation>다른 사진을 쓰십시오</translation>
+    </message>
+    <message>
+        <source>the picture is too small</source>
+        <translation>영상이 너무 작습니다</translation>
+    </message>
+    <message>
+        <source>the picture has no size</source>
+        <translation>영상의 크기가 없습니다</translation>
+    </message>
+    <message>
+        <source>the board is blurred</source>
+        <translation>보드가 흐립니다</translation>
+    </message>
+    <message>
+        <source>its edges are %1 pixels wide</source>
+        <translation>가장자리의 폭이 %1픽셀입니다</translation>
+    </message>
+    <message>
+        <source>hold it still, and focus the camera</source>
+        <translation>움직이지 않게 들고 카메라의 초점을 맞추십시오</translation>
+    </message>
+    <message>
+        <source>a corner of the board cannot be made out</source>
+        <translation>보드의 모서리 하나를 알아볼 수 없습니다</translation>
+    </message>
+    <message>
+        <source>keep the board clear and well lit</source>
+        <translation>보드를 가리지 말고 밝게 하십시오</translation>
+    </message>
+    <message>
+        <source>this board has %1 inner corners, %2 was asked for</source>
+        <translation>이 보드의 내부 모서리는 %1, 요청은 %2입니다</translation>
+    </message>
+    <message>
+        <source>count the inner corners, or leave the size out</source>
+        <translation>내부 모서리를 세거나 크기를 비워 두십시오</translation>
+    </message>
+    <message>
+        <source>the board is cut off</source>
+        <translation>보드가 잘렸습니다</translation>
+    </message>
+    <message>
+        <source>only %1 of its %2 inner corners are seen</source>
+        <translation>내부 모서리 %2 중 %1만 보입니다</translation>
+    </message>
+    <message>
+        <source>keep the whole board in the picture</source>
+        <translation>보드 전체가 영상에 들어오게 하십시오</translation>
+    </message>
+    <message>
+        <source>no board found</source>
+        <translation>보드를 찾지 못했습니다</translation>
+    </message>
+    <message>
+        <source>%1 of its markers could be read</source>
+        <translation>마커 %1개를 읽었습니다</translation>
+    </message>
+    <message>
+        <source>show the whole board, flat, sharp and well lit</source>
+        <translation>보드 전체를 평평하고 선명하고 밝게 보여 주십시오</translation>
+    </message>
+    <message>
+        <source>show the board larger, sharp and well lit</source>
+        <translation>보드를 더 크고 선명하고 밝게 보여 주십시오</translation>
+    </message>
+    <message>
+        <source>only %1 corners of the board are seen</source>
+        <translation>보드의 모서리가 %1개만 보입니다</translation>
+    </message>
+    <message>
+        <source>show more of the board</source>
+        <translation>보드를 더 많이 보여 주십시오</translation>
+    </message>
+    <message>
+        <source>show one ChArUco board</source>
+        <translation>ChArUco 보드 하나를 보여 주십시오</translation>
+    </message>
+    <message>
+        <source>the camera cannot be calibrated</source>
+        <translation>카메라를 보정할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>calibration of camera &apos;%1&apos;</source>
+        <translation>카메라 &apos;%1&apos;의 보정</translation>
+    </message>
+    <message>
+        <source>three pictures of the board are needed, %1 can be used</source>
+        <translation>보드 사진 세 장이 필요한데 %1장만 쓸 수 있습니다</translation>
+    </message>
+    <message>
+        <source>take ten or more, the board tilted differently in each</source>
+        <translation>보드를 매번 다르게 기울여 열 장 이상 찍으십시오</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners do not agree with the others</source>
+        <translation>모서리의 %1 %가 나머지와 맞지 않습니다</translation>
+    </message>
+    <message>
+        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <translation>모든 사진이 선명하고, 평평한 한 보드를 한 카메라로 같은 줌과 초점에서 찍었는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>no lens fits these pictures</source>
+        <translation>이 사진들에 맞는 렌즈가 없습니다</translation>
+    </message>
+    <message>
+        <source>check that all are of one camera, at one zoom and focus</source>
+        <translation>모두 한 카메라로 같은 줌과 초점에서 찍었는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>choose others</source>
+        <translation>다른 것을 고르십시오</translation>
+    </message>
+    <message>
+        <source>use pictures of one camera at one zoom and focus</source>
+        <translation>한 카메라로 같은 줌과 초점에서 찍은 사진을 쓰십시오</translation>
+    </message>
+    <message>
+        <source>all %1 pictures show the board in one place, the %2 %3 % of the picture</source>
+        <translation>사진 %1장 모두 보드가 한곳에 있습니다 (%2, 영상의 %3 %)</translation>
+    </message>
+    <message>
+        <source>how the lens bends elsewhere stays unknown</source>
+        <translation>다른 곳의 렌즈 왜곡은 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <translation>보드를 가운데와 각 모서리 가까이, 더 가깝게 보여 주십시오</translation>
+    </message>
+    <message>
+        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <translation>사진 %1장 모두 보드의 자세가 거의 같아 초점 거리를 정할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <translation>보드를 각 방향으로 30~45도 기울여 찍으십시오</translation>
+    </message>
+    <message>
+        <source>the pictures determine the focal length only to %1 %</source>
+        <translation>사진들로는 초점 거리가 %1 %까지만 정해집니다</translation>
+    </message>
+    <message>
+        <source>the board is seen too nearly frontal</source>
+        <translation>보드가 너무 정면으로 보입니다</translation>
+    </message>
+    <message>
+        <source>two halves of the pictures give focal lengths that differ by %1 %</source>
+        <translation>사진을 둘로 나누면 초점 거리가 %1 % 다릅니다</translation>
+    </message>
+    <message>
+        <source>the floor cannot be registered</source>
+        <translation>바닥에 정합할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>the camera cannot be registered through another</source>
+        <translation>다른 카메라를 통해 정합할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>the cameras cannot be registered together</source>
+        <translation>카메라를 함께 정합할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>the length cannot be measured</source>
+        <translation>길이를 잴 수 없습니다</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos;</source>
+        <translation>카메라 &apos;%1&apos;의 정합</translation>
+    </message>
+    <message>
+        <source>marker %1 stands twice in the layout</source>
+        <translation>마커 %1이(가) 배치에 두 번 있습니다</translation>
+    </message>
+    <message>
+        <source>marker %1 stands twice in the picture</source>
+        <translation>마커 %1이(가) 영상에 두 번 있습니다</translation>
+    </message>
+    <message>
+        <source>give each marker a name of its own</source>
+        <translation>마커마다 다른 이름을 주십시오</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie at one place of the floor</source>
+        <translation>마커 %1과(와) %2이(가) 바닥의 같은 곳에 있습니다</translation>
+    </message>
+    <message>
+        <source>correct the layout</source>
+        <translation>배치를 고치십시오</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie on one pixel</source>
+        <translation>마커 %1과(와) %2이(가) 같은 픽셀에 있습니다</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 lie on one pixel</source>
+        <translation>점 %1과(와) %2이(가) 같은 픽셀에 있습니다</translation>
+    </message>
+    <message>
+        <source>mark each of them where it is seen</source>
+        <translation>각각 보이는 곳에 표시하십시오</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie only %3 mm apart, too close for two of four</source>
+        <translation>마커 %1과(와) %2의 간격이 %3 mm뿐이라 넷 중 둘로는 너무 가깝습니다</translation>
+    </message>
+    <message>
+        <source>spread the markers over the floor</source>
+        <translation>마커를 바닥에 넓게 놓으십시오</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor</source>
+        <translation>점을 바닥에 넓게 잡으십시오</translation>
+    </message>
+    <message>
+        <source>spread them over the floor</source>
+        <translation>바닥에 넓게 놓으십시오</translation>
+    </message>
+    <message>
+        <source>four markers are needed that the layout and the picture have in common</source>
+        <translation>배치와 영상에 공통인 마커 네 개가 필요합니다</translation>
+    </message>
+    <message>
+        <source>there are %1 (%2)</source>
+        <translation>%1개뿐입니다 (%2)</translation>
+    </message>
+    <message>
+        <source>there are %1 (%2), and the layout does not know %3</source>
+        <translation>%1개뿐이며(%2) 배치에 %3이(가) 없습니다</translation>
+    </message>
+    <message>
+        <source>there are %1</source>
+        <translation>%1개뿐입니다</translation>
+    </message>
+    <message>
+        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <translation>배치의 마커를 배치의 이름으로 더 표시하십시오</translation>
+    </message>
+    <message>
+        <source>the markers are mirrored</source>
+        <translation>마커가 거울상입니다</translation>
+    </message>
+    <message>
+        <source>seen in this order the camera would be below the floor</source>
+        <translation>이 순서라면 카메라가 바닥 아래에 있게 됩니다</translation>
+    </message>
+    <message>
+        <source>seen from above, Y must point to the left of X</source>
+        <translation>위에서 볼 때 Y는 X의 왼쪽을 향해야 합니다</translation>
+    </message>
+    <message>
+        <source>check the signs of the layout</source>
+        <translation>배치의 부호를 확인하십시오</translation>
+    </message>
+    <message>
+        <source>check these labels</source>
+        <translation>이 이름표들을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>the camera would stand only %1 mm above the floor</source>
+        <translation>카메라가 바닥 위 %1 mm에만 있게 됩니다</translation>
+    </message>
+    <message>
+        <source>the camera would stand %1 m above the floor</source>
+        <translation>카메라가 바닥 위 %1 m에 있게 됩니다</translation>
+    </message>
+    <message>
+        <source>marker %1 would lie at or beyond the horizon</source>
+        <translation>마커 %1이(가) 지평선이나 그 너머에 있게 됩니다</translation>
+    </message>
+    <message>
+        <source>check its place and its pixel</source>
+        <translation>그 자리와 픽셀을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>the markers do not fit a flat floor</source>
+        <translation>마커가 평평한 바닥에 맞지 않습니다</translation>
+    </message>
+    <message>
+        <source>%1 px RMS, most at %2 (%3 px)</source>
+        <translation>%1 px RMS, %2에서 가장 큼 (%3 px)</translation>
+    </message>
+    <message>
+        <source>check the layout, the labels and the intrinsics</source>
+        <translation>배치, 이름표, 내부 파라미터를 확인하십시오</translation>
+    </message>
+    <message>
+        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2 mm</source>
+        <translation>마커가 거의 한 줄에 있어(특히 %1) 바닥이 ±%2 mm로만 알려집니다</translation>
+    </message>
+    <message>
+        <source>mark and measure them again, or add another</source>
+        <translation>다시 표시하고 재거나 하나를 더 추가하십시오</translation>
+    </message>
+    <message>
+        <source>the markers do not determine where the cameras stand</source>
+        <translation>마커로 카메라의 위치를 정할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>the points do not determine where the camera stands</source>
+        <translation>점들로 카메라의 위치를 정할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>four points are needed that both cameras see</source>
+        <translation>두 카메라가 모두 보는 점 네 개가 필요합니다</translation>
+    </message>
+    <message>
+        <source>add points of the floor, such as corners of tiles</source>
+        <translation>타일 모서리 같은 바닥의 점을 추가하십시오</translation>
+    </message>
+    <message>
+        <source>%1 of %2 were found, four are needed</source>
+        <translation>%2개 중 %1개를 찾았고 네 개가 필요합니다</translation>
+    </message>
+    <message>
+        <source>missing: %1</source>
+        <translation>없는 것: %1</translation>
+    </message>
+    <message>
+        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
+        <translation>없는 태그(AprilTag 36h11, 배치 순서로 0부터)나 고리를 보여 주거나 마커를 손으로 표시하십시오</translation>
+    </message>
+    <message>
+        <source>%1 rings or dots were found, four are needed</source>
+        <translation>고리나 점 %1개를 찾았고 네 개가 필요합니다</translation>
+    </message>
+    <message>
+        <source>show more of them, larger or in better light, or mark the markers by hand</source>
+        <translation>더 많이, 더 크게 또는 더 밝게 보여 주거나 마커를 손으로 표시하십시오</translation>
+    </message>
+    <message>
+        <source>tell by hand which of them is %1</source>
+        <translation>어느 것이 %1인지 손으로 지정하십시오</translation>
+    </message>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>%1이(가) 움직였는지 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 markers were found again, two are needed</source>
+        <translation>마커 %2개 중 %1개를 다시 찾았고 두 개가 필요합니다</translation>
+    </message>
+    <message>
+        <source>clear the view of the markers</source>
+        <translation>마커가 보이게 하십시오</translation>
+    </message>
+    <message>
+        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <translation>마커가 없거나 카메라가 다른 곳을 보면 다시 정합하십시오</translation>
+    </message>
+    <message>
+        <source>these intrinsics cannot be used</source>
+        <translation>이 내부 파라미터는 쓸 수 없습니다</translation>
+    </message>
+    <message>
+        <source>calibrate the camera again, or import another file</source>
+        <translation>카메라를 다시 보정하거나 다른 파일을 가져오십시오</translation>
+    </message>
+    <message>
+        <source>register it first, by markers or through another camera</source>
+        <translation>먼저 마커나 다른 카메라를 통해 정합하십시오</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered</source>
+        <translation>카메라 &apos;%1&apos;이(가) 정합되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>a camera cannot be registered through itself</source>
+        <translation>카메라를 자기 자신을 통해 정합할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>name another camera that is registered</source>
+        <translation>정합된 다른 카메라를 지정하십시오</translation>
+    </message>
+    <message>
+        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <translation>두 끝이 카메라 &apos;%1&apos;의 같은 픽셀에 있습니다</translation>
+    </message>
+    <message>
+        <source>mark the two ends where they are seen</source>
+        <translation>두 끝을 보이는 곳에 표시하십시오</translation>
+    </message>
+    <message>
+        <source>no camera was given that sees it</source>
+        <translation>그것을 보는 카메라가 지정되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>mark its ends in one picture at least</source>
+        <translation>적어도 한 영상에 두 끝을 표시하십시오</translation>
+    </message>
+    <message>
+        <source>the told length is not above 0</source>
+        <translation>알려 준 길이가 0보다 크지 않습니다</translation>
+    </message>
+    <message>
+        <source>give the length as it was measured with a tape</source>
+        <translation>줄자로 잰 길이를 주십시오</translation>
+    </message>
+    <message>
+        <source>the picture is %1, the camera was registered at %2</source>
+        <translation>영상은 %1, 카메라는 %2에서 정합되었습니다</translation>
+    </message>
+    <message>
+        <source>give a picture of that size</source>
+        <translation>그 크기의 영상을 주십시오</translation>
+    </message>
+    <message>
+        <source>this computer</source>
+        <translation>이 컴퓨터</translation>
+    </message>
+    <message>
+        <source>it slept for %1, and nothing was recorded meanwhile</source>
+        <translation>%1 동안 절전 상태여서 그동안 녹화되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>what came before is kept</source>
+        <translation>그 이전 것은 보존됩니다</translation>
+    </message>
+    <message>
+        <source>keep it awake while it records</source>
+        <translation>녹화하는 동안 절전에 들지 않게 하십시오</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>카메라 %1</translation>
+    </message>
+    <message>
+        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
+        <translation>요청한 초당 %2개 중 %1개만 찍습니다</translation>
+    </message>
+    <message>
+        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
+        <translation>조명을 늘리거나 노출을 줄이거나 더 낮은 속도를 요청하십시오</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>없습니다</translation>
+    </message>
+    <message>
+        <source>plug it in, or choose one of those that odograph cameras lists</source>
+        <translation>연결하거나 odograph cameras가 보여 주는 것 중에서 고르십시오</translation>
+    </message>
+    <message>
+        <source>choose one of those that odograph cameras lists</source>
+        <translation>odograph cameras가 보여 주는 것 중에서 고르십시오</translation>
+    </message>
+    <message>
+        <source>you may not use it</source>
+        <translation>쓸 권한이 없습니다</translation>
+    </message>
+    <message>
+        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
+        <translation>video 그룹에 들어간 뒤(sudo usermod -aG video YOUR-NAME) 다시 로그인하십시오</translation>
+    </message>
+    <message>
+        <source>another program uses it</source>
+        <translation>다른 프로그램이 쓰고 있습니다</translation>
+    </message>
+    <message>
+        <source>close that program</source>
+        <translation>그 프로그램을 닫으십시오</translation>
+    </message>
+    <message>
+        <source>it was unplugged</source>
+        <translation>분리되었습니다</translation>
+    </message>
+    <message>
+        <source>plug it in again</source>
+        <translation>다시 연결하십시오</translation>
+    </message>
+    <message>
+        <source>plug %1 in again</source>
+        <translation>%1을(를) 다시 연결하십시오</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures</source>
+        <translation>USB 버스에 영상을 보낼 여유가 없습니다</translation>
+    </message>
+    <message>
+        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
+        <translation>다른 카메라와 버스를 나누지 않는 곳에 연결하거나 MJPEG, 더 작은 영상, 더 낮은 속도를 고르십시오 (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
+    </message>
+    <message>
+        <source>it cannot be opened (%1)</source>
+        <translation>열 수 없습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>check its cable and address</source>
+        <translation>케이블과 주소를 확인하십시오</translation>
+    </message>
+    <message>
+        <source>check that you may use it (a udev rule), and that no other program does</source>
+        <translation>사용 권한(udev 규칙)과 다른 프로그램이 쓰지 않는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>no picture came for half a second</source>
+        <translation>0.5초 동안 영상이 오지 않았습니다</translation>
+    </message>
+    <message>
+        <source>wait, or check its cable</source>
+        <translation>기다리거나 케이블을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>it does not answer</source>
+        <translation>응답하지 않습니다</translation>
+    </message>
+    <message>
+        <source>check its power and cable</source>
+        <translation>전원과 케이블을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>it does not start (%1)</source>
+        <translation>시작되지 않습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>check its cable, and that no other program uses it</source>
+        <translation>케이블과 다른 프로그램이 쓰지 않는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>another camera (%1) is in its place</source>
+        <translation>그 자리에 다른 카메라(%1)가 있습니다</translation>
+    </message>
+    <message>
+        <source>another camera (%1) is in the place of camera %2</source>
+        <translation>카메라 %2 자리에 다른 카메라(%1)가 있습니다</translation>
+    </message>
+    <message>
+        <source>connect the one that belongs there, or begin anew with this one</source>
+        <translation>맞는 카메라를 연결하거나 이 카메라로 새로 시작하십시오</translation>
+    </message>
+    <message>
+        <source>it came back with pictures of another size or format</source>
+        <translation>다른 크기나 형식의 영상으로 돌아왔습니다</translation>
+    </message>
+    <message>
+        <source>set it as before, or begin anew with size and format in its address</source>
+        <translation>이전처럼 설정하거나 주소에 크기와 형식을 넣어 새로 시작하십시오</translation>
+    </message>
+    <message>
+        <source>it has nothing named &apos;%1&apos; that could be set</source>
+        <translation>설정할 수 있는 &apos;%1&apos;이(가) 없습니다</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>빼십시오</translation>
+    </message>
+    <message>
+        <source>it refuses this value of %1</source>
+        <translation>%1의 이 값을 받아들이지 않습니다</translation>
+    </message>
+    <message>
+        <source>choose another one</source>
+        <translation>다른 것을 고르십시오</translation>
+    </message>
+    <message>
+        <source>%1 cannot be set as the camera stands now</source>
+        <translation>카메라의 현재 상태에서는 %1을(를) 설정할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>turn off the automatic that moves it first</source>
+        <translation>먼저 그것을 움직이는 자동 기능을 끄십시오</translation>
+    </message>
+    <message>
+        <source>%1 goes from %2 to %3</source>
+        <translation>%1의 범위는 %2에서 %3까지입니다</translation>
+    </message>
+    <message>
+        <source>choose a value between</source>
+        <translation>그 사이의 값을 고르십시오</translation>
+    </message>
+    <message>
+        <source>%1 gives no pictures</source>
+        <translation>%1은(는) 영상을 주지 않습니다</translation>
+    </message>
+    <message>
+        <source>it has no format that can be read</source>
+        <translation>읽을 수 있는 형식이 없습니다</translation>
+    </message>
+    <message>
+        <source>take another camera</source>
+        <translation>다른 카메라를 쓰십시오</translation>
+    </message>
+    <message>
+        <source>it does not offer what was asked for</source>
+        <translation>요청한 것을 제공하지 않습니다</translation>
+    </message>
+    <message>
+        <source>choose of what it offers</source>
+        <translation>제공하는 것 중에서 고르십시오</translation>
+    </message>
+    <message>
+        <source>it does not take %1</source>
+        <translation>%1을(를) 받아들이지 않습니다</translation>
+    </message>
+    <message>
+        <source>ask for another size or format</source>
+        <translation>다른 크기나 형식을 요청하십시오</translation>
+    </message>
+    <message>
+        <source>it does not take this size</source>
+        <translation>이 크기를 받아들이지 않습니다</translation>
+    </message>
+    <message>
+        <source>it does not take this rate</source>
+        <translation>이 속도를 받아들이지 않습니다</translation>
+    </message>
+    <message>
+        <source>it does not take this exposure</source>
+        <translation>이 노출을 받아들이지 않습니다</translation>
+    </message>
+    <message>
+        <source>it does not take this gain</source>
+        <translation>이 게인을 받아들이지 않습니다</translation>
+    </message>
+    <message>
+        <source>ask it for something else, or leave that to the camera</source>
+        <translation>다른 것을 요청하거나 카메라에 맡기십시오</translation>
+    </message>
+    <message>
+        <source>no camera has such an address</source>
+        <translation>그런 주소의 카메라가 없습니다</translation>
+    </message>
+    <message>
+        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
+        <translation>v4l2:/dev/video0, aravis:192.168.1.20, sim:A 또는 file:PATH처럼 지정하십시오</translation>
+    </message>
+    <message>
+        <source>the video has ended</source>
+        <translation>동영상이 끝났습니다</translation>
+    </message>
+    <message>
+        <source>open it again to see it from the start</source>
+        <translation>처음부터 보려면 다시 여십시오</translation>
+    </message>
+    <message>
+        <source>the recording %1</source>
+        <translation>녹화 %1</translation>
+    </message>
+    <message>
+        <source>make room, or move the project to another disk</source>
+        <translation>공간을 확보하거나 프로젝트를 다른 디스크로 옮기십시오</translation>
+    </message>
+    <message>
+        <source>what was recorded so far is kept</source>
+        <translation>지금까지 녹화된 것은 보존됩니다</translation>
+    </message>
+    <message>
+        <source>recording of trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos; 녹화</translation>
+    </message>
+    <message>
+        <source>check that they are connected and not used by another program</source>
+        <translation>연결되어 있고 다른 프로그램이 쓰지 않는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>check that it is connected and not used by another program</source>
+        <translation>연결되어 있고 다른 프로그램이 쓰지 않는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; gave no picture</source>
+        <translation>카메라 &apos;%1&apos;에서 영상이 오지 않았습니다</translation>
+    </message>
+    <message>
+        <source>no camera was given</source>
+        <translation>카메라가 지정되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>address &apos;%1&apos; of live positions</source>
+        <translation>실시간 위치의 주소 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is no IPv4 address with a port</source>
+        <translation>포트가 붙은 IPv4 주소가 아닙니다</translation>
+    </message>
+    <message>
+        <source>write it like 224.5.23.2:10006</source>
+        <translation>224.5.23.2:10006처럼 쓰십시오</translation>
+    </message>
+    <message>
+        <source>live positions to %1</source>
+        <translation>%1(으)로 보내는 실시간 위치</translation>
+    </message>
+    <message>
+        <source>interface &apos;%1&apos; takes no multicast</source>
+        <translation>인터페이스 &apos;%1&apos;은(는) 멀티캐스트를 지원하지 않습니다</translation>
+    </message>
+    <message>
+        <source>this machine has none of that name</source>
+        <translation>이 컴퓨터에 그런 이름의 것이 없습니다</translation>
+    </message>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>다른 프로그램을 닫고 다시 시도하십시오</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>취소됨</translation>
+    </message>
+    <message>
+        <source>nothing was changed</source>
+        <translation>바뀐 것이 없습니다</translation>
+    </message>
+    <message>
+        <source>another program is writing to it</source>
+        <translation>다른 프로그램이 쓰고 있습니다</translation>
+    </message>
+    <message>
+        <source>close the other program and try again</source>
+        <translation>다른 프로그램을 닫고 다시 시도하십시오</translation>
+    </message>
+    <message>
+        <source>it cannot be written to</source>
+        <translation>쓸 수 없습니다</translation>
+    </message>
+    <message>
+        <source>its folder cannot be written to</source>
+        <translation>폴더에 쓸 수 없습니다</translation>
+    </message>
+    <message>
+        <source>copy it to a folder that you may write to, and open the copy</source>
+        <translation>쓸 수 있는 폴더로 복사한 뒤 사본을 여십시오</translation>
+    </message>
+    <message>
+        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
+        <translation>동영상과 함께 쓸 수 있는 폴더로 복사한 뒤 사본을 여십시오</translation>
+    </message>
+    <message>
+        <source>the disk is full, the change was not saved</source>
+        <translation>디스크가 가득 차 변경이 저장되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>디스크가 가득 찼습니다</translation>
+    </message>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>디스크 공간을 확보하고 다시 시도하십시오</translation>
+    </message>
+    <message>
+        <source>the disk reported an error, the change was not saved</source>
+        <translation>디스크 오류로 변경이 저장되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>check the disk, and copy the project to another one</source>
+        <translation>디스크를 확인하고 프로젝트를 다른 곳에 복사하십시오</translation>
+    </message>
+    <message>
+        <source>check the disk and try again</source>
+        <translation>디스크를 확인하고 다시 시도하십시오</translation>
+    </message>
+    <message>
+        <source>check the disk</source>
+        <translation>디스크를 확인하십시오</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>파일이 손상되었습니다</translation>
+    </message>
+    <message>
+        <source>its tables are not those of a project</source>
+        <translation>테이블이 프로젝트의 것이 아닙니다</translation>
+    </message>
+    <message>
+        <source>restore it from a backup copy</source>
+        <translation>백업 사본에서 복원하십시오</translation>
+    </message>
+    <message>
+        <source>the project file is damaged</source>
+        <translation>프로젝트 파일이 손상되었습니다</translation>
+    </message>
+    <message>
+        <source>it is not a project file</source>
+        <translation>프로젝트 파일이 아닙니다</translation>
+    </message>
+    <message>
+        <source>it is a database of another program</source>
+        <translation>다른 프로그램의 데이터베이스입니다</translation>
+    </message>
+    <message>
+        <source>choose a file that Odograph has written</source>
+        <translation>Odograph가 쓴 파일을 선택하십시오</translation>
+    </message>
+    <message>
+        <source>it refers to something that is not in the project, or a value is missing</source>
+        <translation>프로젝트에 없는 것을 가리키거나 값이 빠졌습니다</translation>
+    </message>
+    <message>
+        <source>add what it refers to first</source>
+        <translation>먼저 가리키는 것을 추가하십시오</translation>
+    </message>
+    <message>
+        <source>the database refused</source>
+        <translation>데이터베이스가 거부했습니다</translation>
+    </message>
+    <message>
+        <source>run a check of the project</source>
+        <translation>프로젝트 검사를 실행하십시오</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>그런 파일이 없습니다</translation>
+    </message>
+    <message>
+        <source>check the name, or make a new project</source>
+        <translation>이름을 확인하거나 새 프로젝트를 만드십시오</translation>
+    </message>
+    <message>
+        <source>check the name</source>
+        <translation>이름을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>check the name and the folder</source>
+        <translation>이름과 폴더를 확인하십시오</translation>
+    </message>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>파일이 아니라 폴더나 장치입니다</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>폴더입니다</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>읽을 수 없습니다</translation>
+    </message>
+    <message>
+        <source>it cannot be read (%1)</source>
+        <translation>읽을 수 없습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>check that you may read the file</source>
+        <translation>파일을 읽을 권한을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>check that the file is there and may be read</source>
+        <translation>파일이 있고 읽을 수 있는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>있고 읽을 수 있는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>파일이 비어 있습니다</translation>
+    </message>
+    <message>
+        <source>the file is cut off</source>
+        <translation>파일이 잘렸습니다</translation>
+    </message>
+    <message>
+        <source>it has %1 of %2 bytes</source>
+        <translation>%2바이트 중 %1바이트만 있습니다</translation>
+    </message>
+    <message>
+        <source>copy it again from where it came, or restore a backup copy</source>
+        <translation>원본에서 다시 복사하거나 백업을 복원하십시오</translation>
+    </message>
+    <message>
+        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
+        <translation>더 새로운 Odograph가 썼습니다 (형식 %1, 이 프로그램은 %2까지)</translation>
+    </message>
+    <message>
+        <source>open it with that Odograph, or update this one</source>
+        <translation>그 Odograph로 열거나 이 프로그램을 업데이트하십시오</translation>
+    </message>
+    <message>
+        <source>open the project with a newer Odograph</source>
+        <translation>더 새로운 Odograph로 프로젝트를 여십시오</translation>
+    </message>
+    <message>
+        <source>it is open in another window</source>
+        <translation>다른 창에서 열려 있습니다</translation>
+    </message>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>다른 창에서 열려 있습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>close it there first</source>
+        <translation>먼저 거기서 닫으십시오</translation>
+    </message>
+    <message>
+        <source>a trial is being recorded into it just now</source>
+        <translation>지금 시행을 녹화하는 중입니다</translation>
+    </message>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>끝날 때까지 기다리십시오</translation>
+    </message>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>프로젝트 폴더의 여유 공간과 권한을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>그 폴더의 여유 공간과 권한을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>a file of that name is there already</source>
+        <translation>같은 이름의 파일이 이미 있습니다</translation>
+    </message>
+    <message>
+        <source>choose another name, or remove that file first</source>
+        <translation>다른 이름을 고르거나 그 파일을 먼저 지우십시오</translation>
+    </message>
+    <message>
+        <source>there is no folder &apos;%1&apos;</source>
+        <translation>폴더 &apos;%1&apos;이(가) 없습니다</translation>
+    </message>
+    <message>
+        <source>make the folder first, or choose another one</source>
+        <translation>먼저 폴더를 만들거나 다른 폴더를 고르십시오</translation>
+    </message>
+    <message>
+        <source>it has no file name</source>
+        <translation>파일 이름이 없습니다</translation>
+    </message>
+    <message>
+        <source>give the file a name</source>
+        <translation>파일 이름을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>its name is too long</source>
+        <translation>이름이 너무 깁니다</translation>
+    </message>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>더 짧은 이름을 고르십시오</translation>
+    </message>
+    <message>
+        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
+        <translation>폴더 &apos;%1&apos;에 쓸 수 없습니다 (%2)</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>쓸 수 있는 폴더를 고르십시오</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to and that has room</source>
+        <translation>쓸 수 있고 여유가 있는 폴더를 고르십시오</translation>
+    </message>
+    <message>
+        <source>choose a folder that can be written to and has room</source>
+        <translation>쓸 수 있고 여유가 있는 폴더를 고르십시오</translation>
+    </message>
+    <message>
+        <source>writing it failed (%1)</source>
+        <translation>쓰지 못했습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>it cannot be written (%1)</source>
+        <translation>쓸 수 없습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>what it concerns has been changed or used since</source>
+        <translation>그 뒤 대상이 바뀌었거나 쓰였습니다</translation>
+    </message>
+    <message>
+        <source>take the later change back first, or leave it</source>
+        <translation>먼저 나중 변경을 되돌리거나 그대로 두십시오</translation>
+    </message>
+    <message>
+        <source>nothing has been changed since the project was opened</source>
+        <translation>프로젝트를 연 뒤 바뀐 것이 없습니다</translation>
+    </message>
+    <message>
+        <source>change something first</source>
+        <translation>먼저 무언가를 바꾸십시오</translation>
+    </message>
+    <message>
+        <source>nothing has been undone</source>
+        <translation>되돌린 것이 없습니다</translation>
+    </message>
+    <message>
+        <source>undo something first</source>
+        <translation>먼저 무언가를 되돌리십시오</translation>
+    </message>
+    <message>
+        <source>the project has a %1 of that name already</source>
+        <translation>프로젝트에 같은 이름의 %1이(가) 이미 있습니다</translation>
+    </message>
+    <message>
+        <source>the project has a trial of that name</source>
+        <translation>프로젝트에 같은 이름의 시행이 있습니다</translation>
+    </message>
+    <message>
+        <source>choose another name</source>
+        <translation>다른 이름을 고르십시오</translation>
+    </message>
+    <message>
+        <source>there is no such %1 in the project</source>
+        <translation>프로젝트에 그런 %1이(가) 없습니다</translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation>학급</translation>
+    </message>
+    <message>
+        <source>team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>task</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>layout</source>
+        <translation>배치</translation>
+    </message>
+    <message>
+        <source>name of a %1</source>
+        <translation>%1의 이름</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>비어 있습니다</translation>
+    </message>
+    <message>
+        <source>give the %1 a name</source>
+        <translation>%1에 이름을 붙이십시오</translation>
+    </message>
+    <message>
+        <source>it has %1 characters</source>
+        <translation>%1자입니다</translation>
+    </message>
+    <message>
+        <source>use at most %1</source>
+        <translation>최대 %1자까지 쓰십시오</translation>
+    </message>
+    <message>
+        <source>it holds a line break or another control character</source>
+        <translation>줄바꿈이나 다른 제어 문자가 들어 있습니다</translation>
+    </message>
+    <message>
+        <source>use a name of one line</source>
+        <translation>한 줄 이름을 쓰십시오</translation>
+    </message>
+    <message>
+        <source>it is not valid UTF-8 text</source>
+        <translation>올바른 UTF-8 텍스트가 아닙니다</translation>
+    </message>
+    <message>
+        <source>class &apos;%1&apos;</source>
+        <translation>학급 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>team &apos;%1&apos;</source>
+        <translation>팀 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos;</source>
+        <translation>로봇 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>카메라 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>task &apos;%1&apos;</source>
+        <translation>과제 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;</source>
+        <translation>배치 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>file &apos;%1&apos;</source>
+        <translation>파일 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a team belongs to it</source>
+        <translation>팀 하나가 속해 있습니다</translation>
+    </message>
+    <message>
+        <source>%1 teams belong to it</source>
+        <translation>팀 %1개가 속해 있습니다</translation>
+    </message>
+    <message>
+        <source>move its teams to another class first, or archive it</source>
+        <translation>먼저 팀을 다른 학급으로 옮기거나 보관하십시오</translation>
+    </message>
+    <message>
+        <source>it drove in a trial</source>
+        <translation>시행에서 달린 적이 있습니다</translation>
+    </message>
+    <message>
+        <source>keep it</source>
+        <translation>그대로 두십시오</translation>
+    </message>
+    <message>
+        <source>it can be given another name</source>
+        <translation>다른 이름을 줄 수 있습니다</translation>
+    </message>
+    <message>
+        <source>a trial has it</source>
+        <translation>시행 하나가 씁니다</translation>
+    </message>
+    <message>
+        <source>%1 trials have it</source>
+        <translation>시행 %1개가 씁니다</translation>
+    </message>
+    <message>
+        <source>give them another task first</source>
+        <translation>먼저 다른 과제를 지정하십시오</translation>
+    </message>
+    <message>
+        <source>trials were measured by it</source>
+        <translation>이것으로 측정한 시행이 있습니다</translation>
+    </message>
+    <message>
+        <source>their figures would not say any more what they were measured by</source>
+        <translation>지표가 무엇으로 측정되었는지 알 수 없게 됩니다</translation>
+    </message>
+    <message>
+        <source>a trial is its</source>
+        <translation>시행 하나가 이 팀의 것입니다</translation>
+    </message>
+    <message>
+        <source>%1 trials are its</source>
+        <translation>시행 %1개가 이 팀의 것입니다</translation>
+    </message>
+    <message>
+        <source>delete them for good first, or archive its class</source>
+        <translation>먼저 영구 삭제하거나 학급을 보관하십시오</translation>
+    </message>
+    <message>
+        <source>it has more than %1 members</source>
+        <translation>팀원이 %1명을 넘습니다</translation>
+    </message>
+    <message>
+        <source>give the names of the people in the team</source>
+        <translation>팀원의 이름을 적으십시오</translation>
+    </message>
+    <message>
+        <source>a robot belongs to it twice</source>
+        <translation>같은 로봇이 두 번 속해 있습니다</translation>
+    </message>
+    <message>
+        <source>name each of its robots once</source>
+        <translation>각 로봇을 한 번씩만 적으십시오</translation>
+    </message>
+    <message>
+        <source>it is being recorded</source>
+        <translation>녹화 중입니다</translation>
+    </message>
+    <message>
+        <source>trial &apos;%1&apos; is being recorded</source>
+        <translation>시행 &apos;%1&apos;을(를) 녹화하는 중입니다</translation>
+    </message>
+    <message>
+        <source>end its recording first</source>
+        <translation>먼저 녹화를 끝내십시오</translation>
+    </message>
+    <message>
+        <source>it is not in the bin</source>
+        <translation>휴지통에 없습니다</translation>
+    </message>
+    <message>
+        <source>put it into the bin first</source>
+        <translation>먼저 휴지통에 넣으십시오</translation>
+    </message>
+    <message>
+        <source>its height is to be told, but none is given</source>
+        <translation>높이를 지정해야 하는데 없습니다</translation>
+    </message>
+    <message>
+        <source>give a height, or let it be estimated</source>
+        <translation>높이를 주거나 추정하게 하십시오</translation>
+    </message>
+    <message>
+        <source>its height is below the floor</source>
+        <translation>높이가 바닥보다 낮습니다</translation>
+    </message>
+    <message>
+        <source>give a height of 0 or more</source>
+        <translation>0 이상의 높이를 주십시오</translation>
+    </message>
+    <message>
+        <source>its size is not above 0</source>
+        <translation>크기가 0보다 크지 않습니다</translation>
+    </message>
+    <message>
+        <source>give length and width in millimetres, like 260x190</source>
+        <translation>길이와 너비를 밀리미터로 주십시오 (예: 260x190)</translation>
+    </message>
+    <message>
+        <source>length &apos;%1&apos;</source>
+        <translation>길이 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>not a number with the unit mm, cm or m</source>
+        <translation>단위 mm, cm 또는 m이 붙은 숫자가 아닙니다</translation>
+    </message>
+    <message>
+        <source>write it like 25mm, 2.5cm or 0.3m</source>
+        <translation>25mm, 2.5cm 또는 0.3m처럼 쓰십시오</translation>
+    </message>
+    <message>
+        <source>not a finite decimal number</source>
+        <translation>유한한 십진수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>write it with digits and a point, like 12.5</source>
+        <translation>12.5처럼 숫자와 점으로 쓰십시오</translation>
+    </message>
+    <message>
+        <source>correct the pixels</source>
+        <translation>픽셀을 고치십시오</translation>
+    </message>
+    <message>
+        <source>correct it</source>
+        <translation>고치십시오</translation>
+    </message>
+    <message>
+        <source>correct one of them</source>
+        <translation>그중 하나를 고치십시오</translation>
+    </message>
+    <message>
+        <source>point %1 is there twice</source>
+        <translation>점 %1이(가) 두 번 있습니다</translation>
+    </message>
+    <message>
+        <source>point %1 lies at or beyond the horizon of %2</source>
+        <translation>점 %1이(가) %2의 지평선이나 그 너머에 있습니다</translation>
+    </message>
+    <message>
+        <source>choose points of the floor</source>
+        <translation>바닥의 점을 고르십시오</translation>
+    </message>
+    <message>
+        <source>point %1 lies where a lens cannot have put it</source>
+        <translation>점 %1이(가) 렌즈로는 나올 수 없는 곳에 있습니다</translation>
+    </message>
+    <message>
+        <source>check its pixels and the intrinsics of both cameras</source>
+        <translation>픽셀과 두 카메라의 내부 파라미터를 확인하십시오</translation>
+    </message>
+    <message>
+        <source>the points are mirrored between the pictures of the two cameras</source>
+        <translation>두 카메라의 영상 사이에서 점들이 거울상입니다</translation>
+    </message>
+    <message>
+        <source>check which label belongs to which point in %1 and in this camera</source>
+        <translation>%1과(와) 이 카메라에서 이름표와 점이 맞는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>point %1 would lie at or beyond the horizon</source>
+        <translation>점 %1이(가) 지평선이나 그 너머에 있게 됩니다</translation>
+    </message>
+    <message>
+        <source>check its pixels in both pictures</source>
+        <translation>두 영상에서 그 픽셀을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>the floor among the points is known only to ±%1 mm</source>
+        <translation>점 사이의 바닥이 ±%1 mm로만 알려집니다</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor, or register %1 better first</source>
+        <translation>점을 바닥에 넓게 잡거나 먼저 %1을(를) 더 잘 정합하십시오</translation>
+    </message>
+    <message>
+        <source>the markers fit only to %1 px, but %2</source>
+        <translation>마커가 %1 px로만 맞습니다. 그러나 %2</translation>
+    </message>
+    <message>
+        <source>the %1 markers misfit by %2 px (%3 mm) and check one another too little to tell which of them</source>
+        <translation>마커 %1개가 %2 px (%3 mm) 어긋나며 서로 검증이 부족해 어느 것인지 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>it may be wrong by much more</source>
+        <translation>오차가 훨씬 클 수 있습니다</translation>
+    </message>
+    <message>
+        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <translation>배치 &apos;%2&apos;에 카메라가 %1대 있고 두 대가 필요합니다</translation>
+    </message>
+    <message>
+        <source>register the cameras one by one by this layout first</source>
+        <translation>먼저 이 배치로 카메라를 하나씩 정합하십시오</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
+        <translation>카메라 &apos;%1&apos;이(가) 마커를 %2개만 봅니다</translation>
+    </message>
+    <message>
+        <source>register it by more of them first</source>
+        <translation>먼저 더 많은 마커로 정합하십시오</translation>
+    </message>
+    <message>
+        <source>no two of the cameras see the same marker</source>
+        <translation>같은 마커를 보는 카메라가 두 대도 없습니다</translation>
+    </message>
+    <message>
+        <source>let them see some of the same floor</source>
+        <translation>같은 바닥을 일부 함께 보게 하십시오</translation>
+    </message>
+    <message>
+        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>첫 번째 끝이 카메라 &apos;%1&apos;의 지평선이나 그 너머에 있습니다</translation>
+    </message>
+    <message>
+        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>두 번째 끝이 카메라 &apos;%1&apos;의 지평선이나 그 너머에 있습니다</translation>
+    </message>
+    <message>
+        <source>lay the stick on the floor, nearer to the camera</source>
+        <translation>막대를 카메라에 더 가까운 바닥에 놓으십시오</translation>
+    </message>
+    <message>
+        <source>the floor markers cannot be found</source>
+        <translation>바닥의 마커를 찾을 수 없습니다</translation>
+    </message>
+    <message>
+        <source>the markers cannot be told apart</source>
+        <translation>마커를 구별할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <translation>여러 방향에서 같아 보이는 배치라 %1가지로 똑같이 맞습니다</translation>
+    </message>
+    <message>
+        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <translation>고리와 점 %1개의 어떤 배정도 배치에 맞지 않습니다</translation>
+    </message>
+    <message>
+        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <translation>배치의 위치와 단위를 확인하고, 다른 둥근 것을 가리거나 마커를 손으로 표시하십시오</translation>
+    </message>
+    <message>
+        <source>tag %1 (marker %2) is seen %3 times</source>
+        <translation>태그 %1(마커 %2)이(가) %3번 보입니다</translation>
+    </message>
+    <message>
+        <source>leave one of them on the floor</source>
+        <translation>하나만 바닥에 남기십시오</translation>
+    </message>
+    <message>
+        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
+        <translation>배치 &apos;%1&apos;의 좌표축을 바꿀 수 없습니다</translation>
+    </message>
+    <message>
+        <source>it has no marker %1</source>
+        <translation>마커 %1이(가) 없습니다</translation>
+    </message>
+    <message>
+        <source>name one of %1</source>
+        <translation>%1 중 하나를 지정하십시오</translation>
+    </message>
+    <message>
+        <source>the markers that X is to run along lie at one place</source>
+        <translation>X축이 지날 마커들이 같은 곳에 있습니다</translation>
+    </message>
+    <message>
+        <source>name two that lie apart</source>
+        <translation>떨어져 있는 둘을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>give one of them</source>
+        <translation>그중 하나를 주십시오</translation>
+    </message>
+    <message>
+        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>X만 뒤집으면 바닥이 거울상이 되며 위의 카메라는 그렇게 보지 않습니다</translation>
+    </message>
+    <message>
+        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>Y만 뒤집으면 바닥이 거울상이 되며 위의 카메라는 그렇게 보지 않습니다</translation>
+    </message>
+    <message>
+        <source>reverse both (a half turn), or turn the axes</source>
+        <translation>둘 다 뒤집거나(반 바퀴) 축을 돌리십시오</translation>
+    </message>
+    <message>
+        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <translation>배치를 거울상으로 적었다면 부호를 고쳐 새로 추가하십시오</translation>
+    </message>
+    <message>
+        <source>%1 cannot be set while it is automatic</source>
+        <translation>%1은(는) 자동일 때 설정할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>turn the automatic off</source>
+        <translation>자동을 끄십시오</translation>
+    </message>
+    <message>
+        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
+        <translation>전원과 케이블, 이 컴퓨터가 카메라 네트워크의 주소를 갖는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>a camera whose program has crashed is free again after some seconds</source>
+        <translation>프로그램이 죽은 카메라는 몇 초 뒤 다시 쓸 수 있습니다</translation>
+    </message>
+    <message>
+        <source>no camera of this serial number answers</source>
+        <translation>이 일련번호의 카메라가 응답하지 않습니다</translation>
+    </message>
+    <message>
+        <source>check its power and cable; odograph cameras lists those that answer</source>
+        <translation>전원과 케이블을 확인하십시오. odograph cameras가 응답하는 것을 보여 줍니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not understood</source>
+        <translation>&apos;%1&apos;을(를) 이해할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>give each point a label</source>
+        <translation>점마다 이름표를 주십시오</translation>
+    </message>
+    <message>
+        <source>write one value for each of %1</source>
+        <translation>%1마다 값을 하나씩 쓰십시오</translation>
+    </message>
+    <message>
+        <source>not of the form #rrggbb</source>
+        <translation>#rrggbb 형식이 아닙니다</translation>
+    </message>
+    <message>
+        <source>write it like #d72328</source>
+        <translation>#d72328처럼 쓰십시오</translation>
+    </message>
+    <message>
+        <source>a board of %1 inner corners is too small</source>
+        <translation>내부 모서리 %1의 보드는 너무 작습니다</translation>
+    </message>
+    <message>
+        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <translation>9x6처럼 3x3 이상으로 하거나 크기를 비워 두십시오</translation>
+    </message>
+    <message>
+        <source>the squares have no size</source>
+        <translation>칸의 크기가 없습니다</translation>
+    </message>
+    <message>
+        <source>give it like 25mm</source>
+        <translation>25mm처럼 주십시오</translation>
+    </message>
+    <message>
+        <source>there is no marker dictionary %1</source>
+        <translation>마커 사전 %1이(가) 없습니다</translation>
+    </message>
+    <message>
+        <source>analyse the trial again</source>
+        <translation>시행을 다시 분석하십시오</translation>
+    </message>
+    <message>
+        <source>analysis of a trial</source>
+        <translation>시행의 분석</translation>
+    </message>
+    <message>
+        <source>the change could not be noted (%1)</source>
+        <translation>변경을 기록하지 못했습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>try it again</source>
+        <translation>다시 시도하십시오</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>실행 취소</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>다시 실행</translation>
+    </message>
+    <message>
+        <source>an earlier step of this change failed</source>
+        <translation>이 변경의 앞 단계가 실패했습니다</translation>
+    </message>
+    <message>
+        <source>try the whole change again</source>
+        <translation>변경 전체를 다시 시도하십시오</translation>
+    </message>
+    <message>
+        <source>cannot hold %1</source>
+        <translation>%1을(를) 잠글 수 없습니다</translation>
+    </message>
+    <message>
+        <source>the labels are not those that it has</source>
+        <translation>이름표가 원래의 것과 다릅니다</translation>
+    </message>
+    <message>
+        <source>add another layout for other markers</source>
+        <translation>다른 마커는 다른 배치로 추가하십시오</translation>
+    </message>
+    <message>
+        <source>the copy differs from what was written</source>
+        <translation>사본이 쓴 것과 다릅니다</translation>
+    </message>
+    <message>
+        <source>it says of itself to have the format %1</source>
+        <translation>스스로 형식 %1이라고 합니다</translation>
+    </message>
+    <message>
+        <source>type the name anew</source>
+        <translation>이름을 다시 입력하십시오</translation>
+    </message>
+    <message>
+        <source>type the text anew</source>
+        <translation>텍스트를 다시 입력하십시오</translation>
+    </message>
+    <message>
+        <source>it has no %1 yet</source>
+        <translation>아직 %1이(가) 없습니다</translation>
+    </message>
+    <message>
+        <source>add one first</source>
+        <translation>먼저 추가하십시오</translation>
+    </message>
+    <message>
+        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
+        <translation>옛 형식 %1이라 읽기 전에 갱신해야 하는데, %2</translation>
+    </message>
+    <message>
+        <source>it could not be brought to format %1 (%2)</source>
+        <translation>형식 %1(으)로 갱신하지 못했습니다 (%2)</translation>
+    </message>
+    <message>
+        <source>reading it failed (%1)</source>
+        <translation>읽지 못했습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>recording &apos;%1&apos;</source>
+        <translation>녹화 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>its recording has ended already</source>
+        <translation>녹화가 이미 끝났습니다</translation>
+    </message>
+    <message>
+        <source>record another trial</source>
+        <translation>다른 시행을 녹화하십시오</translation>
+    </message>
+    <message>
+        <source>comparison of %1</source>
+        <translation>%1의 비교</translation>
+    </message>
+    <message>
+        <source>it has more than %1 lines</source>
+        <translation>%1행을 넘습니다</translation>
+    </message>
+    <message>
+        <source>keep those that matter</source>
+        <translation>중요한 것만 남기십시오</translation>
+    </message>
+    <message>
+        <source>a number in it is none</source>
+        <translation>그 안의 숫자가 올바르지 않습니다</translation>
+    </message>
+    <message>
+        <source>give three numbers</source>
+        <translation>숫자 세 개를 주십시오</translation>
+    </message>
+    <message>
+        <source>its points are 0, or beyond 1000</source>
+        <translation>점수가 0이거나 1000을 넘습니다</translation>
+    </message>
+    <message>
+        <source>give points from 1 to 1000, below zero for a penalty</source>
+        <translation>1에서 1000까지, 벌점은 음수로 주십시오</translation>
+    </message>
+    <message>
+        <source>it is shorter than 1 mm</source>
+        <translation>1 mm보다 짧습니다</translation>
+    </message>
+    <message>
+        <source>its points are not on a floor of 1 km</source>
+        <translation>점들이 1 km 바닥 안에 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>it has more than %1 points</source>
+        <translation>점이 %1개를 넘습니다</translation>
+    </message>
+    <message>
+        <source>its place is not a number</source>
+        <translation>위치가 숫자가 아닙니다</translation>
+    </message>
+    <message>
+        <source>a slalom has 1 to 100 poles, not %1</source>
+        <translation>슬라럼의 기둥은 %1개가 아니라 1~100개입니다</translation>
+    </message>
+    <message>
+        <source>give another number</source>
+        <translation>다른 숫자를 주십시오</translation>
+    </message>
+    <message>
+        <source>the board was found in none of %1 pictures (%2)</source>
+        <translation>사진 %1장 어디에서도 보드를 찾지 못했습니다 (%2)</translation>
+    </message>
+    <message>
+        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
+        <translation>보드 전체를 평평하고 선명하고 고르게 밝게 보여 주고 무늬와 크기를 확인하십시오</translation>
+    </message>
+    <message>
+        <source>the size of its pictures is not known</source>
+        <translation>영상의 크기를 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>it has no intrinsics and no recording</source>
+        <translation>내부 파라미터도 녹화도 없습니다</translation>
+    </message>
+    <message>
+        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
+        <translation>먼저 보정하거나, 내부 파라미터나 이 카메라의 시행을 가져오십시오</translation>
+    </message>
+    <message>
+        <source>it was never calibrated</source>
+        <translation>보정된 적이 없습니다</translation>
+    </message>
+    <message>
+        <source>it was registered through another camera</source>
+        <translation>다른 카메라를 통해 정합되었습니다</translation>
+    </message>
+    <message>
+        <source>register it through that camera again</source>
+        <translation>그 카메라를 통해 다시 정합하십시오</translation>
+    </message>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>살펴볼 수 없습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>choose a robot of the trial</source>
+        <translation>시행의 로봇을 고르십시오</translation>
+    </message>
+    <message>
+        <source>no track of it was imported</source>
+        <translation>그 궤적을 가져오지 않았습니다</translation>
+    </message>
+    <message>
+        <source>begin the file with the line %1</source>
+        <translation>파일을 %1 줄로 시작하십시오</translation>
+    </message>
+    <message>
+        <source>begin the file with the line class,team or class,team,pseudonym</source>
+        <translation>파일을 class,team 또는 class,team,pseudonym 줄로 시작하십시오</translation>
+    </message>
+    <message>
+        <source>there is no such rule of a zone</source>
+        <translation>그런 구역 규칙이 없습니다</translation>
+    </message>
+    <message>
+        <source>it has less than three corners</source>
+        <translation>꼭짓점이 세 개보다 적습니다</translation>
+    </message>
+    <message>
+        <source>give the corners of its outline, all the way round</source>
+        <translation>윤곽의 꼭짓점을 한 바퀴 빠짐없이 주십시오</translation>
+    </message>
+    <message>
+        <source>give the corners in order, all the way round</source>
+        <translation>꼭짓점을 한 바퀴 차례대로 주십시오</translation>
+    </message>
+    <message>
+        <source>it has more than %1 corners</source>
+        <translation>꼭짓점이 %1개를 넘습니다</translation>
+    </message>
+    <message>
+        <source>draw it more coarsely</source>
+        <translation>더 성기게 그리십시오</translation>
+    </message>
+    <message>
+        <source>sample it more coarsely</source>
+        <translation>더 성기게 찍으십시오</translation>
+    </message>
+    <message>
+        <source>its corners are not on a floor of 1 km</source>
+        <translation>꼭짓점이 1 km 바닥 안에 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>two corners are less than 1 mm apart</source>
+        <translation>두 꼭짓점의 간격이 1 mm 미만입니다</translation>
+    </message>
+    <message>
+        <source>give each corner once</source>
+        <translation>각 꼭짓점을 한 번씩만 주십시오</translation>
+    </message>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>윤곽이 스스로 교차합니다</translation>
+    </message>
+    <message>
+        <source>the task has %1 zones already</source>
+        <translation>과제에 구역이 이미 %1개 있습니다</translation>
+    </message>
+    <message>
+        <source>join zones that lie beside one another</source>
+        <translation>나란한 구역을 합치십시오</translation>
+    </message>
+    <message>
+        <source>give each zone a name of its own</source>
+        <translation>구역마다 다른 이름을 주십시오</translation>
+    </message>
+    <message>
+        <source>give where it lies in millimetres</source>
+        <translation>위치를 밀리미터로 주십시오</translation>
+    </message>
+    <message>
+        <source>name a picture</source>
+        <translation>그림을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>the file is larger than 1 GB</source>
+        <translation>파일이 1 GB보다 큽니다</translation>
+    </message>
+    <message>
+        <source>the file could not be read</source>
+        <translation>파일을 읽지 못했습니다</translation>
+    </message>
+    <message>
+        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
+        <translation>PNG, JPEG, BMP, TIFF, PNM 그림이 아닙니다</translation>
+    </message>
+    <message>
+        <source>convert it to PNG or JPEG</source>
+        <translation>PNG나 JPEG로 변환하십시오</translation>
+    </message>
+    <message>
+        <source>make it smaller</source>
+        <translation>더 작게 하십시오</translation>
+    </message>
+    <message>
+        <source>its content is damaged or cut short</source>
+        <translation>내용이 손상되었거나 잘렸습니다</translation>
+    </message>
+    <message>
+        <source>copy it again</source>
+        <translation>다시 복사하십시오</translation>
+    </message>
+    <message>
+        <source>cannot decode %1</source>
+        <translation>%1을(를) 디코딩할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>cannot show frame %1 of %2</source>
+        <translation>%2의 프레임 %1을(를) 표시할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>it has frames 0 to %1</source>
+        <translation>프레임 0부터 %1까지 있습니다</translation>
+    </message>
+    <message>
+        <source>choose one of these</source>
+        <translation>그중에서 고르십시오</translation>
+    </message>
+    <message>
+        <source>cannot write the recording %1</source>
+        <translation>녹화 %1을(를) 쓸 수 없습니다</translation>
+    </message>
+    <message>
+        <source>check that its folder may be written to and has room</source>
+        <translation>폴더에 쓸 수 있고 여유가 있는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>check that the folder may be written to and has room</source>
+        <translation>폴더에 쓸 수 있고 여유가 있는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>writing has failed before</source>
+        <translation>앞서 쓰기에 실패했습니다</translation>
+    </message>
+    <message>
+        <source>its pictures have more than 100 megapixels</source>
+        <translation>영상이 1억 화소를 넘습니다</translation>
+    </message>
+    <message>
+        <source>convert it to a smaller size</source>
+        <translation>더 작은 크기로 변환하십시오</translation>
+    </message>
+    <message>
+        <source>H.264 needs an even width and height, not %1</source>
+        <translation>H.264는 %1이(가) 아니라 짝수의 너비와 높이가 필요합니다</translation>
+    </message>
+    <message>
+        <source>use MJPEG or FFV1, or another size</source>
+        <translation>MJPEG나 FFV1, 또는 다른 크기를 쓰십시오</translation>
+    </message>
+    <message>
+        <source>the installed libavcodec has no encoder for it</source>
+        <translation>설치된 libavcodec에 그 인코더가 없습니다</translation>
+    </message>
+    <message>
+        <source>neither their pixels nor a picture to look in was given</source>
+        <translation>픽셀도 찾아볼 영상도 지정되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>it was made with it already</source>
+        <translation>이미 그것으로 만들어졌습니다</translation>
+    </message>
+    <message>
+        <source>calibrate the lens first, or put another calibration in force</source>
+        <translation>먼저 렌즈를 보정하거나 다른 보정을 적용하십시오</translation>
+    </message>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>프로젝트 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>사본 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>copy of &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;의 사본</translation>
+    </message>
+    <message>
+        <source>export of &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; 내보내기</translation>
+    </message>
+    <message>
+        <source>cannot open the video %1</source>
+        <translation>동영상 %1을(를) 열 수 없습니다</translation>
+    </message>
+    <message>
+        <source>cannot write a frame to the video %1</source>
+        <translation>동영상 %1에 프레임을 쓸 수 없습니다</translation>
+    </message>
+    <message>
+        <source>cannot finish the video %1</source>
+        <translation>동영상 %1을(를) 마칠 수 없습니다</translation>
+    </message>
+    <message>
+        <source>cannot encode the video</source>
+        <translation>동영상을 인코딩할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>the encoder would not start (%1)</source>
+        <translation>인코더가 시작되지 않습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>check the size, the frame rate and the quality that were asked for</source>
+        <translation>요청한 크기, 프레임 속도, 품질을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>cannot record into %1</source>
+        <translation>%1에 녹화할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>demo in &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;의 데모</translation>
+    </message>
+    <message>
+        <source>colour in the box</source>
+        <translation>상자 안의 색</translation>
+    </message>
+    <message>
+        <source>the box is too small, or outside the picture</source>
+        <translation>상자가 너무 작거나 영상 밖에 있습니다</translation>
+    </message>
+    <message>
+        <source>draw it round the robot, at least 8 pixels wide and high</source>
+        <translation>로봇 둘레에 가로세로 8픽셀 이상으로 그리십시오</translation>
+    </message>
+    <message>
+        <source>the box leaves nothing of the floor to compare with</source>
+        <translation>비교할 바닥이 상자 밖에 남지 않습니다</translation>
+    </message>
+    <message>
+        <source>draw it closely round the robot</source>
+        <translation>로봇에 바짝 붙여 그리십시오</translation>
+    </message>
+    <message>
+        <source>what differs from the floor around it is grey, black or white</source>
+        <translation>주변 바닥과 다른 부분이 회색, 검정 또는 흰색입니다</translation>
+    </message>
+    <message>
+        <source>put a coloured plate on the robot, and draw the box round that</source>
+        <translation>로봇에 색 판을 얹고 그 둘레에 상자를 그리십시오</translation>
+    </message>
+    <message>
+        <source>it holds no colour that differs from the floor around it</source>
+        <translation>주변 바닥과 다른 색이 없습니다</translation>
+    </message>
+    <message>
+        <source>draw it closely round the robot, or put a plate of another colour on it</source>
+        <translation>로봇에 바짝 붙여 그리거나 다른 색 판을 얹으십시오</translation>
+    </message>
+    <message>
+        <source>Cannot track</source>
+        <translation>추적할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>Cannot track robot %1</source>
+        <translation>로봇 %1을(를) 추적할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>no robot is given</source>
+        <translation>로봇이 지정되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>add a robot with its colour first</source>
+        <translation>먼저 로봇과 그 색을 추가하십시오</translation>
+    </message>
+    <message>
+        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
+        <translation>색 %1이(가) 회색인데, 로봇은 색상으로만 바닥과 구별됩니다</translation>
+    </message>
+    <message>
+        <source>put a coloured plate on it and tell that colour</source>
+        <translation>색 판을 얹고 그 색을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s path cannot be measured</source>
+        <translation>로봇의 경로를 측정할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>the trial has no view</source>
+        <translation>시행에 뷰가 없습니다</translation>
+    </message>
+    <message>
+        <source>import at least one video for it</source>
+        <translation>동영상을 적어도 하나 가져오십시오</translation>
+    </message>
+    <message>
+        <source>camera %1 is not registered to the floor</source>
+        <translation>카메라 %1이(가) 바닥에 정합되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>cameras %1 are not registered to the floor</source>
+        <translation>카메라 %1이(가) 바닥에 정합되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>run odograph register for at least one of them</source>
+        <translation>그중 적어도 하나를 정합하십시오</translation>
+    </message>
+    <message>
+        <source>run odograph register for them</source>
+        <translation>그것들을 정합하십시오</translation>
+    </message>
+    <message>
+        <source>view %1 has no frame</source>
+        <translation>뷰 %1에 프레임이 없습니다</translation>
+    </message>
+    <message>
+        <source>track the trial&apos;s videos first</source>
+        <translation>먼저 시행의 동영상을 추적하십시오</translation>
+    </message>
+    <message>
+        <source>the robot was not found in any picture of %1</source>
+        <translation>%1의 어느 영상에서도 로봇을 찾지 못했습니다</translation>
+    </message>
+    <message>
+        <source>check that the robot&apos;s colour in the project is the one in the pictures, that nothing else has it, and that the light is sufficient</source>
+        <translation>프로젝트의 로봇 색이 영상과 같은지, 다른 것이 그 색이 아닌지, 빛이 충분한지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>only cameras that are not registered to the floor saw the robot</source>
+        <translation>바닥에 정합되지 않은 카메라만 로봇을 보았습니다</translation>
+    </message>
+    <message>
+        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
+        <translation>높이를 삼각 측량해야 하는데 정합된 두 뷰가 함께 본 적이 거의 없습니다</translation>
+    </message>
+    <message>
+        <source>add a second view, or give the robot one height</source>
+        <translation>두 번째 뷰를 추가하거나 로봇의 높이를 지정하십시오</translation>
+    </message>
+    <message>
+        <source>not enough data</source>
+        <translation>데이터 부족</translation>
+    </message>
+    <message>
+        <source>of %1 frames %2 give a position that can be used</source>
+        <translation>프레임 %1개 중 %2개만 쓸 수 있는 위치를 줍니다</translation>
+    </message>
+    <message>
+        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
+        <translation>더 긴 동영상을 고르거나 로봇의 색과 조명을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>아직 추적되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <translation>아직 추적되지 않아 다시 분석할 것이 없습니다</translation>
+    </message>
+    <message>
+        <source>track it first</source>
+        <translation>먼저 추적하십시오</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <translation>비교</translation>
+    </message>
+    <message>
+        <source>comparison of trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos;의 비교</translation>
+    </message>
+    <message>
+        <source>it takes two runs</source>
+        <translation>주행 두 개가 필요합니다</translation>
+    </message>
+    <message>
+        <source>choose another run as well</source>
+        <translation>다른 주행도 고르십시오</translation>
+    </message>
+    <message>
+        <source>a run cannot be compared with itself</source>
+        <translation>주행을 자기 자신과 비교할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>it has several robots</source>
+        <translation>로봇이 여럿입니다</translation>
+    </message>
+    <message>
+        <source>choose one of them</source>
+        <translation>그중 하나를 고르십시오</translation>
+    </message>
+    <message>
+        <source>its tracks were imported, so there is no video to track in</source>
+        <translation>궤적을 가져온 것이라 추적할 동영상이 없습니다</translation>
+    </message>
+    <message>
+        <source>its task was changed while it was measured</source>
+        <translation>측정하는 동안 과제가 바뀌었습니다</translation>
+    </message>
+    <message>
+        <source>the project has no robot to look for</source>
+        <translation>프로젝트에 찾을 로봇이 없습니다</translation>
+    </message>
+    <message>
+        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <translation>영상은 %1인데 카메라는 %2에서 보정되었습니다</translation>
+    </message>
+    <message>
+        <source>calibrate and register the camera at the size it records</source>
+        <translation>녹화하는 크기로 카메라를 보정하고 정합하십시오</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
+        <translation>시행 &apos;%2&apos;의 뷰 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>synchronisation of the clips</source>
+        <translation>동영상의 동기화</translation>
+    </message>
+    <message>
+        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
+        <translation>두 카메라가 녹화하는 동안 실내 조명을 한 번 깜박이거나 오프셋을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>게이트 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>구역 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>its ends are not on a floor of 1 km</source>
+        <translation>두 끝이 1 km 바닥 안에 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>check the numbers</source>
+        <translation>숫자를 확인하십시오</translation>
+    </message>
+    <message>
+        <source>its ends are less than 1 mm apart</source>
+        <translation>두 끝의 간격이 1 mm 미만입니다</translation>
+    </message>
+    <message>
+        <source>give the two ends of the line that is to be passed</source>
+        <translation>지나야 할 선의 두 끝을 주십시오</translation>
+    </message>
+    <message>
+        <source>the name is there twice</source>
+        <translation>이름이 두 번 있습니다</translation>
+    </message>
+    <message>
+        <source>give each gate a name of its own</source>
+        <translation>게이트마다 다른 이름을 주십시오</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos; is the start already</source>
+        <translation>게이트 &apos;%1&apos;이(가) 이미 출발입니다</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos; is the finish already</source>
+        <translation>게이트 &apos;%1&apos;이(가) 이미 도착입니다</translation>
+    </message>
+    <message>
+        <source>keep one start and one finish, or one gate with the role start_finish</source>
+        <translation>출발과 도착을 하나씩만 두거나 둘을 겸하는 게이트 하나를 두십시오</translation>
+    </message>
+    <message>
+        <source>reference path</source>
+        <translation>기준 경로</translation>
+    </message>
+    <message>
+        <source>it has too few points</source>
+        <translation>점이 너무 적습니다</translation>
+    </message>
+    <message>
+        <source>give two points or more, three where the path is closed</source>
+        <translation>점을 두 개 이상, 닫힌 경로면 세 개 이상 주십시오</translation>
+    </message>
+    <message>
+        <source>limits of a task</source>
+        <translation>과제의 한계</translation>
+    </message>
+    <message>
+        <source>a limit is not above zero</source>
+        <translation>한계가 0보다 크지 않습니다</translation>
+    </message>
+    <message>
+        <source>give the largest speed and acceleration that a robot can have in the task</source>
+        <translation>과제에서 로봇이 낼 수 있는 최대 속력과 가속도를 주십시오</translation>
+    </message>
+    <message>
+        <source>template of a task</source>
+        <translation>과제의 템플릿</translation>
+    </message>
+    <message>
+        <source>a size is less than 1 mm</source>
+        <translation>크기가 1 mm 미만입니다</translation>
+    </message>
+    <message>
+        <source>give the sizes in millimetres</source>
+        <translation>크기를 밀리미터로 주십시오</translation>
+    </message>
+    <message>
+        <source>scoring</source>
+        <translation>채점</translation>
+    </message>
+    <message>
+        <source>line %1 of the scoring</source>
+        <translation>채점의 %1행</translation>
+    </message>
+    <message>
+        <source>it names no figure</source>
+        <translation>지표가 지정되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>choose what is scored</source>
+        <translation>무엇을 채점할지 고르십시오</translation>
+    </message>
+    <message>
+        <source>all points and no points are at the same value</source>
+        <translation>만점과 0점의 값이 같습니다</translation>
+    </message>
+    <message>
+        <source>give two values, between which the points rise</source>
+        <translation>점수가 그 사이에서 오르는 두 값을 주십시오</translation>
+    </message>
+    <message>
+        <source>%1 points are too few for it</source>
+        <translation>점 %1개로는 부족합니다</translation>
+    </message>
+    <message>
+        <source>choose a longer range</source>
+        <translation>더 긴 범위를 고르십시오</translation>
+    </message>
+    <message>
+        <source>the robot was not measured there, so there is nothing to judge</source>
+        <translation>그곳에서 로봇이 측정되지 않아 판단할 것이 없습니다</translation>
+    </message>
+    <message>
+        <source>there is no such frame</source>
+        <translation>그런 프레임이 없습니다</translation>
+    </message>
+    <message>
+        <source>import of trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos; 가져오기</translation>
+    </message>
+    <message>
+        <source>no video was given</source>
+        <translation>동영상이 지정되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; was given two videos</source>
+        <translation>카메라 &apos;%1&apos;에 동영상이 두 개 지정되었습니다</translation>
+    </message>
+    <message>
+        <source>give each view its own camera</source>
+        <translation>뷰마다 다른 카메라를 지정하십시오</translation>
+    </message>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3 s</source>
+        <translation>뷰 &apos;%1&apos;과(와) &apos;%2&apos;은(는) 오프셋 %3 s에서 겹치는 시간이 없습니다</translation>
+    </message>
+    <message>
+        <source>check the files and the --sync offset</source>
+        <translation>파일과 오프셋을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>it is not an ordinary file</source>
+        <translation>일반 파일이 아닙니다</translation>
+    </message>
+    <message>
+        <source>name a video file</source>
+        <translation>동영상 파일을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>name a video file in it</source>
+        <translation>그 안의 동영상 파일을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>name a file</source>
+        <translation>파일을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>check the permissions of its folder</source>
+        <translation>폴더의 권한을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>copy it from the camera again</source>
+        <translation>카메라에서 다시 복사하십시오</translation>
+    </message>
+    <message>
+        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
+        <translation>읽을 수 있는 동영상이 아니거나 헤더가 손상되었거나 없습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>give an MP4, MOV, MKV or AVI file</source>
+        <translation>MP4, MOV, MKV 또는 AVI 파일을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>copy it from the camera again if it was cut short</source>
+        <translation>잘렸다면 카메라에서 다시 복사하십시오</translation>
+    </message>
+    <message>
+        <source>it holds no video stream that can be read</source>
+        <translation>읽을 수 있는 동영상이 들어 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>give the file that the camera recorded</source>
+        <translation>카메라가 녹화한 파일을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>there is no decoder for %1</source>
+        <translation>%1의 디코더가 없습니다</translation>
+    </message>
+    <message>
+        <source>its decoder would not start (%1)</source>
+        <translation>디코더가 시작되지 않습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>convert it to H.264</source>
+        <translation>H.264로 변환하십시오</translation>
+    </message>
+    <message>
+        <source>its data are damaged</source>
+        <translation>데이터가 손상되었습니다</translation>
+    </message>
+    <message>
+        <source>it is left out</source>
+        <translation>제외됩니다</translation>
+    </message>
+    <message>
+        <source>the video has no picture</source>
+        <translation>동영상에 영상이 없습니다</translation>
+    </message>
+    <message>
+        <source>it has no picture</source>
+        <translation>영상이 없습니다</translation>
+    </message>
+    <message>
+        <source>give another file</source>
+        <translation>다른 파일을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>check that the folder exists, may be written to and has room</source>
+        <translation>폴더가 있고 쓸 수 있으며 여유가 있는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>cannot write the video %1</source>
+        <translation>동영상 %1을(를) 쓸 수 없습니다</translation>
+    </message>
+    <message>
+        <source>its name ends with neither .mkv nor .mp4</source>
+        <translation>이름이 .mkv나 .mp4로 끝나지 않습니다</translation>
+    </message>
+    <message>
+        <source>give it one of these endings</source>
+        <translation>이 중 하나로 끝나게 하십시오</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;을(를) 쓸 수 없습니다</translation>
+    </message>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; 묶기</translation>
+    </message>
+    <message>
+        <source>unpack &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; 풀기</translation>
+    </message>
+    <message>
+        <source>unpack into &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;에 풀기</translation>
+    </message>
+    <message>
+        <source>it is there already</source>
+        <translation>이미 있습니다</translation>
+    </message>
+    <message>
+        <source>choose a folder that is not there yet</source>
+        <translation>아직 없는 폴더를 고르십시오</translation>
+    </message>
+    <message>
+        <source>choose an empty folder</source>
+        <translation>빈 폴더를 고르십시오</translation>
+    </message>
+    <message>
+        <source>it has become shorter meanwhile</source>
+        <translation>그사이 짧아졌습니다</translation>
+    </message>
+    <message>
+        <source>wait until nobody writes to it, and try again</source>
+        <translation>아무도 쓰지 않을 때까지 기다린 뒤 다시 시도하십시오</translation>
+    </message>
+    <message>
+        <source>there is no project in it</source>
+        <translation>프로젝트가 들어 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>it has too many files</source>
+        <translation>파일이 너무 많습니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not belong into a packed project</source>
+        <translation>&apos;%1&apos;은(는) 묶은 프로젝트에 속하지 않습니다</translation>
+    </message>
+    <message>
+        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
+        <translation>Odograph가 묶은 파일을 고르고, 손상되었다면 새로 복사하십시오</translation>
+    </message>
+    <message>
+        <source>it is written in UTF-16</source>
+        <translation>UTF-16으로 쓰였습니다</translation>
+    </message>
+    <message>
+        <source>it is not a UTF-8 text file</source>
+        <translation>UTF-8 텍스트 파일이 아닙니다</translation>
+    </message>
+    <message>
+        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
+        <translation>&quot;CSV UTF-8&quot;이나 UTF-8 텍스트로 다시 저장하십시오</translation>
+    </message>
+    <message>
+        <source>save it again as UTF-8 text</source>
+        <translation>UTF-8 텍스트로 다시 저장하십시오</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 KiB</source>
+        <translation>%1 KiB보다 큽니다</translation>
+    </message>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>맞는 파일인지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>its columns are separated by semicolons</source>
+        <translation>열이 세미콜론으로 구분되어 있습니다</translation>
+    </message>
+    <message>
+        <source>save it with commas, and with a point in its numbers</source>
+        <translation>쉼표로 구분하고 숫자에는 점을 써서 저장하십시오</translation>
+    </message>
+    <message>
+        <source>save it with commas</source>
+        <translation>쉼표로 구분해 저장하십시오</translation>
+    </message>
+    <message>
+        <source>it lacks the expected header line</source>
+        <translation>기대한 머리글 줄이 없습니다</translation>
+    </message>
+    <message>
+        <source>it lacks the column %1</source>
+        <translation>%1 열이 없습니다</translation>
+    </message>
+    <message>
+        <source>it has %1 cells instead of %2</source>
+        <translation>셀이 %2개가 아니라 %1개입니다</translation>
+    </message>
+    <message>
+        <source>a quoted cell does not end</source>
+        <translation>따옴표로 시작한 셀이 끝나지 않습니다</translation>
+    </message>
+    <message>
+        <source>close the quotes</source>
+        <translation>따옴표를 닫으십시오</translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos; is not a finite number</source>
+        <translation>%1 &apos;%2&apos;은(는) 유한한 수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>the label is empty</source>
+        <translation>이름표가 비어 있습니다</translation>
+    </message>
+    <message>
+        <source>the label &apos;%1&apos; is in line %2 already</source>
+        <translation>이름표 &apos;%1&apos;은(는) 이미 %2행에 있습니다</translation>
+    </message>
+    <message>
+        <source>the label &apos;%1&apos; is there twice</source>
+        <translation>이름표 &apos;%1&apos;이(가) 두 번 있습니다</translation>
+    </message>
+    <message>
+        <source>give each marker a label</source>
+        <translation>마커마다 이름표를 주십시오</translation>
+    </message>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>마커마다 다른 이름표를 주십시오</translation>
+    </message>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>점마다 다른 이름표를 주십시오</translation>
+    </message>
+    <message>
+        <source>there are no markers below the header</source>
+        <translation>머리글 아래에 마커가 없습니다</translation>
+    </message>
+    <message>
+        <source>write one line for each marker</source>
+        <translation>마커마다 한 줄씩 쓰십시오</translation>
+    </message>
+    <message>
+        <source>mend these lines</source>
+        <translation>이 줄들을 고치십시오</translation>
+    </message>
+    <message>
+        <source>nothing was imported</source>
+        <translation>가져온 것이 없습니다</translation>
+    </message>
+    <message>
+        <source>it has no team</source>
+        <translation>팀이 없습니다</translation>
+    </message>
+    <message>
+        <source>write a line with class and team below the header</source>
+        <translation>머리글 아래에 학급과 팀을 한 줄 쓰십시오</translation>
+    </message>
+    <message>
+        <source>roster &apos;%1&apos;</source>
+        <translation>명단 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>no track was given</source>
+        <translation>궤적이 지정되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; was given two tracks</source>
+        <translation>로봇 &apos;%1&apos;에 궤적이 두 개 지정되었습니다</translation>
+    </message>
+    <message>
+        <source>give each robot one</source>
+        <translation>로봇마다 하나씩 지정하십시오</translation>
+    </message>
+    <message>
+        <source>its column &apos;%1&apos; is in a unit that is not known</source>
+        <translation>&apos;%1&apos; 열의 단위를 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>give times in s or ms and places in m, cm or mm</source>
+        <translation>시간은 s나 ms, 위치는 m, cm, mm로 주십시오</translation>
+    </message>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;(이)라는 궤적이 없습니다</translation>
+    </message>
+    <message>
+        <source>give the robot the name of one of them</source>
+        <translation>로봇에 그중 하나의 이름을 주십시오</translation>
+    </message>
+    <message>
+        <source>it has no samples</source>
+        <translation>샘플이 없습니다</translation>
+    </message>
+    <message>
+        <source>its times do not rise</source>
+        <translation>시간이 증가하지 않습니다</translation>
+    </message>
+    <message>
+        <source>import another file</source>
+        <translation>다른 파일을 가져오십시오</translation>
+    </message>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;에서 찾기</translation>
+    </message>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>폴더가 있고 읽을 수 있는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>lost videos</source>
+        <translation>잃어버린 동영상</translation>
+    </message>
+    <message>
+        <source>no video of this project is lost</source>
+        <translation>이 프로젝트에 잃어버린 동영상이 없습니다</translation>
+    </message>
+    <message>
+        <source>there is nothing to do</source>
+        <translation>할 일이 없습니다</translation>
+    </message>
+    <message>
+        <source>the lost video is not there</source>
+        <translation>잃어버린 동영상이 거기 없습니다</translation>
+    </message>
+    <message>
+        <source>none of the %1 lost videos is there</source>
+        <translation>잃어버린 동영상 %1개가 거기 없습니다</translation>
+    </message>
+    <message>
+        <source>choose the folder where they were copied to</source>
+        <translation>복사해 둔 폴더를 고르십시오</translation>
+    </message>
+    <message>
+        <source>%1 is there already</source>
+        <translation>%1이(가) 이미 있습니다</translation>
+    </message>
+    <message>
+        <source>open it, or choose another folder</source>
+        <translation>열거나 다른 폴더를 고르십시오</translation>
+    </message>
+    <message>
+        <source>choose a folder you can write to, with 300 MB free</source>
+        <translation>쓸 수 있고 300 MB의 여유가 있는 폴더를 고르십시오</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -1601,6 +1601,2558 @@
         <source>%1.</source>
         <translation>%1。</translation>
     </message>
+    <message>
+        <source>the picture is too small to hold a board</source>
+        <translation>图像太小，容不下标定板</translation>
+    </message>
+    <message>
+        <source>use a picture of the camera</source>
+        <translation>请使用该相机的图像</translation>
+    </message>
+    <message>
+        <source>use pictures of the camera</source>
+        <translation>请使用该相机的图像</translation>
+    </message>
+    <message>
+        <source>use another picture</source>
+        <translation>请换一张图片</translation>
+    </message>
+    <message>
+        <source>the picture is too small</source>
+        <translation>图像太小</translation>
+    </message>
+    <message>
+        <source>the picture has no size</source>
+        <translation>图像没有尺寸</translation>
+    </message>
+    <message>
+        <source>the board is blurred</source>
+        <translation>标定板模糊</translation>
+    </message>
+    <message>
+        <source>its edges are %1 pixels wide</source>
+        <translation>其边缘宽 %1 像素</translation>
+    </message>
+    <message>
+        <source>hold it still, and focus the camera</source>
+        <translation>请保持不动，并对好焦</translation>
+    </message>
+    <message>
+        <source>a corner of the board cannot be made out</source>
+        <translation>标定板有一个角点无法辨认</translation>
+    </message>
+    <message>
+        <source>keep the board clear and well lit</source>
+        <translation>请保持标定板无遮挡且光线良好</translation>
+    </message>
+    <message>
+        <source>this board has %1 inner corners, %2 was asked for</source>
+        <translation>此标定板有 %1 个内角点，要求的是 %2</translation>
+    </message>
+    <message>
+        <source>count the inner corners, or leave the size out</source>
+        <translation>请数一数内角点，或不填尺寸</translation>
+    </message>
+    <message>
+        <source>the board is cut off</source>
+        <translation>标定板被截断</translation>
+    </message>
+    <message>
+        <source>only %1 of its %2 inner corners are seen</source>
+        <translation>%2 个内角点中只看到 %1 个</translation>
+    </message>
+    <message>
+        <source>keep the whole board in the picture</source>
+        <translation>请让整块标定板都在画面内</translation>
+    </message>
+    <message>
+        <source>no board found</source>
+        <translation>没有找到标定板</translation>
+    </message>
+    <message>
+        <source>%1 of its markers could be read</source>
+        <translation>只读出 %1 个标记</translation>
+    </message>
+    <message>
+        <source>show the whole board, flat, sharp and well lit</source>
+        <translation>请展示整块标定板，平整、清晰、光线良好</translation>
+    </message>
+    <message>
+        <source>show the board larger, sharp and well lit</source>
+        <translation>请把标定板拍得更大、清晰、光线良好</translation>
+    </message>
+    <message>
+        <source>only %1 corners of the board are seen</source>
+        <translation>只看到标定板的 %1 个角点</translation>
+    </message>
+    <message>
+        <source>show more of the board</source>
+        <translation>请多展示一些标定板</translation>
+    </message>
+    <message>
+        <source>show one ChArUco board</source>
+        <translation>请展示一块 ChArUco 标定板</translation>
+    </message>
+    <message>
+        <source>the camera cannot be calibrated</source>
+        <translation>无法标定相机</translation>
+    </message>
+    <message>
+        <source>calibration of camera &apos;%1&apos;</source>
+        <translation>相机“%1”的标定</translation>
+    </message>
+    <message>
+        <source>three pictures of the board are needed, %1 can be used</source>
+        <translation>需要三张标定板图片，可用 %1 张</translation>
+    </message>
+    <message>
+        <source>take ten or more, the board tilted differently in each</source>
+        <translation>请拍十张或以上，每张标定板倾斜不同</translation>
+    </message>
+    <message>
+        <source>%1 % of the corners do not agree with the others</source>
+        <translation>%1 % 的角点与其余不一致</translation>
+    </message>
+    <message>
+        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <translation>请检查所有图片清晰，且为同一块平整标定板、同一相机、同一变焦与对焦</translation>
+    </message>
+    <message>
+        <source>no lens fits these pictures</source>
+        <translation>没有镜头模型适合这些图片</translation>
+    </message>
+    <message>
+        <source>check that all are of one camera, at one zoom and focus</source>
+        <translation>请检查都来自同一相机、同一变焦与对焦</translation>
+    </message>
+    <message>
+        <source>choose others</source>
+        <translation>请另选</translation>
+    </message>
+    <message>
+        <source>use pictures of one camera at one zoom and focus</source>
+        <translation>请使用同一相机、同一变焦与对焦的图片</translation>
+    </message>
+    <message>
+        <source>all %1 pictures show the board in one place, the %2 %3 % of the picture</source>
+        <translation>全部 %1 张图片中标定板都在同一处（%2，占画面 %3 %）</translation>
+    </message>
+    <message>
+        <source>how the lens bends elsewhere stays unknown</source>
+        <translation>其他位置的畸变仍未知</translation>
+    </message>
+    <message>
+        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <translation>请在画面中间和各角附近更近地展示标定板</translation>
+    </message>
+    <message>
+        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <translation>全部 %1 张图片中标定板姿态几乎相同，无法确定焦距</translation>
+    </message>
+    <message>
+        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <translation>请把标定板向各侧倾斜 30 到 45 度拍摄</translation>
+    </message>
+    <message>
+        <source>the pictures determine the focal length only to %1 %</source>
+        <translation>这些图片只能把焦距确定到 %1 %</translation>
+    </message>
+    <message>
+        <source>the board is seen too nearly frontal</source>
+        <translation>标定板过于正对相机</translation>
+    </message>
+    <message>
+        <source>two halves of the pictures give focal lengths that differ by %1 %</source>
+        <translation>两半图片得出的焦距相差 %1 %</translation>
+    </message>
+    <message>
+        <source>the floor cannot be registered</source>
+        <translation>无法配准地面</translation>
+    </message>
+    <message>
+        <source>the camera cannot be registered through another</source>
+        <translation>无法通过另一相机配准</translation>
+    </message>
+    <message>
+        <source>the cameras cannot be registered together</source>
+        <translation>无法联合配准这些相机</translation>
+    </message>
+    <message>
+        <source>the length cannot be measured</source>
+        <translation>无法测量长度</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos;</source>
+        <translation>相机“%1”的配准</translation>
+    </message>
+    <message>
+        <source>marker %1 stands twice in the layout</source>
+        <translation>标记 %1 在布局中出现两次</translation>
+    </message>
+    <message>
+        <source>marker %1 stands twice in the picture</source>
+        <translation>标记 %1 在画面中出现两次</translation>
+    </message>
+    <message>
+        <source>give each marker a name of its own</source>
+        <translation>请给每个标记各自的名称</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie at one place of the floor</source>
+        <translation>标记 %1 和 %2 位于地面同一处</translation>
+    </message>
+    <message>
+        <source>correct the layout</source>
+        <translation>请更正布局</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie on one pixel</source>
+        <translation>标记 %1 和 %2 位于同一像素</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 lie on one pixel</source>
+        <translation>点 %1 和 %2 位于同一像素</translation>
+    </message>
+    <message>
+        <source>mark each of them where it is seen</source>
+        <translation>请分别标在看到的位置</translation>
+    </message>
+    <message>
+        <source>markers %1 and %2 lie only %3 mm apart, too close for two of four</source>
+        <translation>标记 %1 和 %2 仅相距 %3 mm，对四个中的两个来说太近</translation>
+    </message>
+    <message>
+        <source>spread the markers over the floor</source>
+        <translation>请把标记分散到地面各处</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor</source>
+        <translation>请把点分散到地面各处</translation>
+    </message>
+    <message>
+        <source>spread them over the floor</source>
+        <translation>请把它们分散到地面各处</translation>
+    </message>
+    <message>
+        <source>four markers are needed that the layout and the picture have in common</source>
+        <translation>需要布局与画面共有的四个标记</translation>
+    </message>
+    <message>
+        <source>there are %1 (%2)</source>
+        <translation>现有 %1 个（%2）</translation>
+    </message>
+    <message>
+        <source>there are %1 (%2), and the layout does not know %3</source>
+        <translation>现有 %1 个（%2），布局中没有 %3</translation>
+    </message>
+    <message>
+        <source>there are %1</source>
+        <translation>现有 %1 个</translation>
+    </message>
+    <message>
+        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <translation>请按布局的名称标出更多布局中的标记</translation>
+    </message>
+    <message>
+        <source>the markers are mirrored</source>
+        <translation>标记呈镜像</translation>
+    </message>
+    <message>
+        <source>seen in this order the camera would be below the floor</source>
+        <translation>按此顺序相机将位于地面以下</translation>
+    </message>
+    <message>
+        <source>seen from above, Y must point to the left of X</source>
+        <translation>从上方看，Y 必须指向 X 的左侧</translation>
+    </message>
+    <message>
+        <source>check the signs of the layout</source>
+        <translation>请检查布局的正负号</translation>
+    </message>
+    <message>
+        <source>check these labels</source>
+        <translation>请检查这些标号</translation>
+    </message>
+    <message>
+        <source>the camera would stand only %1 mm above the floor</source>
+        <translation>相机距地面只有 %1 mm</translation>
+    </message>
+    <message>
+        <source>the camera would stand %1 m above the floor</source>
+        <translation>相机距地面将有 %1 m</translation>
+    </message>
+    <message>
+        <source>marker %1 would lie at or beyond the horizon</source>
+        <translation>标记 %1 将位于地平线或其外</translation>
+    </message>
+    <message>
+        <source>check its place and its pixel</source>
+        <translation>请检查其位置和像素</translation>
+    </message>
+    <message>
+        <source>the markers do not fit a flat floor</source>
+        <translation>标记与平坦地面不符</translation>
+    </message>
+    <message>
+        <source>%1 px RMS, most at %2 (%3 px)</source>
+        <translation>%1 px RMS，%2 处最大（%3 px）</translation>
+    </message>
+    <message>
+        <source>check the layout, the labels and the intrinsics</source>
+        <translation>请检查布局、标号和内参</translation>
+    </message>
+    <message>
+        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2 mm</source>
+        <translation>标记几乎共线（%1 最甚），地面只能确定到 ±%2 mm</translation>
+    </message>
+    <message>
+        <source>mark and measure them again, or add another</source>
+        <translation>请重新标出并测量，或再加一个</translation>
+    </message>
+    <message>
+        <source>the markers do not determine where the cameras stand</source>
+        <translation>这些标记无法确定相机位置</translation>
+    </message>
+    <message>
+        <source>the points do not determine where the camera stands</source>
+        <translation>这些点无法确定相机位置</translation>
+    </message>
+    <message>
+        <source>four points are needed that both cameras see</source>
+        <translation>需要两台相机都能看到的四个点</translation>
+    </message>
+    <message>
+        <source>add points of the floor, such as corners of tiles</source>
+        <translation>请增加地面上的点，如地砖的角</translation>
+    </message>
+    <message>
+        <source>%1 of %2 were found, four are needed</source>
+        <translation>%2 个中找到 %1 个，需要四个</translation>
+    </message>
+    <message>
+        <source>missing: %1</source>
+        <translation>缺少：%1</translation>
+    </message>
+    <message>
+        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
+        <translation>请展示缺少的标签码（AprilTag 36h11，按布局顺序从 0 编号）或圆环，或手动标出标记</translation>
+    </message>
+    <message>
+        <source>%1 rings or dots were found, four are needed</source>
+        <translation>找到 %1 个圆环或圆点，需要四个</translation>
+    </message>
+    <message>
+        <source>show more of them, larger or in better light, or mark the markers by hand</source>
+        <translation>请展示更多、更大或更亮的，或手动标出标记</translation>
+    </message>
+    <message>
+        <source>tell by hand which of them is %1</source>
+        <translation>请手动指出哪一个是 %1</translation>
+    </message>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>无法判断 %1 是否移动</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 markers were found again, two are needed</source>
+        <translation>其 %2 个标记中重新找到 %1 个，需要两个</translation>
+    </message>
+    <message>
+        <source>clear the view of the markers</source>
+        <translation>请让标记露出来</translation>
+    </message>
+    <message>
+        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <translation>若标记已不在或相机朝向别处，请重新配准</translation>
+    </message>
+    <message>
+        <source>these intrinsics cannot be used</source>
+        <translation>这些内参无法使用</translation>
+    </message>
+    <message>
+        <source>calibrate the camera again, or import another file</source>
+        <translation>请重新标定相机，或导入另一文件</translation>
+    </message>
+    <message>
+        <source>register it first, by markers or through another camera</source>
+        <translation>请先配准它，用标记或通过另一相机</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered</source>
+        <translation>相机“%1”未配准</translation>
+    </message>
+    <message>
+        <source>a camera cannot be registered through itself</source>
+        <translation>相机不能通过自身配准</translation>
+    </message>
+    <message>
+        <source>name another camera that is registered</source>
+        <translation>请指定另一台已配准的相机</translation>
+    </message>
+    <message>
+        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <translation>两个端点位于相机“%1”的同一像素</translation>
+    </message>
+    <message>
+        <source>mark the two ends where they are seen</source>
+        <translation>请在看到处标出两个端点</translation>
+    </message>
+    <message>
+        <source>no camera was given that sees it</source>
+        <translation>没有给出能看到它的相机</translation>
+    </message>
+    <message>
+        <source>mark its ends in one picture at least</source>
+        <translation>请至少在一个画面中标出其端点</translation>
+    </message>
+    <message>
+        <source>the told length is not above 0</source>
+        <translation>给出的长度不大于 0</translation>
+    </message>
+    <message>
+        <source>give the length as it was measured with a tape</source>
+        <translation>请给出用卷尺量得的长度</translation>
+    </message>
+    <message>
+        <source>the picture is %1, the camera was registered at %2</source>
+        <translation>图像为 %1，相机在 %2 下配准</translation>
+    </message>
+    <message>
+        <source>give a picture of that size</source>
+        <translation>请给出该尺寸的图像</translation>
+    </message>
+    <message>
+        <source>this computer</source>
+        <translation>本机</translation>
+    </message>
+    <message>
+        <source>it slept for %1, and nothing was recorded meanwhile</source>
+        <translation>休眠了 %1，其间没有录制</translation>
+    </message>
+    <message>
+        <source>what came before is kept</source>
+        <translation>此前的内容已保留</translation>
+    </message>
+    <message>
+        <source>keep it awake while it records</source>
+        <translation>录制时请保持唤醒</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
+        <translation>要求每秒 %2 帧，实际只有 %1 帧</translation>
+    </message>
+    <message>
+        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
+        <translation>请增加光照或缩短曝光，或要求更低的帧率</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>不存在</translation>
+    </message>
+    <message>
+        <source>plug it in, or choose one of those that odograph cameras lists</source>
+        <translation>请接上它，或选择 odograph cameras 列出的相机</translation>
+    </message>
+    <message>
+        <source>choose one of those that odograph cameras lists</source>
+        <translation>请选择 odograph cameras 列出的相机</translation>
+    </message>
+    <message>
+        <source>you may not use it</source>
+        <translation>您无权使用它</translation>
+    </message>
+    <message>
+        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
+        <translation>请加入 video 组（sudo usermod -aG video YOUR-NAME）并重新登录</translation>
+    </message>
+    <message>
+        <source>another program uses it</source>
+        <translation>另一程序正在使用它</translation>
+    </message>
+    <message>
+        <source>close that program</source>
+        <translation>请关闭该程序</translation>
+    </message>
+    <message>
+        <source>it was unplugged</source>
+        <translation>它被拔出了</translation>
+    </message>
+    <message>
+        <source>plug it in again</source>
+        <translation>请重新接上</translation>
+    </message>
+    <message>
+        <source>plug %1 in again</source>
+        <translation>请重新接上 %1</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures</source>
+        <translation>其 USB 总线已没有带宽传输图像</translation>
+    </message>
+    <message>
+        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
+        <translation>请接到不与其他相机共用总线的端口，或选择 MJPEG、更小的画面或更低的帧率（?format=MJPG&amp;size=640x480&amp;rate=30）</translation>
+    </message>
+    <message>
+        <source>it cannot be opened (%1)</source>
+        <translation>无法打开（%1）</translation>
+    </message>
+    <message>
+        <source>check its cable and address</source>
+        <translation>请检查其电缆和地址</translation>
+    </message>
+    <message>
+        <source>check that you may use it (a udev rule), and that no other program does</source>
+        <translation>请检查是否有权使用（udev 规则），且没有其他程序占用</translation>
+    </message>
+    <message>
+        <source>no picture came for half a second</source>
+        <translation>半秒内没有收到图像</translation>
+    </message>
+    <message>
+        <source>wait, or check its cable</source>
+        <translation>请等待，或检查其电缆</translation>
+    </message>
+    <message>
+        <source>it does not answer</source>
+        <translation>没有响应</translation>
+    </message>
+    <message>
+        <source>check its power and cable</source>
+        <translation>请检查其电源和电缆</translation>
+    </message>
+    <message>
+        <source>it does not start (%1)</source>
+        <translation>无法启动（%1）</translation>
+    </message>
+    <message>
+        <source>check its cable, and that no other program uses it</source>
+        <translation>请检查其电缆，以及没有其他程序占用</translation>
+    </message>
+    <message>
+        <source>another camera (%1) is in its place</source>
+        <translation>其位置上是另一台相机（%1）</translation>
+    </message>
+    <message>
+        <source>another camera (%1) is in the place of camera %2</source>
+        <translation>相机 %2 的位置上是另一台相机（%1）</translation>
+    </message>
+    <message>
+        <source>connect the one that belongs there, or begin anew with this one</source>
+        <translation>请接上原来的相机，或用这一台重新开始</translation>
+    </message>
+    <message>
+        <source>it came back with pictures of another size or format</source>
+        <translation>恢复后图像的尺寸或格式变了</translation>
+    </message>
+    <message>
+        <source>set it as before, or begin anew with size and format in its address</source>
+        <translation>请照原样设置，或在地址中写明尺寸和格式后重新开始</translation>
+    </message>
+    <message>
+        <source>it has nothing named &apos;%1&apos; that could be set</source>
+        <translation>没有名为“%1”的可设项</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>请去掉</translation>
+    </message>
+    <message>
+        <source>it refuses this value of %1</source>
+        <translation>它拒绝 %1 的这个值</translation>
+    </message>
+    <message>
+        <source>choose another one</source>
+        <translation>请另选一个</translation>
+    </message>
+    <message>
+        <source>%1 cannot be set as the camera stands now</source>
+        <translation>相机当前状态下无法设置 %1</translation>
+    </message>
+    <message>
+        <source>turn off the automatic that moves it first</source>
+        <translation>请先关闭调节它的自动功能</translation>
+    </message>
+    <message>
+        <source>%1 goes from %2 to %3</source>
+        <translation>%1 的范围为 %2 到 %3</translation>
+    </message>
+    <message>
+        <source>choose a value between</source>
+        <translation>请选择其间的值</translation>
+    </message>
+    <message>
+        <source>%1 gives no pictures</source>
+        <translation>%1 不输出图像</translation>
+    </message>
+    <message>
+        <source>it has no format that can be read</source>
+        <translation>没有可读的格式</translation>
+    </message>
+    <message>
+        <source>take another camera</source>
+        <translation>请换一台相机</translation>
+    </message>
+    <message>
+        <source>it does not offer what was asked for</source>
+        <translation>它不提供所要求的模式</translation>
+    </message>
+    <message>
+        <source>choose of what it offers</source>
+        <translation>请从其提供的模式中选择</translation>
+    </message>
+    <message>
+        <source>it does not take %1</source>
+        <translation>它不接受 %1</translation>
+    </message>
+    <message>
+        <source>ask for another size or format</source>
+        <translation>请要求其他尺寸或格式</translation>
+    </message>
+    <message>
+        <source>it does not take this size</source>
+        <translation>它不接受此尺寸</translation>
+    </message>
+    <message>
+        <source>it does not take this rate</source>
+        <translation>它不接受此帧率</translation>
+    </message>
+    <message>
+        <source>it does not take this exposure</source>
+        <translation>它不接受此曝光</translation>
+    </message>
+    <message>
+        <source>it does not take this gain</source>
+        <translation>它不接受此增益</translation>
+    </message>
+    <message>
+        <source>ask it for something else, or leave that to the camera</source>
+        <translation>请要求其他值，或交由相机决定</translation>
+    </message>
+    <message>
+        <source>no camera has such an address</source>
+        <translation>没有这样地址的相机</translation>
+    </message>
+    <message>
+        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
+        <translation>请写成 v4l2:/dev/video0、aravis:192.168.1.20、sim:A 或 file:PATH</translation>
+    </message>
+    <message>
+        <source>the video has ended</source>
+        <translation>视频已结束</translation>
+    </message>
+    <message>
+        <source>open it again to see it from the start</source>
+        <translation>请重新打开以从头观看</translation>
+    </message>
+    <message>
+        <source>the recording %1</source>
+        <translation>录像 %1</translation>
+    </message>
+    <message>
+        <source>make room, or move the project to another disk</source>
+        <translation>请腾出空间，或把项目移到另一磁盘</translation>
+    </message>
+    <message>
+        <source>what was recorded so far is kept</source>
+        <translation>已录制的内容已保留</translation>
+    </message>
+    <message>
+        <source>recording of trial &apos;%1&apos;</source>
+        <translation>录制试验“%1”</translation>
+    </message>
+    <message>
+        <source>check that they are connected and not used by another program</source>
+        <translation>请检查它们已连接且未被其他程序占用</translation>
+    </message>
+    <message>
+        <source>check that it is connected and not used by another program</source>
+        <translation>请检查它已连接且未被其他程序占用</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; gave no picture</source>
+        <translation>相机“%1”没有输出图像</translation>
+    </message>
+    <message>
+        <source>no camera was given</source>
+        <translation>没有给出相机</translation>
+    </message>
+    <message>
+        <source>address &apos;%1&apos; of live positions</source>
+        <translation>实时位置的地址“%1”</translation>
+    </message>
+    <message>
+        <source>it is no IPv4 address with a port</source>
+        <translation>不是带端口的 IPv4 地址</translation>
+    </message>
+    <message>
+        <source>write it like 224.5.23.2:10006</source>
+        <translation>请写成 224.5.23.2:10006 的形式</translation>
+    </message>
+    <message>
+        <source>live positions to %1</source>
+        <translation>发送到 %1 的实时位置</translation>
+    </message>
+    <message>
+        <source>interface &apos;%1&apos; takes no multicast</source>
+        <translation>接口“%1”不支持组播</translation>
+    </message>
+    <message>
+        <source>this machine has none of that name</source>
+        <translation>本机没有该名称的接口</translation>
+    </message>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>请关闭其他程序后重试</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>nothing was changed</source>
+        <translation>没有任何更改</translation>
+    </message>
+    <message>
+        <source>another program is writing to it</source>
+        <translation>另一程序正在写入</translation>
+    </message>
+    <message>
+        <source>close the other program and try again</source>
+        <translation>请关闭另一程序后重试</translation>
+    </message>
+    <message>
+        <source>it cannot be written to</source>
+        <translation>无法写入</translation>
+    </message>
+    <message>
+        <source>its folder cannot be written to</source>
+        <translation>其文件夹无法写入</translation>
+    </message>
+    <message>
+        <source>copy it to a folder that you may write to, and open the copy</source>
+        <translation>请复制到可写的文件夹并打开副本</translation>
+    </message>
+    <message>
+        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
+        <translation>请连同视频复制到可写的文件夹并打开副本</translation>
+    </message>
+    <message>
+        <source>the disk is full, the change was not saved</source>
+        <translation>磁盘已满，更改未保存</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>磁盘已满</translation>
+    </message>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>请腾出磁盘空间后重试</translation>
+    </message>
+    <message>
+        <source>the disk reported an error, the change was not saved</source>
+        <translation>磁盘报告错误，更改未保存</translation>
+    </message>
+    <message>
+        <source>check the disk, and copy the project to another one</source>
+        <translation>请检查磁盘，并把项目复制到另一磁盘</translation>
+    </message>
+    <message>
+        <source>check the disk and try again</source>
+        <translation>请检查磁盘后重试</translation>
+    </message>
+    <message>
+        <source>check the disk</source>
+        <translation>请检查磁盘</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>文件已损坏</translation>
+    </message>
+    <message>
+        <source>its tables are not those of a project</source>
+        <translation>其数据表不是项目的</translation>
+    </message>
+    <message>
+        <source>restore it from a backup copy</source>
+        <translation>请从备份恢复</translation>
+    </message>
+    <message>
+        <source>the project file is damaged</source>
+        <translation>项目文件已损坏</translation>
+    </message>
+    <message>
+        <source>it is not a project file</source>
+        <translation>不是项目文件</translation>
+    </message>
+    <message>
+        <source>it is a database of another program</source>
+        <translation>是其他程序的数据库</translation>
+    </message>
+    <message>
+        <source>choose a file that Odograph has written</source>
+        <translation>请选择 Odograph 写出的文件</translation>
+    </message>
+    <message>
+        <source>it refers to something that is not in the project, or a value is missing</source>
+        <translation>引用了项目中没有的内容，或缺少某个值</translation>
+    </message>
+    <message>
+        <source>add what it refers to first</source>
+        <translation>请先添加所引用的内容</translation>
+    </message>
+    <message>
+        <source>the database refused</source>
+        <translation>数据库拒绝了</translation>
+    </message>
+    <message>
+        <source>run a check of the project</source>
+        <translation>请运行项目检查</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>没有这个文件</translation>
+    </message>
+    <message>
+        <source>check the name, or make a new project</source>
+        <translation>请检查名称，或新建项目</translation>
+    </message>
+    <message>
+        <source>check the name</source>
+        <translation>请检查名称</translation>
+    </message>
+    <message>
+        <source>check the name and the folder</source>
+        <translation>请检查名称和文件夹</translation>
+    </message>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>是文件夹或设备，不是文件</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>是文件夹</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>it cannot be read (%1)</source>
+        <translation>无法读取（%1）</translation>
+    </message>
+    <message>
+        <source>check that you may read the file</source>
+        <translation>请检查是否有权读取该文件</translation>
+    </message>
+    <message>
+        <source>check that the file is there and may be read</source>
+        <translation>请检查文件是否存在且可读</translation>
+    </message>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>请检查其是否存在且可读</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件为空</translation>
+    </message>
+    <message>
+        <source>the file is cut off</source>
+        <translation>文件不完整</translation>
+    </message>
+    <message>
+        <source>it has %1 of %2 bytes</source>
+        <translation>共 %2 字节，只有 %1</translation>
+    </message>
+    <message>
+        <source>copy it again from where it came, or restore a backup copy</source>
+        <translation>请从来源重新复制，或恢复备份</translation>
+    </message>
+    <message>
+        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
+        <translation>由更新的 Odograph 写出（格式 %1，本程序最高支持 %2）</translation>
+    </message>
+    <message>
+        <source>open it with that Odograph, or update this one</source>
+        <translation>请用那个版本打开，或更新本程序</translation>
+    </message>
+    <message>
+        <source>open the project with a newer Odograph</source>
+        <translation>请用更新的 Odograph 打开项目</translation>
+    </message>
+    <message>
+        <source>it is open in another window</source>
+        <translation>已在另一窗口打开</translation>
+    </message>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>已在另一窗口打开（%1）</translation>
+    </message>
+    <message>
+        <source>close it there first</source>
+        <translation>请先在那里关闭</translation>
+    </message>
+    <message>
+        <source>a trial is being recorded into it just now</source>
+        <translation>正在向其中录制试验</translation>
+    </message>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>请等待其结束</translation>
+    </message>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>请检查项目文件夹的可用空间和权限</translation>
+    </message>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>请检查其文件夹的可用空间和权限</translation>
+    </message>
+    <message>
+        <source>a file of that name is there already</source>
+        <translation>已有同名文件</translation>
+    </message>
+    <message>
+        <source>choose another name, or remove that file first</source>
+        <translation>请换个名称，或先删除该文件</translation>
+    </message>
+    <message>
+        <source>there is no folder &apos;%1&apos;</source>
+        <translation>没有文件夹“%1”</translation>
+    </message>
+    <message>
+        <source>make the folder first, or choose another one</source>
+        <translation>请先建立该文件夹，或选择另一个</translation>
+    </message>
+    <message>
+        <source>it has no file name</source>
+        <translation>没有文件名</translation>
+    </message>
+    <message>
+        <source>give the file a name</source>
+        <translation>请给文件命名</translation>
+    </message>
+    <message>
+        <source>its name is too long</source>
+        <translation>名称太长</translation>
+    </message>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>请换个更短的名称</translation>
+    </message>
+    <message>
+        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
+        <translation>文件夹“%1”无法写入（%2）</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>请选择可写的文件夹</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to and that has room</source>
+        <translation>请选择可写且有空间的文件夹</translation>
+    </message>
+    <message>
+        <source>choose a folder that can be written to and has room</source>
+        <translation>请选择可写且有空间的文件夹</translation>
+    </message>
+    <message>
+        <source>writing it failed (%1)</source>
+        <translation>写入失败（%1）</translation>
+    </message>
+    <message>
+        <source>it cannot be written (%1)</source>
+        <translation>无法写出（%1）</translation>
+    </message>
+    <message>
+        <source>what it concerns has been changed or used since</source>
+        <translation>其对象此后已被更改或使用</translation>
+    </message>
+    <message>
+        <source>take the later change back first, or leave it</source>
+        <translation>请先撤销后来的更改，或保持不变</translation>
+    </message>
+    <message>
+        <source>nothing has been changed since the project was opened</source>
+        <translation>自打开项目以来没有更改</translation>
+    </message>
+    <message>
+        <source>change something first</source>
+        <translation>请先做更改</translation>
+    </message>
+    <message>
+        <source>nothing has been undone</source>
+        <translation>没有已撤销的操作</translation>
+    </message>
+    <message>
+        <source>undo something first</source>
+        <translation>请先撤销</translation>
+    </message>
+    <message>
+        <source>the project has a %1 of that name already</source>
+        <translation>项目中已有同名的%1</translation>
+    </message>
+    <message>
+        <source>the project has a trial of that name</source>
+        <translation>项目中已有同名试验</translation>
+    </message>
+    <message>
+        <source>choose another name</source>
+        <translation>请换个名称</translation>
+    </message>
+    <message>
+        <source>there is no such %1 in the project</source>
+        <translation>项目中没有这样的%1</translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation>班级</translation>
+    </message>
+    <message>
+        <source>team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>layout</source>
+        <translation>布局</translation>
+    </message>
+    <message>
+        <source>name of a %1</source>
+        <translation>%1的名称</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>为空</translation>
+    </message>
+    <message>
+        <source>give the %1 a name</source>
+        <translation>请给%1命名</translation>
+    </message>
+    <message>
+        <source>it has %1 characters</source>
+        <translation>有 %1 个字符</translation>
+    </message>
+    <message>
+        <source>use at most %1</source>
+        <translation>最多使用 %1 个</translation>
+    </message>
+    <message>
+        <source>it holds a line break or another control character</source>
+        <translation>含有换行或其他控制字符</translation>
+    </message>
+    <message>
+        <source>use a name of one line</source>
+        <translation>请使用单行名称</translation>
+    </message>
+    <message>
+        <source>it is not valid UTF-8 text</source>
+        <translation>不是有效的 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>class &apos;%1&apos;</source>
+        <translation>班级“%1”</translation>
+    </message>
+    <message>
+        <source>team &apos;%1&apos;</source>
+        <translation>小组“%1”</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos;</source>
+        <translation>机器人“%1”</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>相机“%1”</translation>
+    </message>
+    <message>
+        <source>task &apos;%1&apos;</source>
+        <translation>任务“%1”</translation>
+    </message>
+    <message>
+        <source>layout &apos;%1&apos;</source>
+        <translation>布局“%1”</translation>
+    </message>
+    <message>
+        <source>file &apos;%1&apos;</source>
+        <translation>文件“%1”</translation>
+    </message>
+    <message>
+        <source>a team belongs to it</source>
+        <translation>有一个小组属于它</translation>
+    </message>
+    <message>
+        <source>%1 teams belong to it</source>
+        <translation>有 %1 个小组属于它</translation>
+    </message>
+    <message>
+        <source>move its teams to another class first, or archive it</source>
+        <translation>请先把其小组移到别的班级，或将其归档</translation>
+    </message>
+    <message>
+        <source>it drove in a trial</source>
+        <translation>它在某个试验中运行过</translation>
+    </message>
+    <message>
+        <source>keep it</source>
+        <translation>请保留</translation>
+    </message>
+    <message>
+        <source>it can be given another name</source>
+        <translation>可以给它另起名称</translation>
+    </message>
+    <message>
+        <source>a trial has it</source>
+        <translation>有一个试验使用它</translation>
+    </message>
+    <message>
+        <source>%1 trials have it</source>
+        <translation>有 %1 个试验使用它</translation>
+    </message>
+    <message>
+        <source>give them another task first</source>
+        <translation>请先给它们另一任务</translation>
+    </message>
+    <message>
+        <source>trials were measured by it</source>
+        <translation>有试验按它测量</translation>
+    </message>
+    <message>
+        <source>their figures would not say any more what they were measured by</source>
+        <translation>否则指标将不再说明其测量依据</translation>
+    </message>
+    <message>
+        <source>a trial is its</source>
+        <translation>有一个试验属于它</translation>
+    </message>
+    <message>
+        <source>%1 trials are its</source>
+        <translation>有 %1 个试验属于它</translation>
+    </message>
+    <message>
+        <source>delete them for good first, or archive its class</source>
+        <translation>请先永久删除它们，或归档其班级</translation>
+    </message>
+    <message>
+        <source>it has more than %1 members</source>
+        <translation>成员超过 %1 人</translation>
+    </message>
+    <message>
+        <source>give the names of the people in the team</source>
+        <translation>请给出组内人员的姓名</translation>
+    </message>
+    <message>
+        <source>a robot belongs to it twice</source>
+        <translation>有机器人重复属于它</translation>
+    </message>
+    <message>
+        <source>name each of its robots once</source>
+        <translation>每个机器人只写一次</translation>
+    </message>
+    <message>
+        <source>it is being recorded</source>
+        <translation>正在录制</translation>
+    </message>
+    <message>
+        <source>trial &apos;%1&apos; is being recorded</source>
+        <translation>正在录制试验“%1”</translation>
+    </message>
+    <message>
+        <source>end its recording first</source>
+        <translation>请先结束录制</translation>
+    </message>
+    <message>
+        <source>it is not in the bin</source>
+        <translation>不在回收站中</translation>
+    </message>
+    <message>
+        <source>put it into the bin first</source>
+        <translation>请先放入回收站</translation>
+    </message>
+    <message>
+        <source>its height is to be told, but none is given</source>
+        <translation>需要给出高度，但没有</translation>
+    </message>
+    <message>
+        <source>give a height, or let it be estimated</source>
+        <translation>请给出高度，或让程序估计</translation>
+    </message>
+    <message>
+        <source>its height is below the floor</source>
+        <translation>高度低于地面</translation>
+    </message>
+    <message>
+        <source>give a height of 0 or more</source>
+        <translation>请给出 0 或以上的高度</translation>
+    </message>
+    <message>
+        <source>its size is not above 0</source>
+        <translation>尺寸不大于 0</translation>
+    </message>
+    <message>
+        <source>give length and width in millimetres, like 260x190</source>
+        <translation>请以毫米给出长和宽，如 260x190</translation>
+    </message>
+    <message>
+        <source>length &apos;%1&apos;</source>
+        <translation>长度“%1”</translation>
+    </message>
+    <message>
+        <source>not a number with the unit mm, cm or m</source>
+        <translation>不是带单位 mm、cm 或 m 的数字</translation>
+    </message>
+    <message>
+        <source>write it like 25mm, 2.5cm or 0.3m</source>
+        <translation>请写成 25mm、2.5cm 或 0.3m 的形式</translation>
+    </message>
+    <message>
+        <source>not a finite decimal number</source>
+        <translation>不是有限的十进制数</translation>
+    </message>
+    <message>
+        <source>write it with digits and a point, like 12.5</source>
+        <translation>请用数字和小数点书写，如 12.5</translation>
+    </message>
+    <message>
+        <source>correct the pixels</source>
+        <translation>请更正像素</translation>
+    </message>
+    <message>
+        <source>correct it</source>
+        <translation>请更正</translation>
+    </message>
+    <message>
+        <source>correct one of them</source>
+        <translation>请更正其中之一</translation>
+    </message>
+    <message>
+        <source>point %1 is there twice</source>
+        <translation>点 %1 出现两次</translation>
+    </message>
+    <message>
+        <source>point %1 lies at or beyond the horizon of %2</source>
+        <translation>点 %1 位于 %2 的地平线或其外</translation>
+    </message>
+    <message>
+        <source>choose points of the floor</source>
+        <translation>请选择地面上的点</translation>
+    </message>
+    <message>
+        <source>point %1 lies where a lens cannot have put it</source>
+        <translation>点 %1 位于镜头不可能成像的位置</translation>
+    </message>
+    <message>
+        <source>check its pixels and the intrinsics of both cameras</source>
+        <translation>请检查其像素和两台相机的内参</translation>
+    </message>
+    <message>
+        <source>the points are mirrored between the pictures of the two cameras</source>
+        <translation>两台相机画面中的点互为镜像</translation>
+    </message>
+    <message>
+        <source>check which label belongs to which point in %1 and in this camera</source>
+        <translation>请检查 %1 与本相机中标号和点的对应</translation>
+    </message>
+    <message>
+        <source>point %1 would lie at or beyond the horizon</source>
+        <translation>点 %1 将位于地平线或其外</translation>
+    </message>
+    <message>
+        <source>check its pixels in both pictures</source>
+        <translation>请检查它在两个画面中的像素</translation>
+    </message>
+    <message>
+        <source>the floor among the points is known only to ±%1 mm</source>
+        <translation>点之间的地面只能确定到 ±%1 mm</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor, or register %1 better first</source>
+        <translation>请把点分散到地面各处，或先更好地配准 %1</translation>
+    </message>
+    <message>
+        <source>the markers fit only to %1 px, but %2</source>
+        <translation>标记只拟合到 %1 px，但 %2</translation>
+    </message>
+    <message>
+        <source>the %1 markers misfit by %2 px (%3 mm) and check one another too little to tell which of them</source>
+        <translation>%1 个标记偏差 %2 px（%3 mm），彼此校验不足，无法判断是哪一个</translation>
+    </message>
+    <message>
+        <source>it may be wrong by much more</source>
+        <translation>误差可能大得多</translation>
+    </message>
+    <message>
+        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <translation>布局“%2”上有 %1 台相机，需要两台</translation>
+    </message>
+    <message>
+        <source>register the cameras one by one by this layout first</source>
+        <translation>请先按此布局逐台配准相机</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
+        <translation>相机“%1”只看到 %2 个标记</translation>
+    </message>
+    <message>
+        <source>register it by more of them first</source>
+        <translation>请先用更多标记配准它</translation>
+    </message>
+    <message>
+        <source>no two of the cameras see the same marker</source>
+        <translation>没有两台相机看到同一标记</translation>
+    </message>
+    <message>
+        <source>let them see some of the same floor</source>
+        <translation>请让它们看到部分相同的地面</translation>
+    </message>
+    <message>
+        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>第一个端点位于相机“%1”的地平线或其外</translation>
+    </message>
+    <message>
+        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>第二个端点位于相机“%1”的地平线或其外</translation>
+    </message>
+    <message>
+        <source>lay the stick on the floor, nearer to the camera</source>
+        <translation>请把标尺放在地面上离相机更近处</translation>
+    </message>
+    <message>
+        <source>the floor markers cannot be found</source>
+        <translation>找不到地面标记</translation>
+    </message>
+    <message>
+        <source>the markers cannot be told apart</source>
+        <translation>无法区分各标记</translation>
+    </message>
+    <message>
+        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <translation>布局从多个方向看相同，有 %1 种方式同样吻合</translation>
+    </message>
+    <message>
+        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <translation>%1 个圆环和圆点的任何命名方式都与布局不符</translation>
+    </message>
+    <message>
+        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <translation>请检查布局的位置和单位，遮住其他圆形物，或手动标出标记</translation>
+    </message>
+    <message>
+        <source>tag %1 (marker %2) is seen %3 times</source>
+        <translation>标签码 %1（标记 %2）出现 %3 次</translation>
+    </message>
+    <message>
+        <source>leave one of them on the floor</source>
+        <translation>请只在地面留一个</translation>
+    </message>
+    <message>
+        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
+        <translation>无法更改布局“%1”的坐标轴</translation>
+    </message>
+    <message>
+        <source>it has no marker %1</source>
+        <translation>没有标记 %1</translation>
+    </message>
+    <message>
+        <source>name one of %1</source>
+        <translation>请从 %1 中指定一个</translation>
+    </message>
+    <message>
+        <source>the markers that X is to run along lie at one place</source>
+        <translation>X 轴所经的标记位于同一处</translation>
+    </message>
+    <message>
+        <source>name two that lie apart</source>
+        <translation>请指定相距的两个</translation>
+    </message>
+    <message>
+        <source>give one of them</source>
+        <translation>请给出其中之一</translation>
+    </message>
+    <message>
+        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>只反转 X 会使地面镜像，其上的相机看不到这样的地面</translation>
+    </message>
+    <message>
+        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>只反转 Y 会使地面镜像，其上的相机看不到这样的地面</translation>
+    </message>
+    <message>
+        <source>reverse both (a half turn), or turn the axes</source>
+        <translation>请同时反转两者（转半圈），或旋转坐标轴</translation>
+    </message>
+    <message>
+        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <translation>若布局记成了镜像，请更正正负号后重新添加</translation>
+    </message>
+    <message>
+        <source>%1 cannot be set while it is automatic</source>
+        <translation>%1 处于自动时无法设置</translation>
+    </message>
+    <message>
+        <source>turn the automatic off</source>
+        <translation>请关闭自动</translation>
+    </message>
+    <message>
+        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
+        <translation>请检查其电源和电缆，以及本机在相机网络中有地址</translation>
+    </message>
+    <message>
+        <source>a camera whose program has crashed is free again after some seconds</source>
+        <translation>若占用相机的程序崩溃，几秒后相机会恢复可用</translation>
+    </message>
+    <message>
+        <source>no camera of this serial number answers</source>
+        <translation>没有此序列号的相机响应</translation>
+    </message>
+    <message>
+        <source>check its power and cable; odograph cameras lists those that answer</source>
+        <translation>请检查其电源和电缆；odograph cameras 会列出有响应的相机</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not understood</source>
+        <translation>无法理解“%1”</translation>
+    </message>
+    <message>
+        <source>give each point a label</source>
+        <translation>请给每个点一个标号</translation>
+    </message>
+    <message>
+        <source>write one value for each of %1</source>
+        <translation>请为 %1 各写一个值</translation>
+    </message>
+    <message>
+        <source>not of the form #rrggbb</source>
+        <translation>不是 #rrggbb 形式</translation>
+    </message>
+    <message>
+        <source>write it like #d72328</source>
+        <translation>请写成 #d72328 的形式</translation>
+    </message>
+    <message>
+        <source>a board of %1 inner corners is too small</source>
+        <translation>%1 内角点的标定板太小</translation>
+    </message>
+    <message>
+        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <translation>请至少给出 3x3，如 9x6，或不填尺寸</translation>
+    </message>
+    <message>
+        <source>the squares have no size</source>
+        <translation>方格没有尺寸</translation>
+    </message>
+    <message>
+        <source>give it like 25mm</source>
+        <translation>请写成 25mm 的形式</translation>
+    </message>
+    <message>
+        <source>there is no marker dictionary %1</source>
+        <translation>没有标记字典 %1</translation>
+    </message>
+    <message>
+        <source>analyse the trial again</source>
+        <translation>请重新分析该试验</translation>
+    </message>
+    <message>
+        <source>analysis of a trial</source>
+        <translation>试验的分析</translation>
+    </message>
+    <message>
+        <source>the change could not be noted (%1)</source>
+        <translation>无法记录更改（%1）</translation>
+    </message>
+    <message>
+        <source>try it again</source>
+        <translation>请重试</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>an earlier step of this change failed</source>
+        <translation>此更改的前一步失败</translation>
+    </message>
+    <message>
+        <source>try the whole change again</source>
+        <translation>请重试整个更改</translation>
+    </message>
+    <message>
+        <source>cannot hold %1</source>
+        <translation>无法锁定 %1</translation>
+    </message>
+    <message>
+        <source>the labels are not those that it has</source>
+        <translation>标号与原有的不同</translation>
+    </message>
+    <message>
+        <source>add another layout for other markers</source>
+        <translation>其他标记请另加布局</translation>
+    </message>
+    <message>
+        <source>the copy differs from what was written</source>
+        <translation>副本与写入内容不同</translation>
+    </message>
+    <message>
+        <source>it says of itself to have the format %1</source>
+        <translation>其自称格式为 %1</translation>
+    </message>
+    <message>
+        <source>type the name anew</source>
+        <translation>请重新输入名称</translation>
+    </message>
+    <message>
+        <source>type the text anew</source>
+        <translation>请重新输入文本</translation>
+    </message>
+    <message>
+        <source>it has no %1 yet</source>
+        <translation>还没有%1</translation>
+    </message>
+    <message>
+        <source>add one first</source>
+        <translation>请先添加</translation>
+    </message>
+    <message>
+        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
+        <translation>其格式 %1 较旧，读取前须更新，但 %2</translation>
+    </message>
+    <message>
+        <source>it could not be brought to format %1 (%2)</source>
+        <translation>无法更新到格式 %1（%2）</translation>
+    </message>
+    <message>
+        <source>reading it failed (%1)</source>
+        <translation>读取失败（%1）</translation>
+    </message>
+    <message>
+        <source>recording &apos;%1&apos;</source>
+        <translation>录像“%1”</translation>
+    </message>
+    <message>
+        <source>its recording has ended already</source>
+        <translation>其录制已结束</translation>
+    </message>
+    <message>
+        <source>record another trial</source>
+        <translation>请录制另一个试验</translation>
+    </message>
+    <message>
+        <source>comparison of %1</source>
+        <translation>%1 的比较</translation>
+    </message>
+    <message>
+        <source>it has more than %1 lines</source>
+        <translation>超过 %1 行</translation>
+    </message>
+    <message>
+        <source>keep those that matter</source>
+        <translation>请保留重要的</translation>
+    </message>
+    <message>
+        <source>a number in it is none</source>
+        <translation>其中有一个不是数字</translation>
+    </message>
+    <message>
+        <source>give three numbers</source>
+        <translation>请给出三个数字</translation>
+    </message>
+    <message>
+        <source>its points are 0, or beyond 1000</source>
+        <translation>分数为 0 或超过 1000</translation>
+    </message>
+    <message>
+        <source>give points from 1 to 1000, below zero for a penalty</source>
+        <translation>请给出 1 到 1000 的分数，扣分用负数</translation>
+    </message>
+    <message>
+        <source>it is shorter than 1 mm</source>
+        <translation>短于 1 mm</translation>
+    </message>
+    <message>
+        <source>its points are not on a floor of 1 km</source>
+        <translation>其点不在 1 km 的地面内</translation>
+    </message>
+    <message>
+        <source>it has more than %1 points</source>
+        <translation>点数超过 %1</translation>
+    </message>
+    <message>
+        <source>its place is not a number</source>
+        <translation>其位置不是数字</translation>
+    </message>
+    <message>
+        <source>a slalom has 1 to 100 poles, not %1</source>
+        <translation>回转赛道有 1 到 100 根杆，而非 %1</translation>
+    </message>
+    <message>
+        <source>give another number</source>
+        <translation>请给出另一个数字</translation>
+    </message>
+    <message>
+        <source>the board was found in none of %1 pictures (%2)</source>
+        <translation>%1 张图片中都没有找到标定板（%2）</translation>
+    </message>
+    <message>
+        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
+        <translation>请展示整块标定板，平整、清晰、光线均匀，并检查图案和尺寸</translation>
+    </message>
+    <message>
+        <source>the size of its pictures is not known</source>
+        <translation>其画面尺寸未知</translation>
+    </message>
+    <message>
+        <source>it has no intrinsics and no recording</source>
+        <translation>没有内参也没有录像</translation>
+    </message>
+    <message>
+        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
+        <translation>请先标定它、导入其内参，或导入一个用它的试验</translation>
+    </message>
+    <message>
+        <source>it was never calibrated</source>
+        <translation>从未标定</translation>
+    </message>
+    <message>
+        <source>it was registered through another camera</source>
+        <translation>它是通过另一相机配准的</translation>
+    </message>
+    <message>
+        <source>register it through that camera again</source>
+        <translation>请再次通过那台相机配准</translation>
+    </message>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>无法查看（%1）</translation>
+    </message>
+    <message>
+        <source>choose a robot of the trial</source>
+        <translation>请选择该试验的机器人</translation>
+    </message>
+    <message>
+        <source>no track of it was imported</source>
+        <translation>没有导入它的轨迹</translation>
+    </message>
+    <message>
+        <source>begin the file with the line %1</source>
+        <translation>请以 %1 行作为文件开头</translation>
+    </message>
+    <message>
+        <source>begin the file with the line class,team or class,team,pseudonym</source>
+        <translation>请以 class,team 或 class,team,pseudonym 行作为文件开头</translation>
+    </message>
+    <message>
+        <source>there is no such rule of a zone</source>
+        <translation>没有这样的区域规则</translation>
+    </message>
+    <message>
+        <source>it has less than three corners</source>
+        <translation>顶点少于三个</translation>
+    </message>
+    <message>
+        <source>give the corners of its outline, all the way round</source>
+        <translation>请绕一圈给出其轮廓的顶点</translation>
+    </message>
+    <message>
+        <source>give the corners in order, all the way round</source>
+        <translation>请按顺序绕一圈给出顶点</translation>
+    </message>
+    <message>
+        <source>it has more than %1 corners</source>
+        <translation>顶点超过 %1 个</translation>
+    </message>
+    <message>
+        <source>draw it more coarsely</source>
+        <translation>请画得粗略些</translation>
+    </message>
+    <message>
+        <source>sample it more coarsely</source>
+        <translation>请取更稀疏的点</translation>
+    </message>
+    <message>
+        <source>its corners are not on a floor of 1 km</source>
+        <translation>其顶点不在 1 km 的地面内</translation>
+    </message>
+    <message>
+        <source>two corners are less than 1 mm apart</source>
+        <translation>两个顶点相距不足 1 mm</translation>
+    </message>
+    <message>
+        <source>give each corner once</source>
+        <translation>每个顶点只给一次</translation>
+    </message>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>其轮廓自相交叉</translation>
+    </message>
+    <message>
+        <source>the task has %1 zones already</source>
+        <translation>任务已有 %1 个区域</translation>
+    </message>
+    <message>
+        <source>join zones that lie beside one another</source>
+        <translation>请合并相邻的区域</translation>
+    </message>
+    <message>
+        <source>give each zone a name of its own</source>
+        <translation>请给每个区域各自的名称</translation>
+    </message>
+    <message>
+        <source>give where it lies in millimetres</source>
+        <translation>请以毫米给出其位置</translation>
+    </message>
+    <message>
+        <source>name a picture</source>
+        <translation>请指定图片</translation>
+    </message>
+    <message>
+        <source>the file is larger than 1 GB</source>
+        <translation>文件大于 1 GB</translation>
+    </message>
+    <message>
+        <source>the file could not be read</source>
+        <translation>无法读取文件</translation>
+    </message>
+    <message>
+        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
+        <translation>不是 PNG、JPEG、BMP、TIFF 或 PNM 图片</translation>
+    </message>
+    <message>
+        <source>convert it to PNG or JPEG</source>
+        <translation>请转换为 PNG 或 JPEG</translation>
+    </message>
+    <message>
+        <source>make it smaller</source>
+        <translation>请缩小</translation>
+    </message>
+    <message>
+        <source>its content is damaged or cut short</source>
+        <translation>其内容损坏或不完整</translation>
+    </message>
+    <message>
+        <source>copy it again</source>
+        <translation>请重新复制</translation>
+    </message>
+    <message>
+        <source>cannot decode %1</source>
+        <translation>无法解码 %1</translation>
+    </message>
+    <message>
+        <source>cannot show frame %1 of %2</source>
+        <translation>无法显示 %2 的第 %1 帧</translation>
+    </message>
+    <message>
+        <source>it has frames 0 to %1</source>
+        <translation>其帧为 0 到 %1</translation>
+    </message>
+    <message>
+        <source>choose one of these</source>
+        <translation>请从中选择</translation>
+    </message>
+    <message>
+        <source>cannot write the recording %1</source>
+        <translation>无法写出录像 %1</translation>
+    </message>
+    <message>
+        <source>check that its folder may be written to and has room</source>
+        <translation>请检查其文件夹可写且有空间</translation>
+    </message>
+    <message>
+        <source>check that the folder may be written to and has room</source>
+        <translation>请检查文件夹可写且有空间</translation>
+    </message>
+    <message>
+        <source>writing has failed before</source>
+        <translation>此前写入已失败</translation>
+    </message>
+    <message>
+        <source>its pictures have more than 100 megapixels</source>
+        <translation>其画面超过 1 亿像素</translation>
+    </message>
+    <message>
+        <source>convert it to a smaller size</source>
+        <translation>请转换为更小的尺寸</translation>
+    </message>
+    <message>
+        <source>H.264 needs an even width and height, not %1</source>
+        <translation>H.264 需要偶数宽高，而非 %1</translation>
+    </message>
+    <message>
+        <source>use MJPEG or FFV1, or another size</source>
+        <translation>请使用 MJPEG 或 FFV1，或其他尺寸</translation>
+    </message>
+    <message>
+        <source>the installed libavcodec has no encoder for it</source>
+        <translation>已安装的 libavcodec 没有相应编码器</translation>
+    </message>
+    <message>
+        <source>neither their pixels nor a picture to look in was given</source>
+        <translation>既没有给出像素，也没有给出可查找的图像</translation>
+    </message>
+    <message>
+        <source>it was made with it already</source>
+        <translation>已是用它完成的</translation>
+    </message>
+    <message>
+        <source>calibrate the lens first, or put another calibration in force</source>
+        <translation>请先标定镜头，或启用另一标定</translation>
+    </message>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>项目“%1”</translation>
+    </message>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>副本“%1”</translation>
+    </message>
+    <message>
+        <source>copy of &apos;%1&apos;</source>
+        <translation>“%1”的副本</translation>
+    </message>
+    <message>
+        <source>export of &apos;%1&apos;</source>
+        <translation>导出“%1”</translation>
+    </message>
+    <message>
+        <source>cannot open the video %1</source>
+        <translation>无法打开视频 %1</translation>
+    </message>
+    <message>
+        <source>cannot write a frame to the video %1</source>
+        <translation>无法向视频 %1 写入帧</translation>
+    </message>
+    <message>
+        <source>cannot finish the video %1</source>
+        <translation>无法完成视频 %1</translation>
+    </message>
+    <message>
+        <source>cannot encode the video</source>
+        <translation>无法编码视频</translation>
+    </message>
+    <message>
+        <source>the encoder would not start (%1)</source>
+        <translation>编码器无法启动（%1）</translation>
+    </message>
+    <message>
+        <source>check the size, the frame rate and the quality that were asked for</source>
+        <translation>请检查所要求的尺寸、帧率和质量</translation>
+    </message>
+    <message>
+        <source>cannot record into %1</source>
+        <translation>无法录制到 %1</translation>
+    </message>
+    <message>
+        <source>demo in &apos;%1&apos;</source>
+        <translation>“%1”中的演示</translation>
+    </message>
+    <message>
+        <source>colour in the box</source>
+        <translation>框内的颜色</translation>
+    </message>
+    <message>
+        <source>the box is too small, or outside the picture</source>
+        <translation>框太小，或在画面之外</translation>
+    </message>
+    <message>
+        <source>draw it round the robot, at least 8 pixels wide and high</source>
+        <translation>请围着机器人画框，宽高至少 8 像素</translation>
+    </message>
+    <message>
+        <source>the box leaves nothing of the floor to compare with</source>
+        <translation>框外没有可供比较的地面</translation>
+    </message>
+    <message>
+        <source>draw it closely round the robot</source>
+        <translation>请紧贴机器人画框</translation>
+    </message>
+    <message>
+        <source>what differs from the floor around it is grey, black or white</source>
+        <translation>与周围地面不同的部分是灰、黑或白色</translation>
+    </message>
+    <message>
+        <source>put a coloured plate on the robot, and draw the box round that</source>
+        <translation>请在机器人上放彩色板，并围着它画框</translation>
+    </message>
+    <message>
+        <source>it holds no colour that differs from the floor around it</source>
+        <translation>其中没有与周围地面不同的颜色</translation>
+    </message>
+    <message>
+        <source>draw it closely round the robot, or put a plate of another colour on it</source>
+        <translation>请紧贴机器人画框，或在其上放另一种颜色的板</translation>
+    </message>
+    <message>
+        <source>Cannot track</source>
+        <translation>无法跟踪</translation>
+    </message>
+    <message>
+        <source>Cannot track robot %1</source>
+        <translation>无法跟踪机器人 %1</translation>
+    </message>
+    <message>
+        <source>no robot is given</source>
+        <translation>没有给出机器人</translation>
+    </message>
+    <message>
+        <source>add a robot with its colour first</source>
+        <translation>请先添加机器人及其颜色</translation>
+    </message>
+    <message>
+        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
+        <translation>其颜色 %1 为灰色，而只有色相能把机器人与地面区分</translation>
+    </message>
+    <message>
+        <source>put a coloured plate on it and tell that colour</source>
+        <translation>请放上彩色板并给出其颜色</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s path cannot be measured</source>
+        <translation>无法测量机器人的路径</translation>
+    </message>
+    <message>
+        <source>the trial has no view</source>
+        <translation>试验没有视角</translation>
+    </message>
+    <message>
+        <source>import at least one video for it</source>
+        <translation>请至少为其导入一个视频</translation>
+    </message>
+    <message>
+        <source>camera %1 is not registered to the floor</source>
+        <translation>相机 %1 未配准到地面</translation>
+    </message>
+    <message>
+        <source>cameras %1 are not registered to the floor</source>
+        <translation>相机 %1 未配准到地面</translation>
+    </message>
+    <message>
+        <source>run odograph register for at least one of them</source>
+        <translation>请至少配准其中一台</translation>
+    </message>
+    <message>
+        <source>run odograph register for them</source>
+        <translation>请配准它们</translation>
+    </message>
+    <message>
+        <source>view %1 has no frame</source>
+        <translation>视角 %1 没有帧</translation>
+    </message>
+    <message>
+        <source>track the trial&apos;s videos first</source>
+        <translation>请先跟踪该试验的视频</translation>
+    </message>
+    <message>
+        <source>the robot was not found in any picture of %1</source>
+        <translation>在 %1 的任何画面中都没有找到机器人</translation>
+    </message>
+    <message>
+        <source>check that the robot&apos;s colour in the project is the one in the pictures, that nothing else has it, and that the light is sufficient</source>
+        <translation>请检查项目中机器人的颜色与画面一致、别无他物有此颜色，且光线充足</translation>
+    </message>
+    <message>
+        <source>only cameras that are not registered to the floor saw the robot</source>
+        <translation>只有未配准的相机看到了机器人</translation>
+    </message>
+    <message>
+        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
+        <translation>需三角测量其高度，但两个已配准视角几乎没有同时看到它</translation>
+    </message>
+    <message>
+        <source>add a second view, or give the robot one height</source>
+        <translation>请增加第二个视角，或给出机器人的高度</translation>
+    </message>
+    <message>
+        <source>not enough data</source>
+        <translation>数据不足</translation>
+    </message>
+    <message>
+        <source>of %1 frames %2 give a position that can be used</source>
+        <translation>%1 帧中有 %2 帧给出可用的位置</translation>
+    </message>
+    <message>
+        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
+        <translation>请选择更长的视频，或检查机器人的颜色和光线</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>尚未跟踪</translation>
+    </message>
+    <message>
+        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <translation>尚未跟踪，没有可重新分析的内容</translation>
+    </message>
+    <message>
+        <source>track it first</source>
+        <translation>请先跟踪</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>comparison of trial &apos;%1&apos;</source>
+        <translation>试验“%1”的比较</translation>
+    </message>
+    <message>
+        <source>it takes two runs</source>
+        <translation>需要两次运行</translation>
+    </message>
+    <message>
+        <source>choose another run as well</source>
+        <translation>请再选一次运行</translation>
+    </message>
+    <message>
+        <source>a run cannot be compared with itself</source>
+        <translation>运行不能与自身比较</translation>
+    </message>
+    <message>
+        <source>it has several robots</source>
+        <translation>有多个机器人</translation>
+    </message>
+    <message>
+        <source>choose one of them</source>
+        <translation>请选择其中之一</translation>
+    </message>
+    <message>
+        <source>its tracks were imported, so there is no video to track in</source>
+        <translation>其轨迹是导入的，没有可跟踪的视频</translation>
+    </message>
+    <message>
+        <source>its task was changed while it was measured</source>
+        <translation>测量期间其任务被更改</translation>
+    </message>
+    <message>
+        <source>the project has no robot to look for</source>
+        <translation>项目中没有可寻找的机器人</translation>
+    </message>
+    <message>
+        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <translation>其画面为 %1，而相机在 %2 下标定</translation>
+    </message>
+    <message>
+        <source>calibrate and register the camera at the size it records</source>
+        <translation>请按录制尺寸标定并配准相机</translation>
+    </message>
+    <message>
+        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
+        <translation>试验“%2”的视角“%1”</translation>
+    </message>
+    <message>
+        <source>synchronisation of the clips</source>
+        <translation>视频的同步</translation>
+    </message>
+    <message>
+        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
+        <translation>请在两台相机录制时闪一次室内灯，或给出偏移</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>计时门“%1”</translation>
+    </message>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>区域“%1”</translation>
+    </message>
+    <message>
+        <source>its ends are not on a floor of 1 km</source>
+        <translation>其端点不在 1 km 的地面内</translation>
+    </message>
+    <message>
+        <source>check the numbers</source>
+        <translation>请检查数字</translation>
+    </message>
+    <message>
+        <source>its ends are less than 1 mm apart</source>
+        <translation>其端点相距不足 1 mm</translation>
+    </message>
+    <message>
+        <source>give the two ends of the line that is to be passed</source>
+        <translation>请给出需通过的线的两个端点</translation>
+    </message>
+    <message>
+        <source>the name is there twice</source>
+        <translation>名称出现两次</translation>
+    </message>
+    <message>
+        <source>give each gate a name of its own</source>
+        <translation>请给每个门各自的名称</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos; is the start already</source>
+        <translation>门“%1”已是起点</translation>
+    </message>
+    <message>
+        <source>gate &apos;%1&apos; is the finish already</source>
+        <translation>门“%1”已是终点</translation>
+    </message>
+    <message>
+        <source>keep one start and one finish, or one gate with the role start_finish</source>
+        <translation>请保留一个起点和一个终点，或一个兼作两者的门</translation>
+    </message>
+    <message>
+        <source>reference path</source>
+        <translation>参考路径</translation>
+    </message>
+    <message>
+        <source>it has too few points</source>
+        <translation>点太少</translation>
+    </message>
+    <message>
+        <source>give two points or more, three where the path is closed</source>
+        <translation>请给出两个或以上的点，闭合路径需三个</translation>
+    </message>
+    <message>
+        <source>limits of a task</source>
+        <translation>任务的限值</translation>
+    </message>
+    <message>
+        <source>a limit is not above zero</source>
+        <translation>限值不大于零</translation>
+    </message>
+    <message>
+        <source>give the largest speed and acceleration that a robot can have in the task</source>
+        <translation>请给出任务中机器人可能的最大速度和加速度</translation>
+    </message>
+    <message>
+        <source>template of a task</source>
+        <translation>任务的模板</translation>
+    </message>
+    <message>
+        <source>a size is less than 1 mm</source>
+        <translation>某个尺寸小于 1 mm</translation>
+    </message>
+    <message>
+        <source>give the sizes in millimetres</source>
+        <translation>请以毫米给出尺寸</translation>
+    </message>
+    <message>
+        <source>scoring</source>
+        <translation>评分</translation>
+    </message>
+    <message>
+        <source>line %1 of the scoring</source>
+        <translation>评分的第 %1 行</translation>
+    </message>
+    <message>
+        <source>it names no figure</source>
+        <translation>没有指定指标</translation>
+    </message>
+    <message>
+        <source>choose what is scored</source>
+        <translation>请选择评分对象</translation>
+    </message>
+    <message>
+        <source>all points and no points are at the same value</source>
+        <translation>满分与零分对应同一数值</translation>
+    </message>
+    <message>
+        <source>give two values, between which the points rise</source>
+        <translation>请给出两个数值，分数在其间上升</translation>
+    </message>
+    <message>
+        <source>%1 points are too few for it</source>
+        <translation>%1 个点不够</translation>
+    </message>
+    <message>
+        <source>choose a longer range</source>
+        <translation>请选择更长的区间</translation>
+    </message>
+    <message>
+        <source>the robot was not measured there, so there is nothing to judge</source>
+        <translation>机器人在那里没有被测到，无从判断</translation>
+    </message>
+    <message>
+        <source>there is no such frame</source>
+        <translation>没有这一帧</translation>
+    </message>
+    <message>
+        <source>import of trial &apos;%1&apos;</source>
+        <translation>导入试验“%1”</translation>
+    </message>
+    <message>
+        <source>no video was given</source>
+        <translation>没有给出视频</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; was given two videos</source>
+        <translation>给相机“%1”指定了两个视频</translation>
+    </message>
+    <message>
+        <source>give each view its own camera</source>
+        <translation>请给每个视角各自的相机</translation>
+    </message>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3 s</source>
+        <translation>视角“%1”和“%2”在偏移 %3 s 时没有共同时间</translation>
+    </message>
+    <message>
+        <source>check the files and the --sync offset</source>
+        <translation>请检查文件和偏移</translation>
+    </message>
+    <message>
+        <source>it is not an ordinary file</source>
+        <translation>不是普通文件</translation>
+    </message>
+    <message>
+        <source>name a video file</source>
+        <translation>请指定视频文件</translation>
+    </message>
+    <message>
+        <source>name a video file in it</source>
+        <translation>请指定其中的视频文件</translation>
+    </message>
+    <message>
+        <source>name a file</source>
+        <translation>请指定文件</translation>
+    </message>
+    <message>
+        <source>check the permissions of its folder</source>
+        <translation>请检查其文件夹的权限</translation>
+    </message>
+    <message>
+        <source>copy it from the camera again</source>
+        <translation>请从相机重新复制</translation>
+    </message>
+    <message>
+        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
+        <translation>不是可读类型的视频，或其文件头损坏或缺失（%1）</translation>
+    </message>
+    <message>
+        <source>give an MP4, MOV, MKV or AVI file</source>
+        <translation>请给出 MP4、MOV、MKV 或 AVI 文件</translation>
+    </message>
+    <message>
+        <source>copy it from the camera again if it was cut short</source>
+        <translation>若被截断，请从相机重新复制</translation>
+    </message>
+    <message>
+        <source>it holds no video stream that can be read</source>
+        <translation>其中没有可读的视频流</translation>
+    </message>
+    <message>
+        <source>give the file that the camera recorded</source>
+        <translation>请给出相机录制的文件</translation>
+    </message>
+    <message>
+        <source>there is no decoder for %1</source>
+        <translation>没有 %1 的解码器</translation>
+    </message>
+    <message>
+        <source>its decoder would not start (%1)</source>
+        <translation>其解码器无法启动（%1）</translation>
+    </message>
+    <message>
+        <source>convert it to H.264</source>
+        <translation>请转换为 H.264</translation>
+    </message>
+    <message>
+        <source>its data are damaged</source>
+        <translation>数据已损坏</translation>
+    </message>
+    <message>
+        <source>it is left out</source>
+        <translation>已舍去</translation>
+    </message>
+    <message>
+        <source>the video has no picture</source>
+        <translation>视频中没有图像</translation>
+    </message>
+    <message>
+        <source>it has no picture</source>
+        <translation>没有图像</translation>
+    </message>
+    <message>
+        <source>give another file</source>
+        <translation>请给出另一文件</translation>
+    </message>
+    <message>
+        <source>check that the folder exists, may be written to and has room</source>
+        <translation>请检查文件夹存在、可写且有空间</translation>
+    </message>
+    <message>
+        <source>cannot write the video %1</source>
+        <translation>无法写出视频 %1</translation>
+    </message>
+    <message>
+        <source>its name ends with neither .mkv nor .mp4</source>
+        <translation>其名称不以 .mkv 或 .mp4 结尾</translation>
+    </message>
+    <message>
+        <source>give it one of these endings</source>
+        <translation>请使用其中一种扩展名</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>无法写出“%1”</translation>
+    </message>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>打包“%1”</translation>
+    </message>
+    <message>
+        <source>unpack &apos;%1&apos;</source>
+        <translation>解包“%1”</translation>
+    </message>
+    <message>
+        <source>unpack into &apos;%1&apos;</source>
+        <translation>解包到“%1”</translation>
+    </message>
+    <message>
+        <source>it is there already</source>
+        <translation>已存在</translation>
+    </message>
+    <message>
+        <source>choose a folder that is not there yet</source>
+        <translation>请选择尚不存在的文件夹</translation>
+    </message>
+    <message>
+        <source>choose an empty folder</source>
+        <translation>请选择空文件夹</translation>
+    </message>
+    <message>
+        <source>it has become shorter meanwhile</source>
+        <translation>其间变短了</translation>
+    </message>
+    <message>
+        <source>wait until nobody writes to it, and try again</source>
+        <translation>请等到无人写入后重试</translation>
+    </message>
+    <message>
+        <source>there is no project in it</source>
+        <translation>其中没有项目</translation>
+    </message>
+    <message>
+        <source>it has too many files</source>
+        <translation>文件过多</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not belong into a packed project</source>
+        <translation>“%1”不属于打包的项目</translation>
+    </message>
+    <message>
+        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
+        <translation>请选择 Odograph 打包的文件，若损坏请重新复制</translation>
+    </message>
+    <message>
+        <source>it is written in UTF-16</source>
+        <translation>其编码为 UTF-16</translation>
+    </message>
+    <message>
+        <source>it is not a UTF-8 text file</source>
+        <translation>不是 UTF-8 文本文件</translation>
+    </message>
+    <message>
+        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
+        <translation>请另存为 &quot;CSV UTF-8&quot; 或 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>save it again as UTF-8 text</source>
+        <translation>请另存为 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 KiB</source>
+        <translation>大于 %1 KiB</translation>
+    </message>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>请检查是否为正确的文件</translation>
+    </message>
+    <message>
+        <source>its columns are separated by semicolons</source>
+        <translation>其列以分号分隔</translation>
+    </message>
+    <message>
+        <source>save it with commas, and with a point in its numbers</source>
+        <translation>请用逗号分隔、数字用小数点保存</translation>
+    </message>
+    <message>
+        <source>save it with commas</source>
+        <translation>请用逗号分隔保存</translation>
+    </message>
+    <message>
+        <source>it lacks the expected header line</source>
+        <translation>缺少所需的标题行</translation>
+    </message>
+    <message>
+        <source>it lacks the column %1</source>
+        <translation>缺少列 %1</translation>
+    </message>
+    <message>
+        <source>it has %1 cells instead of %2</source>
+        <translation>有 %1 个单元格，应为 %2 个</translation>
+    </message>
+    <message>
+        <source>a quoted cell does not end</source>
+        <translation>带引号的单元格没有结束</translation>
+    </message>
+    <message>
+        <source>close the quotes</source>
+        <translation>请补上引号</translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos; is not a finite number</source>
+        <translation>%1“%2”不是有限数</translation>
+    </message>
+    <message>
+        <source>the label is empty</source>
+        <translation>标号为空</translation>
+    </message>
+    <message>
+        <source>the label &apos;%1&apos; is in line %2 already</source>
+        <translation>标号“%1”已在第 %2 行</translation>
+    </message>
+    <message>
+        <source>the label &apos;%1&apos; is there twice</source>
+        <translation>标号“%1”出现两次</translation>
+    </message>
+    <message>
+        <source>give each marker a label</source>
+        <translation>请给每个标记一个标号</translation>
+    </message>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>请给每个标记各自的标号</translation>
+    </message>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>请给每个点各自的标号</translation>
+    </message>
+    <message>
+        <source>there are no markers below the header</source>
+        <translation>标题行下没有标记</translation>
+    </message>
+    <message>
+        <source>write one line for each marker</source>
+        <translation>每个标记写一行</translation>
+    </message>
+    <message>
+        <source>mend these lines</source>
+        <translation>请修正这些行</translation>
+    </message>
+    <message>
+        <source>nothing was imported</source>
+        <translation>没有导入任何内容</translation>
+    </message>
+    <message>
+        <source>it has no team</source>
+        <translation>没有小组</translation>
+    </message>
+    <message>
+        <source>write a line with class and team below the header</source>
+        <translation>请在标题行下写一行班级和小组</translation>
+    </message>
+    <message>
+        <source>roster &apos;%1&apos;</source>
+        <translation>名单“%1”</translation>
+    </message>
+    <message>
+        <source>no track was given</source>
+        <translation>没有给出轨迹</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; was given two tracks</source>
+        <translation>给机器人“%1”指定了两条轨迹</translation>
+    </message>
+    <message>
+        <source>give each robot one</source>
+        <translation>请给每个机器人一条</translation>
+    </message>
+    <message>
+        <source>its column &apos;%1&apos; is in a unit that is not known</source>
+        <translation>其列“%1”的单位未知</translation>
+    </message>
+    <message>
+        <source>give times in s or ms and places in m, cm or mm</source>
+        <translation>时间请用 s 或 ms，位置请用 m、cm 或 mm</translation>
+    </message>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;</source>
+        <translation>其中没有名为“%1”的轨迹</translation>
+    </message>
+    <message>
+        <source>give the robot the name of one of them</source>
+        <translation>请给机器人取其中之一的名称</translation>
+    </message>
+    <message>
+        <source>it has no samples</source>
+        <translation>没有采样点</translation>
+    </message>
+    <message>
+        <source>its times do not rise</source>
+        <translation>时间不递增</translation>
+    </message>
+    <message>
+        <source>import another file</source>
+        <translation>请导入另一文件</translation>
+    </message>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>在“%1”中查找</translation>
+    </message>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>请检查文件夹是否存在且可读</translation>
+    </message>
+    <message>
+        <source>lost videos</source>
+        <translation>丢失的视频</translation>
+    </message>
+    <message>
+        <source>no video of this project is lost</source>
+        <translation>此项目没有丢失的视频</translation>
+    </message>
+    <message>
+        <source>there is nothing to do</source>
+        <translation>无需操作</translation>
+    </message>
+    <message>
+        <source>the lost video is not there</source>
+        <translation>丢失的视频不在那里</translation>
+    </message>
+    <message>
+        <source>none of the %1 lost videos is there</source>
+        <translation>%1 个丢失的视频都不在那里</translation>
+    </message>
+    <message>
+        <source>choose the folder where they were copied to</source>
+        <translation>请选择它们被复制到的文件夹</translation>
+    </message>
+    <message>
+        <source>%1 is there already</source>
+        <translation>%1 已存在</translation>
+    </message>
+    <message>
+        <source>open it, or choose another folder</source>
+        <translation>请打开它，或选择另一文件夹</translation>
+    </message>
+    <message>
+        <source>choose a folder you can write to, with 300 MB free</source>
+        <translation>请选择可写且有 300 MB 空间的文件夹</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

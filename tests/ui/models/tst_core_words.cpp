@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What core says is found again by its patterns: core is made to say it here, so that a sentence that is
 // changed there alone is noticed.
+#include "core/base/units.h"
 #include "core/calibration/accuracy_words.h"
 #include "core/calibration/calibration_verdict.h"
 #include "core/calibration/floor_registration.h"
@@ -8,8 +9,11 @@
 #include "core/calibration/moved_check.h"
 #include "core/calibration/typical_testbed.h"
 #include "core/capture/setup_checks.h"
+#include "core/exchange/roster_csv.h"
+#include "core/project/project.h"
 #include "core/trajectory/spike_flags.h"
 #include "core/trajectory/unseen_stretches.h"
+#include "core/video/video_reader.h"
 #include "core/workflow/live_tracking.h"
 #include "core/workflow/profile_change.h"
 #include "tests/ui/support/example_scene.h"
@@ -20,8 +24,10 @@
 #include <QHash>
 #include <QLocale>
 #include <QRegularExpression>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
+#include <fstream>
 
 using namespace odo;
 
@@ -83,12 +89,14 @@ std::vector<std::string> setupWords()
     usb.health.notHeld = {"Gain", "Focus"};
     net.health.notHeld = {"Gain"};
     free.health.automaticsHeld = true;
-    lit.controls = {{.id = "exposure_time", .name = "Exposure time", .value = 100, .choices = {}, .unit = "100 µs"}};
+    lit.controls = {
+        {.id = "exposure_time", .name = "Exposure time", .value = 100, .choices = {}, .unit = "100 µs"}};
     off.controls = {{.id = "power_line",
                      .name = "Power",
                      .kind = CameraControl::Kind::Choice,
                      .value = 0,
-                     .choices = {"Disabled"}, .unit = ""}};
+                     .choices = {"Disabled"},
+                     .unit = ""}};
     CheckedCamera odd = lit, filtered = off;
     odd.controls[0].value = 77;
     filtered.controls[0].choices = {"Hall"};
@@ -259,6 +267,44 @@ std::vector<std::string> floorWords()
     return words;
 }
 
+/// What a person meets first: a file, a roster, markers, a length.
+std::vector<std::string> errorSentences()
+{
+    const TrialScenePtr scene = exampleScene({});
+    const FloorView &view = *scene->views.front().floorView;
+    std::vector<Error> errors{machineSleptError(std::chrono::minutes(5)), slowCameraError("Left", 12, 30)};
+    const auto add = [&](const auto &result) {
+        if (!result)
+            errors.push_back(result.error());
+    };
+    QTemporaryDir folder;
+    const std::filesystem::path file = folder.filePath(QStringLiteral("Hall.csv")).toStdString();
+    add(Project::open(file, Project::Access::ReadWrite));
+    add(readRosterCsv(file));
+    add(VideoReader::open(file));
+    std::ofstream(file).close();
+    add(Project::open(file, Project::Access::ReadWrite));
+    add(readRosterCsv(file));
+    add(VideoReader::open(file));
+    std::ofstream(file) << std::string(5000, '-');
+    add(Project::open(file, Project::Access::ReadWrite));
+    add(readRosterCsv(file));
+    add(VideoReader::open(file));
+    add(VideoReader::open(file.parent_path()));
+    add(registerFloor(*scene->layout, {}, view.camera(), true));
+    add(checkMoved("Left", view, {{"O", {1, 1}}, {"U", {1, 1}}}, {}, 0.3));
+    add(checkLength({}, std::nullopt));
+    add(parseLengthM("Hall"));
+    std::vector<std::string> words;
+    for (const Error &error : errors)
+        words.insert(words.end(), {error.what, error.why, error.advice, error.message()});
+    if (errors.size() < 15)
+        words.push_back("only these errors: " + std::to_string(errors.size()));
+    for (std::string &each : words)
+        each = QString::fromStdString(each).replace(folder.path(), QStringLiteral("Hall")).toStdString();
+    return words;
+}
+
 } // namespace
 
 class TestCoreWords : public QObject
@@ -307,7 +353,7 @@ void TestCoreWords::inEnglishNothingChanges()
 {
     QLocale::setDefault(QLocale(QLocale::German)); // of dates and of numbers, not of words
     for (const auto &sentences :
-         {setupWords(), healthSentences(), spikeReasons(), lensVerdicts(), floorWords()})
+         {setupWords(), healthSentences(), spikeReasons(), lensVerdicts(), floorWords(), errorSentences()})
         for (const std::string &each : sentences)
             QCOMPARE(shownWords(each), QString::fromStdString(each));
     for (const CorePattern &pattern : corePatterns())
@@ -316,7 +362,7 @@ void TestCoreWords::inEnglishNothingChanges()
 
 void TestCoreWords::eachPatternIsFoundByItself()
 {
-    QVERIFY(corePatterns().size() > 250);
+    QVERIFY(corePatterns().size() > 700);
     for (const CorePattern &pattern : corePatterns()) {
         QString sentence = QString::fromUtf8(pattern.english);
         QVERIFY2(!sentence.endsWith(u'.'), pattern.english);
@@ -337,21 +383,34 @@ void TestCoreWords::whatCoreSaysIsKnown_data()
     QTest::newRow("spikes") << spikeReasons();
     QTest::newRow("lenses") << lensVerdicts();
     QTest::newRow("floor") << floorWords();
+    QTest::newRow("errors") << errorSentences();
 }
 
 void TestCoreWords::whatCoreSaysIsKnown()
 {
     QFETCH(std::vector<std::string>, sentences);
     QVERIFY(sentences.size() > 5);
-    const QStringList names{QStringLiteral("Left"),        QStringLiteral("Hall"),
-                            QStringLiteral("Gain"),        QStringLiteral("Focus"),
-                            QStringLiteral("Power"),       QStringLiteral("usb1"),
-                            QStringLiteral("/dev/video0"), QStringLiteral("left02.jpg")};
+    const QStringList names{QStringLiteral("/Hall.csv"),
+                            QStringLiteral("Hall.csv"),
+                            QStringLiteral("min"),
+                            QStringLiteral("class,team,pseudonym"),
+                            QStringLiteral("class,team"),
+                            QStringLiteral("class"),                                    // columns
+                            QStringLiteral("Invalid data found when processing input"), // says libav
+                            QStringLiteral("Left"),
+                            QStringLiteral("Hall"),
+                            QStringLiteral("Gain"),
+                            QStringLiteral("Focus"),
+                            QStringLiteral("Power"),
+                            QStringLiteral("usb1"),
+                            QStringLiteral("/dev/video0"),
+                            QStringLiteral("left02.jpg")};
     const Language other(false);
-    for (const std::string &each : sentences) {
-        const QString left = leftEnglish(each, names);
-        QVERIFY2(left.isEmpty(), qPrintable(left));
-    }
+    QStringList all;
+    for (const std::string &each : sentences)
+        if (const QString left = leftEnglish(each, names); !left.isEmpty())
+            all << left;
+    QVERIFY2(all.isEmpty(), qPrintable(all.join(u'\n')));
 }
 
 void TestCoreWords::errorsAreSentences()

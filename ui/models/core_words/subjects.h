@@ -17,11 +17,17 @@ std::span<const CorePattern> health(); ///< Cameras, step, disk and the live map
 std::span<const CorePattern> setup(); ///< Titles, findings and advice of the set-up doctor.
 std::span<const CorePattern> spikes(); ///< Reasons of spikes.
 std::span<const CorePattern> changes(); ///< Changes of the project whose words core makes, and where calibrations come from.
+std::span<const CorePattern> errorsProject(); ///< Errors of projects: opening, saving, names, what belongs to what.
+std::span<const CorePattern> errorsVideo(); ///< Errors of videos, imports, roster and tracks of other programs.
+std::span<const CorePattern> errorsCapture(); ///< Errors of cameras, recording and the disk.
+std::span<const CorePattern> errorsCalibration(); ///< Errors of calibrating, registering and checking cameras.
+std::span<const CorePattern> errorsTracking(); ///< Errors of tracking, measuring, comparing, tasks and scoring; and what most errors are about.
+std::span<const CorePattern> errorsRest(); ///< Errors that are met seldom.
 
 /// One a subject.
 inline auto all()
 {
-    return std::array{calibration(), registration(), attentions(), health(), setup(), spikes(), changes()};
+    return std::array{calibration(), registration(), attentions(), health(), setup(), spikes(), changes(), errorsProject(), errorsVideo(), errorsCapture(), errorsCalibration(), errorsTracking(), errorsRest()};
 }
 
 } // namespace odo::core_words
