@@ -4155,6 +4155,50 @@
         <source>choose a folder you can write to, with 300 MB free</source>
         <translation>wählen Sie einen beschreibbaren Ordner mit 300 MB Platz</translation>
     </message>
+    <message>
+        <source>take over the set-up of %1</source>
+        <translation>Aufbau von %1 übernehmen</translation>
+    </message>
+    <message>
+        <source>new project</source>
+        <translation>neues Projekt</translation>
+    </message>
+    <message>
+        <source>taking over the set-up</source>
+        <translation>Aufbau wird übernommen</translation>
+    </message>
+    <message>
+        <source>speed limit</source>
+        <translation>Geschwindigkeitsgrenze</translation>
+    </message>
+    <message>
+        <source>acceleration limit</source>
+        <translation>Beschleunigungsgrenze</translation>
+    </message>
+    <message>
+        <source>views disagree</source>
+        <translation>Sichten uneins</translation>
+    </message>
+    <message>
+        <source>low score</source>
+        <translation>geringe Güte</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>duplicate frame</source>
+        <translation>doppeltes Bild</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpoliert</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -4155,6 +4155,50 @@
         <source>choose a folder you can write to, with 300 MB free</source>
         <translation>elija una carpeta en la que pueda escribir, con 300 MB libres</translation>
     </message>
+    <message>
+        <source>take over the set-up of %1</source>
+        <translation>tomar el montaje de %1</translation>
+    </message>
+    <message>
+        <source>new project</source>
+        <translation>proyecto nuevo</translation>
+    </message>
+    <message>
+        <source>taking over the set-up</source>
+        <translation>tomando el montaje</translation>
+    </message>
+    <message>
+        <source>speed limit</source>
+        <translation>límite de velocidad</translation>
+    </message>
+    <message>
+        <source>acceleration limit</source>
+        <translation>límite de aceleración</translation>
+    </message>
+    <message>
+        <source>views disagree</source>
+        <translation>vistas discrepantes</translation>
+    </message>
+    <message>
+        <source>low score</source>
+        <translation>puntuación baja</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>perdido</translation>
+    </message>
+    <message>
+        <source>duplicate frame</source>
+        <translation>fotograma repetido</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpolado</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>a mano</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -4155,6 +4155,50 @@
         <source>choose a folder you can write to, with 300 MB free</source>
         <translation>choisissez un dossier où vous pouvez écrire, avec 300 Mo libres</translation>
     </message>
+    <message>
+        <source>take over the set-up of %1</source>
+        <translation>reprise de l’installation de %1</translation>
+    </message>
+    <message>
+        <source>new project</source>
+        <translation>nouveau projet</translation>
+    </message>
+    <message>
+        <source>taking over the set-up</source>
+        <translation>reprise de l’installation</translation>
+    </message>
+    <message>
+        <source>speed limit</source>
+        <translation>limite de vitesse</translation>
+    </message>
+    <message>
+        <source>acceleration limit</source>
+        <translation>limite d’accélération</translation>
+    </message>
+    <message>
+        <source>views disagree</source>
+        <translation>désaccord des vues</translation>
+    </message>
+    <message>
+        <source>low score</source>
+        <translation>score faible</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>perdu</translation>
+    </message>
+    <message>
+        <source>duplicate frame</source>
+        <translation>image répétée</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpolé</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>à la main</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

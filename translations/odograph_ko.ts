@@ -4153,6 +4153,50 @@
         <source>choose a folder you can write to, with 300 MB free</source>
         <translation>쓸 수 있고 300 MB의 여유가 있는 폴더를 고르십시오</translation>
     </message>
+    <message>
+        <source>take over the set-up of %1</source>
+        <translation>%1의 설정 이어받기</translation>
+    </message>
+    <message>
+        <source>new project</source>
+        <translation>새 프로젝트</translation>
+    </message>
+    <message>
+        <source>taking over the set-up</source>
+        <translation>설정 이어받는 중</translation>
+    </message>
+    <message>
+        <source>speed limit</source>
+        <translation>속력 한계</translation>
+    </message>
+    <message>
+        <source>acceleration limit</source>
+        <translation>가속도 한계</translation>
+    </message>
+    <message>
+        <source>views disagree</source>
+        <translation>뷰 불일치</translation>
+    </message>
+    <message>
+        <source>low score</source>
+        <translation>낮은 점수</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>놓침</translation>
+    </message>
+    <message>
+        <source>duplicate frame</source>
+        <translation>중복 프레임</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>보간됨</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>수동</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -4153,6 +4153,50 @@
         <source>choose a folder you can write to, with 300 MB free</source>
         <translation>请选择可写且有 300 MB 空间的文件夹</translation>
     </message>
+    <message>
+        <source>take over the set-up of %1</source>
+        <translation>沿用 %1 的设置</translation>
+    </message>
+    <message>
+        <source>new project</source>
+        <translation>新项目</translation>
+    </message>
+    <message>
+        <source>taking over the set-up</source>
+        <translation>正在沿用设置</translation>
+    </message>
+    <message>
+        <source>speed limit</source>
+        <translation>速度限值</translation>
+    </message>
+    <message>
+        <source>acceleration limit</source>
+        <translation>加速度限值</translation>
+    </message>
+    <message>
+        <source>views disagree</source>
+        <translation>视角不一致</translation>
+    </message>
+    <message>
+        <source>low score</source>
+        <translation>得分低</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>丢失</translation>
+    </message>
+    <message>
+        <source>duplicate frame</source>
+        <translation>重复帧</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>插值</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>人工</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

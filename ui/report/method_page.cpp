@@ -2,6 +2,7 @@
 #include "ui/report/method_page.h"
 
 #include "ui/models/analysis_words.h"
+#include "ui/models/core_words.h"
 #include "ui/models/explanation.h"
 #include "ui/models/metric_choice.h"
 #include "ui/report/report_painting.h"
@@ -17,6 +18,14 @@
 namespace odo {
 
 namespace {
+
+QString flagWords(SampleFlags flags)
+{
+    QStringList words;
+    for (const QString &name : QString::fromStdString(flagNames(flags)).replace(u'_', u' ').split(u'|', Qt::SkipEmptyParts))
+        words << shownWords(name);
+    return words.join(QStringLiteral(", "));
+}
 
 class Words
 {
@@ -81,7 +90,7 @@ void drawSamples(QPainter &painter, const QRectF &rect, const Profile &profile)
                   << decimals(units.acceleration.perSi * point.accelMps2, 2);
         else
             cells << QStringList(5, QStringLiteral("–"));
-        cells << QString::fromStdString(flagNames(profile.samples[i].flags)).replace(u'|', QStringLiteral(", ")).replace(u'_', u' ');
+        cells << flagWords(profile.samples[i].flags);
         table.rows << ReportTable::Row{cells, !point.valid, false};
     }
     const QRectF left = drawPartTitle(painter, rect, Words::tr("What was measured"),

@@ -35,6 +35,8 @@ std::span<const CorePattern> changes()
         {QT_TRANSLATE_NOOP("CoreWords", "measure %1 again")},
         {QT_TRANSLATE_NOOP("CoreWords", "record %1")},
         {QT_TRANSLATE_NOOP("CoreWords", "connect camera %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "take over the set-up of %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "new project")},
     };
     return patterns;
 }

@@ -39,6 +39,7 @@ std::span<const CorePattern> health()
         {QT_TRANSLATE_NOOP("CoreWords", "calibrating camera %1")},
         {QT_TRANSLATE_NOOP("CoreWords", "settling which robot is which")},
         {QT_TRANSLATE_NOOP("CoreWords", "fitting %1 cameras together")},
+        {QT_TRANSLATE_NOOP("CoreWords", "taking over the set-up")},
     };
     return patterns;
 }

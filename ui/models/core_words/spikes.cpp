@@ -19,6 +19,14 @@ std::span<const CorePattern> spikes()
         {QT_TRANSLATE_NOOP("CoreWords", "called a spike by hand")},
         {QT_TRANSLATE_NOOP("CoreWords", "cut by the picture's edge")},
         {QT_TRANSLATE_NOOP("CoreWords", "the tracker was not sure (score %1 %)")},
+        {QT_TRANSLATE_NOOP("CoreWords", "speed limit")},
+        {QT_TRANSLATE_NOOP("CoreWords", "acceleration limit")},
+        {QT_TRANSLATE_NOOP("CoreWords", "views disagree")},
+        {QT_TRANSLATE_NOOP("CoreWords", "low score")},
+        {QT_TRANSLATE_NOOP("CoreWords", "lost")},
+        {QT_TRANSLATE_NOOP("CoreWords", "duplicate frame")},
+        {QT_TRANSLATE_NOOP("CoreWords", "interpolated")},
+        {QT_TRANSLATE_NOOP("CoreWords", "by hand")},
     };
     return patterns;
 }
