@@ -12143,6 +12143,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::TrialTable</name>
+    <message>
+        <source>Trials</source>
+        <translation>Versuche</translation>
+    </message>
+</context>
+<context>
     <name>odo::TroubleBar</name>
     <message>
         <source>What is the matter</source>

@@ -12143,6 +12143,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::TrialTable</name>
+    <message>
+        <source>Trials</source>
+        <translation>Ensayos</translation>
+    </message>
+</context>
+<context>
     <name>odo::TroubleBar</name>
     <message>
         <source>What is the matter</source>

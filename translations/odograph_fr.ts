@@ -12143,6 +12143,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::TrialTable</name>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+</context>
+<context>
     <name>odo::TroubleBar</name>
     <message>
         <source>What is the matter</source>

@@ -12114,6 +12114,13 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
+    <name>odo::TrialTable</name>
+    <message>
+        <source>Trials</source>
+        <translation>试验</translation>
+    </message>
+</context>
+<context>
     <name>odo::TroubleBar</name>
     <message>
         <source>What is the matter</source>

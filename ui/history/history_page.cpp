@@ -8,22 +8,20 @@
 #include "ui/history/teams_panel.h"
 #include "ui/history/trial_detail.h"
 #include "ui/history/trial_filter_bar.h"
+#include "ui/history/trial_table.h"
 #include "ui/models/shown_team.h"
 #include "ui/models/trial_model.h"
 #include "ui/views/card.h"
 #include "ui/views/command_names.h"
-#include "ui/views/table_list.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSplitter>
 #include <QTabWidget>
-#include <QTableView>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
@@ -53,7 +51,7 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
     : QWidget(parent), m_project(project), m_readOnly(readOnly), m_trials(new TrialModel(this)),
       m_search(new QLineEdit(this)), m_compare(new QPushButton(tr("&Compare"), this)),
       m_filterBar(new TrialFilterBar(this)), m_marks(new MarkActions(project, *this)),
-      m_pseudonyms(new QAction(tr("Teams by &pseudonym"), this)), m_table(new QTableView(this)),
+      m_pseudonyms(new QAction(tr("Teams by &pseudonym"), this)), m_table(new TrialTable(*m_trials, this)),
       m_teams(new TeamsPanel(project, this)), m_tabs(new QTabWidget(this)),
       m_detail(new TrialDetail(project, this)), m_readTimer(new QTimer(this))
 {
@@ -107,25 +105,7 @@ HistoryPage::~HistoryPage() = default;
 
 QWidget *HistoryPage::makeTable()
 {
-    m_table->setObjectName(QStringLiteral("trials"));
-    m_table->setModel(m_trials);
-    m_table->setAccessibleName(tr("Trials"));
-    showAsList(*m_table);
-    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-    m_table->setWordWrap(false);
-    m_table->setSortingEnabled(true);
-    m_table->sortByColumn(TrialModel::DateColumn, Qt::DescendingOrder);
-    m_table->horizontalHeader()->setResizeContentsPrecision(0); // of what is on screen, not of thousands
-    m_table->horizontalHeader()->moveSection(TrialModel::StarColumn, 0);
-    m_table->horizontalHeader()->setSectionResizeMode(TrialModel::StarColumn, QHeaderView::Fixed);
-    m_table->horizontalHeader()->resizeSection(TrialModel::StarColumn, 2 * fontMetrics().height());
-    m_table->installEventFilter(this);
-    m_table->viewport()->installEventFilter(this);
-    connect(m_table, &QTableView::doubleClicked, this, [this](const QModelIndex &index) {
-        if (!(index.flags() & (Qt::ItemIsEditable | Qt::ItemIsUserCheckable)))
-            Q_EMIT trialChosen(currentTrial());
-    });
+    connect(m_table, &TrialTable::opened, this, &HistoryPage::trialChosen);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
         m_wanted.clear();
         showCurrent();
@@ -156,18 +136,17 @@ void HistoryPage::addTrialActions()
 {
     auto *measureAgain = new QAction(themeIcon(QStringLiteral("track")), tr("&Measure again"), m_table);
     measureAgain->setEnabled(!m_readOnly);
-    connect(measureAgain, &QAction::triggered, this, [this] { Q_EMIT reprocessRequested(selectedTrials()); });
+    connect(measureAgain, &QAction::triggered, this, [this] { Q_EMIT reprocessRequested(m_table->selectedTrials()); });
     auto *exportAll = new QAction(themeIcon(QStringLiteral("export")), tr("E&xport…"), m_table);
-    connect(exportAll, &QAction::triggered, this, [this] { Q_EMIT exportRequested(selectedTrials()); });
+    connect(exportAll, &QAction::triggered, this, [this] { Q_EMIT exportRequested(m_table->selectedTrials()); });
     auto *report = new QAction(themeIcon(QStringLiteral("print")), tr("&Report…"), m_table);
-    connect(report, &QAction::triggered, this, [this] { Q_EMIT reportRequested(selectedTrials()); });
+    connect(report, &QAction::triggered, this, [this] { Q_EMIT reportRequested(m_table->selectedTrials()); });
     auto *videos = new QAction(tr("Export &videos…"), m_table);
-    connect(videos, &QAction::triggered, this, [this] { Q_EMIT videosRequested(selectedTrials()); });
+    connect(videos, &QAction::triggered, this, [this] { Q_EMIT videosRequested(m_table->selectedTrials()); });
     nameCommands({{measureAgain, "measureAgain"}, {exportAll, "exportTrials"}, {videos, "exportVideos"}, {report, "reportTrials"}});
     const QList<QAction *> work{measureAgain, exportAll, videos, report};
     m_table->addActions(work);
     m_listActions << m_marks->star() << m_marks->archive() << m_marks->bin() << m_marks->emptyBin() << work;
-    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
 /// Only what is seen is computed.
@@ -219,7 +198,7 @@ void HistoryPage::makeHeader()
     m_tableCard->addToHeader(m_compare);
     m_tableCard->addToHeader(m_search);
     m_compare->setIcon(themeIcon(QStringLiteral("compare")));
-    connect(m_compare, &QPushButton::clicked, this, [this] { Q_EMIT compareRequested(selectedTrials()); });
+    connect(m_compare, &QPushButton::clicked, this, [this] { Q_EMIT compareRequested(m_table->selectedTrials()); });
     showSelection();
 }
 
@@ -267,26 +246,19 @@ void HistoryPage::endReading(std::vector<TrialRow> rows)
     m_readTimer->stop();
     m_reading.reset();
     m_read.clear();
-    const QString selected = m_wanted.isEmpty() ? currentTrial() : std::exchange(m_wanted, {});
+    const QString selected = m_wanted.isEmpty() ? m_table->currentTrial() : std::exchange(m_wanted, {});
     m_trials->setRows(std::move(rows));
     offerFilters();
     if (m_archivedClasses != m_trials->filter().archivedClasses)
         filter();
     m_table->setColumnHidden(TrialModel::ScoreColumn,
                              std::ranges::none_of(m_trials->allRows(), &TrialRow::isScored));
-    fitTable();
+    m_table->fit();
     selectTrial(selected);
     showCount();
     showCurrent();
     showTeams();
     showSettled();
-}
-
-void HistoryPage::fitTable()
-{
-    fitColumns(*m_table, TrialModel::TaskColumn,
-               {TrialModel::NameColumn, TrialModel::TeamColumn, TrialModel::ClassColumn,
-                TrialModel::TaskColumn, TrialModel::RobotsColumn, TrialModel::TagsColumn});
 }
 
 void HistoryPage::offerFilters()
@@ -325,22 +297,6 @@ void HistoryPage::saveNotes()
     m_detail->saveNotes();
 }
 
-QString HistoryPage::currentTrial() const
-{
-    const QModelIndex current = m_table->currentIndex();
-    return current.isValid() ? current.data(TrialModel::NameRole).toString() : QString();
-}
-
-QStringList HistoryPage::selectedTrials() const
-{
-    QModelIndexList rows = m_table->selectionModel()->selectedRows();
-    std::ranges::sort(rows, {}, &QModelIndex::row);
-    QStringList trials;
-    for (const QModelIndex &row : rows)
-        trials << row.data(TrialModel::NameRole).toString();
-    return trials;
-}
-
 void HistoryPage::showSelection()
 {
     const QModelIndexList rows = m_table->selectionModel()->selectedRows();
@@ -355,7 +311,7 @@ void HistoryPage::showSelection()
 
 void HistoryPage::filter()
 {
-    const QString selected = currentTrial();
+    const QString selected = m_table->currentTrial();
     TrialFilter filter = m_filterBar->filter();
     filter.text = m_search->text();
     filter.archivedClasses = m_archivedClasses;
@@ -406,19 +362,18 @@ void HistoryPage::showCount()
                                         : tr("%1 of %n trial(s)", "", all).arg(shown));
 }
 
+/// Of the search: Enter opens the chosen trial, Down goes to the list.
 bool HistoryPage::eventFilter(QObject *watched, QEvent *event)
 {
-    if (watched == m_table->viewport() && event->type() == QEvent::Resize)
-        fitTable();
-    if (event->type() != QEvent::KeyPress || watched == m_table->viewport())
+    if (event->type() != QEvent::KeyPress)
         return QWidget::eventFilter(watched, event);
     const int key = static_cast<QKeyEvent *>(event)->key();
     if (key == Qt::Key_Return || key == Qt::Key_Enter) {
-        if (const QString trial = currentTrial(); !trial.isEmpty())
+        if (const QString trial = m_table->currentTrial(); !trial.isEmpty())
             Q_EMIT trialChosen(trial);
         return true;
     }
-    if (watched == m_search && key == Qt::Key_Down) {
+    if (key == Qt::Key_Down) {
         m_table->setFocus(Qt::TabFocusReason);
         return true;
     }

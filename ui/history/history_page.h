@@ -15,7 +15,6 @@ class QAction;
 class QLineEdit;
 class QPushButton;
 class QTabWidget;
-class QTableView;
 class QTimer;
 
 namespace odo {
@@ -29,6 +28,7 @@ class TrialDetail;
 class TrialFilterBar;
 class TrialModel;
 class TrialRows;
+class TrialTable;
 struct TrialRow;
 
 /// History: all trials of the project, searched, filtered, sorted, marked and opened; what is known of the
@@ -83,11 +83,8 @@ private:
     void giveTrialsToTeams();
     void showSettled();
     void connectMarks();
-    QString currentTrial() const;
-    QStringList selectedTrials() const; ///< from top to bottom
     void readMore();
     void endReading(std::vector<TrialRow> rows);
-    void fitTable();
     void offerFilters();
     void filter();
     void reload(const QList<qint64> &trials);
@@ -104,7 +101,7 @@ private:
     MarkActions *m_marks;
     QAction *m_pseudonyms;
     QList<QAction *> m_listActions;
-    QTableView *m_table;
+    TrialTable *m_table;
     Card *m_tableCard = nullptr;
     TeamsPanel *m_teams;
     QTabWidget *m_tabs;
