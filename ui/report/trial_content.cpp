@@ -9,6 +9,7 @@
 #include "ui/views/screen_image.h"
 
 #include <algorithm>
+#include <functional>
 #include <future>
 
 namespace odo {
@@ -17,45 +18,63 @@ namespace {
 
 constexpr int stillWidthPx = 560; // 180 to the inch in a column of the page
 
-QImage pictureOf(const SceneView &view, std::int64_t frame, int widthPx)
+/// Of each view; null where it cannot be read. Opening takes longer than a picture: they are opened side by side.
+using Readers = std::vector<std::unique_ptr<VideoReader>>;
+
+void forEachView(const TrialScene &scene, const std::function<void(std::size_t view)> &work)
 {
-    const auto reader = VideoReader::open(view.file);
+    std::vector<std::future<void>> begun;
+    for (std::size_t view = 0; view < scene.views.size(); ++view)
+        begun.push_back(std::async(std::launch::async, work, view));
+    for (std::future<void> &each : begun)
+        each.get();
+}
+
+Readers openVideos(const TrialScene &scene)
+{
+    Readers readers(scene.views.size());
+    forEachView(scene, [&](std::size_t view) {
+        if (auto reader = VideoReader::open(scene.views[view].file))
+            readers[view] = std::move(*reader);
+    });
+    return readers;
+}
+
+QImage pictureOf(const SceneView &view, VideoReader *reader, std::int64_t frame, int widthPx)
+{
     if (!reader || view.recording.widthPx <= 0)
         return {};
-    const auto decoded = (*reader)->frameAt(frame);
+    const auto decoded = reader->frameAt(frame);
     if (!decoded)
         return {};
     return toImage(toScreen(*decoded, widthPx, widthPx * view.recording.heightPx / view.recording.widthPx));
 }
 
+std::vector<Still> takeStills(const TrialScene &scene, const Readers &readers, Nanoseconds time, int widthPx)
+{
+    std::vector<Still> stills(scene.views.size());
+    forEachView(scene, [&](std::size_t view) {
+        const auto frame = scene.frameAt(view, time);
+        if (!frame)
+            return;
+        stills[view].frame = *frame;
+        stills[view].picture = pictureOf(scene.views[view], readers[view].get(), *frame, widthPx);
+    });
+    return stills;
+}
+
 /// The time of the first view's last key frame up to a time; that time itself where its video cannot be read.
-Nanoseconds keyFrameTime(const TrialScene &scene, Nanoseconds time)
+Nanoseconds keyFrameTime(const TrialScene &scene, const Readers &readers, Nanoseconds time)
 {
     const auto frame = scene.views.empty() ? std::nullopt : scene.frameAt(0, time);
-    if (!frame)
-        return time;
-    const auto reader = VideoReader::open(scene.views.front().file);
-    return reader ? scene.timeOf(0, (*reader)->keyFrameBefore(*frame)) : time;
+    return frame && readers.front() ? scene.timeOf(0, readers.front()->keyFrameBefore(*frame)) : time;
 }
 
 } // namespace
 
 std::vector<Still> takeStills(const TrialScene &scene, Nanoseconds time, int widthPx)
 {
-    std::vector<Still> stills(scene.views.size());
-    std::vector<std::future<void>> taken;
-    for (std::size_t view = 0; view < scene.views.size(); ++view) {
-        const auto frame = scene.frameAt(view, time);
-        if (!frame)
-            continue;
-        stills[view].frame = *frame;
-        taken.push_back(std::async(std::launch::async, [&scene, &still = stills[view], view, widthPx] {
-            still.picture = pictureOf(scene.views[view], still.frame, widthPx);
-        }));
-    }
-    for (std::future<void> &each : taken)
-        each.get();
-    return stills;
+    return takeStills(scene, openVideos(scene), time, widthPx);
 }
 
 Nanoseconds tellingMoment(const TrialScene &scene)
@@ -134,9 +153,10 @@ Result<TrialContentPtr> TrialContentReader::read(const std::string &trial)
     content->lensRmsPx = std::move(*lenses);
     content->stillTime = tellingMoment(**scene);
     content->isAtTopSpeed = m_moment == StillMoment::TopSpeed;
+    const Readers readers = openVideos(**scene);
     if (!content->isAtTopSpeed)
-        content->stillTime = keyFrameTime(**scene, content->stillTime);
-    content->stills = takeStills(**scene, content->stillTime, stillWidthPx);
+        content->stillTime = keyFrameTime(**scene, readers, content->stillTime);
+    content->stills = takeStills(**scene, readers, content->stillTime, stillWidthPx);
     return content;
 }
 
