@@ -56,7 +56,6 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
       m_detail(new TrialDetail(project, this)), m_readTimer(new QTimer(this))
 {
     setObjectName(QStringLiteral("page"));
-    setFocusProxy(m_table);
     m_trials->setEditable(!readOnly);
     m_marks->setReadOnly(readOnly);
 
@@ -74,6 +73,7 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->addWidget(splitter);
+
 
     m_readTimer->setInterval(0);
     connect(m_readTimer, &QTimer::timeout, this, &HistoryPage::readMore);
@@ -103,6 +103,12 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
 
 HistoryPage::~HistoryPage() = default;
 
+/// The list has the focus first. It is no focus proxy: the Tab key would go from the page to it, past the search and the filters.
+void HistoryPage::focusInEvent(QFocusEvent *event)
+{
+    m_table->setFocus(event->reason());
+}
+
 QWidget *HistoryPage::makeTable()
 {
     connect(m_table, &TrialTable::opened, this, &HistoryPage::trialChosen);
@@ -120,15 +126,14 @@ QWidget *HistoryPage::makeTable()
         m_table->addAction(action);
     }
     addTrialActions();
-    auto *content = new QWidget;
+    makeHeader();
+    auto *content = new QWidget(m_tableCard);
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_filterBar);
     column->addWidget(m_table, 1);
-    makeHeader();
     m_tableCard->setContent(content);
-    setTabOrder(m_search, m_compare);
     return m_tableCard;
 }
 
