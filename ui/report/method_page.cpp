@@ -34,7 +34,9 @@ class Words
 
 QString decimals(double value, int count)
 {
-    return QLocale().toString(value, 'f', count);
+    QLocale plain; // 1,500.2 and 1.500,2 would be read in two ways
+    plain.setNumberOptions(QLocale::OmitGroupSeparator);
+    return plain.toString(value, 'f', count);
 }
 
 QString viewLine(const TrialContent &content, std::size_t view)

@@ -124,18 +124,52 @@ QRectF drawPartTitle(QPainter &painter, const QRectF &rect, const QString &title
     return rect.adjusted(0, height + 3, 0, 0);
 }
 
-double drawTable(QPainter &painter, const QRectF &rect, const ReportTable &table)
+namespace {
+
+constexpr double cellLeft = 2, cellRight = 4;
+
+/// By their weights; but numbers, which stand at the right, are shown whole as long as the widest column of words has more than they miss.
+QList<double> columnWidths(const ReportTable &table, double total)
 {
     double whole = 0;
     for (const double weight : table.weights)
         whole += weight;
+    QList<double> widths;
+    for (const double weight : table.weights)
+        widths << total * weight / whole;
+    const QFontMetricsF metrics(reportFont(smallSize + 1, QFont::DemiBold));
+    for (qsizetype column = 0; column < std::min(widths.size(), table.alignments.size()); ++column) {
+        if (!table.alignments.at(column).testFlag(Qt::AlignRight))
+            continue;
+        double wanted = 0;
+        for (const ReportTable::Row &row : table.rows)
+            if (column < row.cells.size())
+                wanted = std::max(wanted, metrics.horizontalAdvance(row.cells.at(column)) + cellLeft + cellRight + 1);
+        const double missing = wanted - widths.at(column);
+        qsizetype giving = -1;
+        for (qsizetype other = 0; other < widths.size(); ++other)
+            if (!table.alignments.at(other).testFlag(Qt::AlignRight) && (giving < 0 || widths.at(other) > widths.at(giving)))
+                giving = other;
+        if (missing <= 0 || giving < 0 || widths.at(giving) < 2 * missing)
+            continue;
+        widths[column] += missing;
+        widths[giving] -= missing;
+    }
+    return widths;
+}
+
+} // namespace
+
+double drawTable(QPainter &painter, const QRectF &rect, const ReportTable &table)
+{
+    const QList<double> widths = columnWidths(table, rect.width());
     const auto drawRow = [&](double top, const QStringList &cells, const QFont &font, const QColor &colour) {
         double left = rect.left();
         for (qsizetype column = 0; column < std::min(cells.size(), table.weights.size()); ++column) {
-            const double width = rect.width() * table.weights.at(column) / whole;
+            const double width = widths.at(column);
             const Qt::Alignment side =
                 table.alignments.isEmpty() ? Qt::AlignLeft : table.alignments.at(column);
-            drawLine(painter, QRectF(left + 2, top, width - 6, table.rowHeight), cells.at(column), font,
+            drawLine(painter, QRectF(left + cellLeft, top, width - cellLeft - cellRight, table.rowHeight), cells.at(column), font,
                      colour, side | Qt::AlignVCenter);
             left += width;
         }

@@ -48,7 +48,7 @@ struct ReportTable
     };
     QStringList header; ///< may be empty
     QList<Row> rows;
-    QList<double> weights;           ///< of the columns; as many as cells
+    QList<double> weights;           ///< of the columns; as many as cells. Numbers (at the right) may take more from words
     QList<Qt::Alignment> alignments; ///< likewise; left where empty
     double rowHeight = 15;
 };
