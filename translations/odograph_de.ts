@@ -5320,7 +5320,7 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
     </message>
     <message>
         <source>Top speed, %1</source>
-        <translation>Höchstgeschwindigkeit, %1</translation>
+        <translation>Höchstgeschw., %1</translation>
     </message>
     <message>
         <source>Passes %1</source>
@@ -5824,7 +5824,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>at %1, the top speed</source>
-        <translation>bei %1, der Höchstgeschwindigkeit</translation>
+        <translation>bei %1, am schnellsten</translation>
     </message>
     <message>
         <source>at %1</source>

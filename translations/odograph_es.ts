@@ -5824,7 +5824,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>at %1, the top speed</source>
-        <translation>a los %1, la velocidad máxima</translation>
+        <translation>a los %1, lo más rápido</translation>
     </message>
     <message>
         <source>at %1</source>

@@ -5320,7 +5320,7 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
     </message>
     <message>
         <source>Top speed, %1</source>
-        <translation>Vitesse maximale, %1</translation>
+        <translation>Vitesse max., %1</translation>
     </message>
     <message>
         <source>Passes %1</source>
@@ -5824,7 +5824,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>at %1, the top speed</source>
-        <translation>à %1, la vitesse maximale</translation>
+        <translation>à %1, au plus vite</translation>
     </message>
     <message>
         <source>at %1</source>
