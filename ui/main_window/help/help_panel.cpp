@@ -9,6 +9,7 @@
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace odo {
 namespace {
@@ -44,7 +45,21 @@ HelpPanel::HelpPanel(QWidget *parent) : QFrame(parent), m_text(new QTextBrowser)
 
 void HelpPanel::showPage(const QString &name)
 {
-    m_text->setHtml(helpPage(name));
+    m_wanted = name;
+    if (isVisible())
+        layOut();
+}
+
+void HelpPanel::layOut()
+{
+    if (!m_wanted.isEmpty())
+        m_text->setHtml(helpPage(std::exchange(m_wanted, {})));
+}
+
+void HelpPanel::showEvent(QShowEvent *event)
+{
+    layOut();
+    QFrame::showEvent(event);
 }
 
 } // namespace odo

@@ -15,12 +15,19 @@ public:
     explicit HelpPanel(QWidget *parent = nullptr);
 
     /// The name of a text in the resources: "welcome", or that of a mode.
+    /// It is read and laid out once it is seen.
     void showPage(const QString &name);
 
 Q_SIGNALS:
     void closed(); ///< by a person
 
+protected:
+    void showEvent(QShowEvent *event) override;
+
 private:
+    void layOut();
+
+    QString m_wanted; ///< is not laid out yet; empty: nothing
     QTextBrowser *m_text;
 };
 
