@@ -64,6 +64,7 @@ QWidget *ProjectPages::page(Mode mode)
     return page;
 }
 
+/// In its place from the beginning: whatever moves from one parent to another is given its style anew, with all that is in it.
 QWidget *ProjectPages::make(Mode mode)
 {
     switch (mode) {
@@ -113,7 +114,7 @@ HistoryPage &ProjectPages::history()
 
 QWidget *ProjectPages::makeTestbed()
 {
-    m_testbed = new TestbedPage(*m_workspace.project());
+    m_testbed = new TestbedPage(*m_workspace.project(), &m_stack);
     connect(m_testbed, &TestbedPage::changed, this, [this](const QString &words) {
         tell(words);
         refreshAllBut(m_testbed);
@@ -125,7 +126,7 @@ QWidget *ProjectPages::makeTestbed()
 
 QWidget *ProjectPages::makeRecord()
 {
-    m_record = new RecordPage(*m_workspace.project(), m_workspace.isReadOnly());
+    m_record = new RecordPage(*m_workspace.project(), m_workspace.isReadOnly(), {}, &m_stack);
     connect(m_record, &RecordPage::changed, this, [this](const QString &words) {
         tell(words);
         refreshAllBut(m_record);
@@ -138,7 +139,7 @@ QWidget *ProjectPages::makeRecord()
 
 QWidget *ProjectPages::makeReview()
 {
-    m_review = new ReviewPage(*m_workspace.project());
+    m_review = new ReviewPage(*m_workspace.project(), &m_stack);
     connect(m_review, &ReviewPage::failed, this, &ProjectPages::failed);
     connect(m_review, &ReviewPage::settled, this, &ProjectPages::passOnSettled);
     return m_review;
@@ -146,7 +147,7 @@ QWidget *ProjectPages::makeReview()
 
 QWidget *ProjectPages::makeCompare()
 {
-    m_compare = new ComparePage(*m_workspace.project());
+    m_compare = new ComparePage(*m_workspace.project(), &m_stack);
     connect(m_compare, &ComparePage::failed, this, &ProjectPages::failed);
     connect(m_compare, &ComparePage::settled, this, &ProjectPages::passOnSettled);
     return m_compare;
@@ -154,7 +155,7 @@ QWidget *ProjectPages::makeCompare()
 
 QWidget *ProjectPages::makeHistory()
 {
-    m_history = new HistoryPage(*m_workspace.project(), m_workspace.isReadOnly());
+    m_history = new HistoryPage(*m_workspace.project(), m_workspace.isReadOnly(), &m_stack);
     connect(m_history, &HistoryPage::compareRequested, this, [this](const QStringList &trials) {
         if (const Result<void> compared = compareTrials(trials); !compared)
             Q_EMIT failed(compared.error());

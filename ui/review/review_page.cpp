@@ -61,7 +61,7 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
     left->setSpacing(8);
     left->addWidget(m_desk, 1);
     left->addWidget(m_timelineBar);
-    auto *content = new QWidget;
+    auto *content = new QWidget(m_stack);
     auto *contentLayout = new QHBoxLayout(content);
     contentLayout->setContentsMargins(8, 8, 8, 8);
     contentLayout->setSpacing(8);

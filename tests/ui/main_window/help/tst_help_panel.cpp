@@ -20,6 +20,7 @@ private Q_SLOTS:
     void thereIsATextForEachPage()
     {
         HelpPanel panel;
+        panel.show();
         const auto *text = panel.findChild<QTextBrowser *>();
         QStringList seen;
         for (const char *page : {"welcome", "testbed", "record", "review", "compare", "history"}) {
