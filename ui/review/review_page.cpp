@@ -47,27 +47,27 @@ struct ReviewPage::Reading
 
 ReviewPage::ReviewPage(Project &project, QWidget *parent)
     : QWidget(parent), m_project(project), m_reader(new ProjectReader(project.file(), this)),
-      m_timeline(new Timeline(this)), m_spikes(new SpikeActions(*m_timeline, this)), m_chooser(new TrialChooser),
-      m_desk(new ReviewDesk(*m_timeline)), m_timelineBar(new TimelineBar(*m_timeline)),
-      m_column(new ReviewColumn(*m_timeline, m_chooser)),
+      m_timeline(new Timeline(this)), m_spikes(new SpikeActions(*m_timeline, this)),
+      m_stack(new QStackedWidget(this)), m_content(new QWidget(m_stack)), m_chooser(new TrialChooser),
+      m_desk(new ReviewDesk(*m_timeline, m_content)), m_timelineBar(new TimelineBar(*m_timeline, m_content)),
+      m_column(new ReviewColumn(*m_timeline, m_chooser, m_content)),
       m_empty(new EmptyState(
           QStringLiteral("review"), tr("No trials yet"),
           tr("A trial is one run of a robot. Bring in the videos that your cameras took of it, "
-             "and it will be shown here."))),
-      m_stack(new QStackedWidget(this))
+             "and it will be shown here."),
+          m_stack))
 {
     setObjectName(QStringLiteral("page"));
     auto *left = new QVBoxLayout;
     left->setSpacing(8);
     left->addWidget(m_desk, 1);
     left->addWidget(m_timelineBar);
-    auto *content = new QWidget(m_stack);
-    auto *contentLayout = new QHBoxLayout(content);
+    auto *contentLayout = new QHBoxLayout(m_content);
     contentLayout->setContentsMargins(8, 8, 8, 8);
     contentLayout->setSpacing(8);
     contentLayout->addLayout(left, 1);
     contentLayout->addWidget(m_column);
-    m_stack->addWidget(content);
+    m_stack->addWidget(m_content);
     m_stack->addWidget(m_empty);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

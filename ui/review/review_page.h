@@ -73,12 +73,13 @@ private:
     bool m_isListStale = false;
     Timeline *m_timeline;
     SpikeActions *m_spikes;
+    QStackedWidget *m_stack;
+    QWidget *m_content; ///< of a trial; what is in it is made there
     TrialChooser *m_chooser;
     ReviewDesk *m_desk;
     TimelineBar *m_timelineBar;
     ReviewColumn *m_column;
     EmptyState *m_empty;
-    QStackedWidget *m_stack;
 };
 
 } // namespace odo
