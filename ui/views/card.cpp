@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/card.h"
 
+#include "ui/views/badge_label.h"
 #include "ui/views/elided_label.h"
 #include "ui/views/theme.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,19 +16,11 @@ namespace {
 
 constexpr int cornerRadius = 5;
 
-/// A label whose text is data: never rich text.
-QLabel *plainLabel(QWidget *parent)
-{
-    auto *label = new QLabel(parent);
-    label->setTextFormat(Qt::PlainText);
-    return label;
-}
-
 } // namespace
 
 Card::Card(const QString &title, QWidget *parent)
     : QFrame(parent), m_header(new QWidget(this)), m_title(new ElidedLabel(m_header)),
-      m_badge(plainLabel(m_header)), m_remark(new ElidedLabel(m_header)),
+      m_badge(new BadgeLabel({}, m_header)), m_remark(new ElidedLabel(m_header)),
       m_headerLayout(new QHBoxLayout(m_header)), m_layout(new QVBoxLayout(this))
 {
     setFrameShape(QFrame::NoFrame); // painted by paintEvent
@@ -39,8 +30,6 @@ Card::Card(const QString &title, QWidget *parent)
     m_remark->setObjectName(QStringLiteral("quiet")); // the style sheet colours it
     m_remark->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_remark->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_badge->setContentsMargins(7, 1, 7, 1);
-    m_badge->hide();
     m_headerLayout->setContentsMargins(10, 6, 10, 6);
     m_headerLayout->setSpacing(9);
     m_headerLayout->addWidget(m_title);
@@ -50,7 +39,6 @@ Card::Card(const QString &title, QWidget *parent)
     m_layout->setSpacing(1); // the line under the title
     m_layout->addWidget(m_header);
     setTitle(title);
-    applyColours();
 }
 
 QString Card::title() const
@@ -79,10 +67,7 @@ QString Card::remark() const
 
 void Card::setBadge(const Badge &badge)
 {
-    m_badgeShown = badge;
-    m_badge->setText(badge.text);
-    m_badge->setVisible(!badge.text.isEmpty());
-    applyColours();
+    m_badge->setBadge(badge);
 }
 
 void Card::setContent(QWidget *content)
@@ -112,21 +97,6 @@ void Card::paintEvent(QPaintEvent *)
         return;
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.fillRect(QRect(1, m_header->geometry().bottom() + 1, width() - 2, 1), colours.border);
-}
-
-void Card::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange)
-        applyColours();
-    QFrame::changeEvent(event);
-}
-
-void Card::applyColours()
-{
-    // A style sheet would break the inheritance of fonts and palettes of the children; the badge has none.
-    const BadgeColours badge = badgeColours(m_badgeShown.state, palette());
-    m_badge->setStyleSheet(QStringLiteral("QLabel { background: %1; color: %2; border-radius: 8px; }")
-                               .arg(badge.ground.name(), badge.text.name()));
 }
 
 } // namespace odo

@@ -6,11 +6,11 @@
 #include <QFrame>
 
 class QHBoxLayout;
-class QLabel;
 class QVBoxLayout;
 
 namespace odo {
 
+class BadgeLabel;
 class ElidedLabel;
 
 /// A panel as all of Odograph uses it: rounded frame, bold title at the left with an optional badge, a remark
@@ -35,19 +35,15 @@ public:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    void changeEvent(QEvent *event) override;
 
 private:
-    void applyColours();
-
     QWidget *m_header;
     ElidedLabel *m_title;
-    QLabel *m_badge;
+    BadgeLabel *m_badge;
     ElidedLabel *m_remark;
     QHBoxLayout *m_headerLayout;
     QVBoxLayout *m_layout;
     QWidget *m_content = nullptr;
-    Badge m_badgeShown;
 };
 
 } // namespace odo
