@@ -111,13 +111,6 @@ QStringList complaintsOf(QWidget &window)
     return complaints;
 }
 
-qsizetype told(const QStringList &complaints)
-{
-    for (const QString &each : complaints)
-        qWarning().noquote() << each;
-    return complaints.size();
-}
-
 } // namespace
 
 void TestKeyboardAlone::initTestCase()
@@ -135,9 +128,7 @@ void TestKeyboardAlone::initTestCase()
 
 void TestKeyboardAlone::modes_data()
 {
-    QTest::addColumn<int>("mode");
-    for (const WindowMode mode : allModes)
-        QTest::newRow(qPrintable(modeWord(mode))) << static_cast<int>(mode);
+    test::addModeRows();
 }
 
 void TestKeyboardAlone::modes()
@@ -145,7 +136,7 @@ void TestKeyboardAlone::modes()
     QFETCH(int, mode);
     m_window->showMode(static_cast<WindowMode>(mode));
     test::waitFor(*m_window);
-    QCOMPARE(told(complaintsOf(*m_window)), 0);
+    QCOMPARE(test::told(complaintsOf(*m_window)), 0);
 }
 
 void TestKeyboardAlone::dialogs()
@@ -156,7 +147,7 @@ void TestKeyboardAlone::dialogs()
             complaints << command.text() + QStringLiteral(" · ") + each;
     });
     QVERIFY(dialogs > 15);
-    QCOMPARE(told(complaints), 0);
+    QCOMPARE(test::told(complaints), 0);
 }
 
 QTEST_MAIN(TestKeyboardAlone)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every window in a language that nobody speaks: what was never given to a translator stands out.
 #include "tests/ui/support/driven_window.h"
-#include "tests/ui/support/person.h"
 #include "tests/ui/support/pseudo_words.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/appearance.h"
@@ -10,9 +9,7 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QFileDialog>
-#include <QMenuBar>
-#include <QMessageBox>
+#include <QDialog>
 #include <QTemporaryDir>
 #include <QTest>
 #include <net/if.h>
@@ -61,14 +58,6 @@ const QStringList &known()
     return all;
 }
 
-/// Each in a line of its own; gives how many.
-qsizetype told(const QStringList &found)
-{
-    for (const QString &each : found)
-        qWarning().noquote() << each;
-    return found.size();
-}
-
 /// What is cut off once everything is laid out; a job may have told something a moment ago.
 QStringList cutOffAtLast(const QWidget &window)
 {
@@ -99,9 +88,7 @@ void TestPseudoLocale::initTestCase()
 
 void TestPseudoLocale::modes_data()
 {
-    QTest::addColumn<int>("mode");
-    for (const WindowMode mode : allModes)
-        QTest::newRow(qPrintable(modeWord(mode))) << static_cast<int>(mode);
+    test::addModeRows();
 }
 
 void TestPseudoLocale::modes()
@@ -109,7 +96,7 @@ void TestPseudoLocale::modes()
     QFETCH(int, mode);
     m_window->showMode(static_cast<WindowMode>(mode));
     test::waitFor(*m_window);
-    QCOMPARE(told(test::untranslatedIn(*m_window, known())), 0);
+    QCOMPARE(test::told(test::untranslatedIn(*m_window, known())), 0);
 }
 
 void TestPseudoLocale::dialogs()
@@ -120,7 +107,7 @@ void TestPseudoLocale::dialogs()
             raw << command.text() + QStringLiteral(" · ") + each;
     });
     QVERIFY(dialogs > 15);
-    QCOMPARE(told(raw), 0);
+    QCOMPARE(test::told(raw), 0);
 }
 
 void TestPseudoLocale::everyLanguageFits_data()
@@ -152,7 +139,7 @@ void TestPseudoLocale::everyLanguageFits()
             cut << command.text() + QStringLiteral(" · ") + each;
     });
     cut.removeDuplicates();
-    QCOMPARE(told(cut), 0);
+    QCOMPARE(test::told(cut), 0);
 }
 
 QTEST_MAIN(TestPseudoLocale)

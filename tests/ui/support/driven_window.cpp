@@ -72,4 +72,18 @@ int lookAtDialogs(MainWindow &window, const std::function<void(const QAction &co
     return static_cast<int>(seen.size());
 }
 
+void addModeRows()
+{
+    QTest::addColumn<int>("mode");
+    for (const WindowMode mode : allModes)
+        QTest::newRow(qPrintable(modeWord(mode))) << static_cast<int>(mode);
+}
+
+qsizetype told(const QStringList &found)
+{
+    for (const QString &each : found)
+        qWarning().noquote() << each;
+    return found.size();
+}
+
 } // namespace odo::test

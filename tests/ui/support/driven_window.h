@@ -27,4 +27,10 @@ void run(MainWindow &window, QAction *action, const QList<Answer> &answers);
 /// dismisses it. Gives how many there were.
 int lookAtDialogs(MainWindow &window, const std::function<void(const QAction &command, QDialog &dialog)> &look);
 
+/// A row for each mode of the window, with its number in the column "mode".
+void addModeRows();
+
+/// Warns of each in a line of its own; gives how many there are.
+qsizetype told(const QStringList &found);
+
 } // namespace odo::test
