@@ -2,6 +2,7 @@
 #include "app/commands/commands.h"
 #include "app/workbench.h"
 #include "core/base/crash_report.h"
+#include "core/base/memory_pools.h"
 
 #include <QApplication>
 #include <QFileInfo>
@@ -132,6 +133,7 @@ int openWorkbench(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    shareMemoryPools();
     watchForCrashes(stateFolder(), ODOGRAPH_VERSION); // where it cannot, the program does its work all the same
     const std::string_view first = argc > 1 ? argv[1] : "";
     if (first == "--help" || first == "-h" || first == "help") {

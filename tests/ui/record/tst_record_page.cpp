@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/floor_registration.h"
 #include "core/project/project.h"
 #include "core/project/recording_lock.h"
 #include "core/project/repositories.h"
 #include "core/project/write_turn.h"
-#include "core/simulation/demo_testbed.h"
-#include "core/workflow/stored_registration.h"
 #include "tests/support/datagram_receiver.h"
 #include "tests/ui/support/busy_watch.h"
+#include "tests/ui/support/circle_lesson.h"
 #include "tests/ui/support/person.h"
 #include "ui/record/live_map.h"
 #include "ui/record/live_picture_area.h"
@@ -34,9 +32,6 @@ using namespace odo;
 
 namespace {
 
-constexpr double circleRadiusM =
-    0.75; // that the simulated cameras' robot drives, about the middle of the floor
-const Eigen::Vector2d circleMiddle(1.5, 1.1);
 /// Whatever else this machine has.
 CameraAccess simulatedCameras()
 {
@@ -75,7 +70,6 @@ private Q_SLOTS:
 
 private:
     void show(bool readOnly = false, CameraAccess access = simulatedCameras());
-    void registerCamera(const SimulatedCamera &camera, RecordId layout);
     void waitForTheRobot();
     template <class Widget>
     Widget *part() const
@@ -99,47 +93,13 @@ void TestRecordPage::initTestCase()
     QCoreApplication::setApplicationName(QStringLiteral("tst_record_page"));
 }
 
-void TestRecordPage::registerCamera(const SimulatedCamera &camera, RecordId layout)
-{
-    const MarkerLayout places = m_project->layouts().get(layout)->layout;
-    RegistrationRecord record;
-    record.layout = layout;
-    record.assumedIntrinsics = camera.view.camera().intrinsics();
-    for (const Marker &marker : places.markers)
-        record.pixels.push_back({marker.label, *camera.view.pixelFromWorld(
-                                                   {marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
-    record.registration = *registerFloor(places, record.pixels, camera.view.camera(), true);
-    QVERIFY(storeRegistration(*m_project, camera.name, record));
-}
-
-/// The floor that the simulated cameras see, its cameras registered, and two teams.
 void TestRecordPage::init()
 {
     QSettings().clear();
     m_folder = std::make_unique<QTemporaryDir>();
     m_project =
         std::move(*Project::create(m_folder->filePath(QStringLiteral("lesson.odo")).toStdString(), "Lesson"));
-    const SimulatedScene testbed = demoTestbed(1);
-    const RecordId layout = m_project->layouts().add(testbed.floor.markers)->id;
-    for (const SimulatedCamera &camera : testbed.cameras)
-        registerCamera(camera, layout);
-    for (const DemoTrial &trial : demoTrials()) {
-        if (trial.trial != "circle")
-            continue;
-        RobotRecord robot;
-        robot.name = trial.robot;
-        robot.colour = trial.scene.robots.front().colour;
-        robot.heightMode = RobotRecord::Height::Told;
-        robot.heightM = trial.scene.robots.front().heightM;
-        QVERIFY(m_project->robots().add(robot));
-    }
-    for (const char *team : {"Falcon", "Otter"})
-        QVERIFY(m_project->teams().add({0, team, "9A"}));
-    Task lap;
-    lap.kind = TaskTemplate::Circle;
-    lap.gates = {gateAcross("Lap", GateRole::StartFinish, circleMiddle + Eigen::Vector2d(0, circleRadiusM),
-                            {-1, 0}, 0.4)};
-    QVERIFY(m_project->tasks().add({0, "Circle", lap}));
+    test::addCircleLesson(*m_project);
 }
 
 void TestRecordPage::cleanup()
@@ -181,7 +141,7 @@ void TestRecordPage::recordsByKeyAndTheNextTeamIsUp()
         QTRY_VERIFY_WITH_TIMEOUT(picture->hasPicture(), startMs);
     // The robot's centre is known to some millimetres; what the filter is off in a curve adds some.
     QTRY_VERIFY_WITH_TIMEOUT(
-        std::abs((*part<LiveMap>()->place(0) - circleMiddle).norm() - circleRadiusM) < 0.02, startMs);
+        std::abs((*part<LiveMap>()->place(0) - test::circleMiddle).norm() - test::circleRadiusM) < 0.02, startMs);
 
     const NextRun up = part<RunCard>()->run();
     QCOMPARE(up.team, std::string("Falcon"));
@@ -244,7 +204,7 @@ void TestRecordPage::theRobotStartsAndEndsTheRun()
     const auto lap =
         std::ranges::find(analyses.front().profile.metrics, std::string("best_lap"), &Metric::name);
     QVERIFY(lap != analyses.front().profile.metrics.end());
-    QVERIFY2(std::abs(lap->value - 2 * M_PI * circleRadiusM / 1.1) < 0.05,
+    QVERIFY2(std::abs(lap->value - 2 * M_PI * test::circleRadiusM / 1.1) < 0.05,
              qPrintable(QString::number(lap->value)));
 }
 
