@@ -5,12 +5,12 @@
 #include "ui/views/plain_button.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTableWidget>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
 
@@ -52,38 +52,23 @@ std::vector<Eigen::Vector2d> cornersOf(const QString &text)
 }
 
 ZoneTable::ZoneTable(const Eigen::Vector2d &middle, QWidget *parent)
-    : QWidget(parent), m_middle(middle), m_table(new QTableWidget(0, ColumnCount)), m_remove(plainButton(tr("Remo&ve zone")))
+    : PartTable({tr("Zone"), tr("Rule"), tr("Corners: x y; x y; … in mm")}, tr("Zones of the floor"),
+                plainButton(tr("Remo&ve zone")), parent),
+      m_middle(middle)
 {
-    m_table->setHorizontalHeaderLabels({tr("Zone"), tr("Rule"), tr("Corners: x y; x y; … in mm")});
-    m_table->setAccessibleName(tr("Zones of the floor"));
-    m_table->verticalHeader()->hide();
-    m_table->setTabKeyNavigation(false);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setWordWrap(false);
-    m_table->horizontalHeader()->setHighlightSections(false);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_table->horizontalHeader()->setSectionResizeMode(RuleColumn, QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(CornersColumn, QHeaderView::Stretch);
+    table().setWordWrap(false);
+    table().horizontalHeader()->setSectionResizeMode(RuleColumn, QHeaderView::ResizeToContents);
+    table().horizontalHeader()->setSectionResizeMode(CornersColumn, QHeaderView::Stretch);
     auto *inside = plainButton(tr("Add zone to sta&y in")), *outside = plainButton(tr("Add zone to &keep out of"));
-    auto *buttons = new QHBoxLayout;
-    for (QPushButton *button : {inside, outside, m_remove})
-        buttons->addWidget(button);
-    buttons->addStretch(1);
     auto *words = new QLabel(tr("The robot's centre must stay in a zone, or keep out of it. Each is judged by itself; how often, how long "
                                 "and how far it was broken can be scored. Drag corners and edges on the map."));
     words->setWordWrap(true);
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(words);
-    layout->addWidget(m_table, 1);
-    layout->addLayout(buttons);
+    layout->addWidget(&table(), 1);
+    layout->addLayout(rowOf({inside, outside, removeButton()}));
     connect(inside, &QPushButton::clicked, this, [this] { add(ZoneRule::StayInside); });
     connect(outside, &QPushButton::clicked, this, [this] { add(ZoneRule::StayOutside); });
-    connect(m_remove, &QPushButton::clicked, this, &ZoneTable::remove);
-    connect(m_table, &QTableWidget::cellChanged, this, &ZoneTable::readRow);
-    connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) {
-        if (!m_isShowing)
-            Q_EMIT currentChanged(row);
-    });
     setZones({});
 }
 
@@ -93,55 +78,28 @@ void ZoneTable::setZones(const std::vector<Zone> &zones)
     showAll();
 }
 
-void ZoneTable::setCurrent(int zone)
-{
-    m_isShowing = true;
-    m_table->setCurrentCell(zone, std::max(0, m_table->currentColumn()));
-    m_isShowing = false;
-}
-
-void ZoneTable::showAll()
-{
-    m_isShowing = true;
-    const int row = m_table->currentRow();
-    m_table->setRowCount(static_cast<int>(m_zones.size()));
-    for (int i = 0; i < m_table->rowCount(); ++i)
-        show(i);
-    m_table->setCurrentCell(std::min(row, m_table->rowCount() - 1), std::max(0, m_table->currentColumn()));
-    m_remove->setEnabled(!m_zones.empty());
-    m_isShowing = false;
-}
-
-void ZoneTable::show(int row)
+void ZoneTable::showRow(int row)
 {
     const Zone &zone = m_zones[static_cast<std::size_t>(row)];
-    m_table->setItem(row, NameColumn, new QTableWidgetItem(QString::fromStdString(zone.name)));
-    m_table->item(row, NameColumn)->setToolTip(QString::fromStdString(zone.name).toHtmlEscaped());
-    m_table->setItem(row, CornersColumn, new QTableWidgetItem(cornersText(zone.corners)));
-    m_table->item(row, CornersColumn)->setToolTip(cornersText(zone.corners));
-    auto *rule = qobject_cast<QComboBox *>(m_table->cellWidget(row, RuleColumn));
-    if (!rule) {
-        rule = new QComboBox;
-        for (const ZoneRule each : rules)
-            rule->addItem(zoneRuleName(each), static_cast<int>(each));
-        rule->setAccessibleName(tr("Rule of the zone"));
-        m_table->setCellWidget(row, RuleColumn, rule);
-        connect(rule, &QComboBox::activated, this, [this, row] { readRow(row); });
-    }
+    table().setItem(row, NameColumn, new QTableWidgetItem(QString::fromStdString(zone.name)));
+    table().item(row, NameColumn)->setToolTip(QString::fromStdString(zone.name).toHtmlEscaped());
+    table().setItem(row, CornersColumn, new QTableWidgetItem(cornersText(zone.corners)));
+    table().item(row, CornersColumn)->setToolTip(cornersText(zone.corners));
+    std::vector<std::pair<QString, int>> choices;
+    for (const ZoneRule rule : rules)
+        choices.emplace_back(zoneRuleName(rule), static_cast<int>(rule));
+    QComboBox *rule = choiceIn(row, RuleColumn, tr("Rule of the zone"), choices);
     rule->setCurrentIndex(rule->findData(static_cast<int>(zone.rule)));
 }
 
 void ZoneTable::readRow(int row)
 {
-    if (m_isShowing)
-        return;
     Zone &zone = m_zones[static_cast<std::size_t>(row)];
-    zone.name = m_table->item(row, NameColumn)->text().trimmed().toStdString();
-    zone.rule = static_cast<ZoneRule>(qobject_cast<QComboBox *>(m_table->cellWidget(row, RuleColumn))->currentData().toInt());
-    const QString corners = m_table->item(row, CornersColumn)->text();
+    zone.name = table().item(row, NameColumn)->text().trimmed().toStdString();
+    zone.rule = static_cast<ZoneRule>(qobject_cast<QComboBox *>(table().cellWidget(row, RuleColumn))->currentData().toInt());
+    const QString corners = table().item(row, CornersColumn)->text();
     if (corners != cornersText(zone.corners)) // what was not touched keeps its last bit
         zone.corners = cornersOf(corners);
-    Q_EMIT changed();
 }
 
 void ZoneTable::add(ZoneRule rule)
@@ -154,21 +112,7 @@ void ZoneTable::add(ZoneRule rule)
     const double half = rule == ZoneRule::StayInside ? roomyHalfM : newHalfM;
     const Eigen::Vector2d to(half, half);
     m_zones.push_back(rectangularZone(name, rule, m_middle - to, m_middle + to));
-    showAll();
-    setCurrent(static_cast<int>(m_zones.size()) - 1);
-    Q_EMIT changed();
-    Q_EMIT currentChanged(m_table->currentRow());
-}
-
-void ZoneTable::remove()
-{
-    const int row = m_table->currentRow();
-    if (row < 0)
-        return;
-    m_zones.erase(m_zones.begin() + row);
-    showAll();
-    Q_EMIT changed();
-    Q_EMIT currentChanged(m_table->currentRow());
+    showAdded(static_cast<int>(m_zones.size()) - 1);
 }
 
 } // namespace odo

@@ -2,17 +2,12 @@
 #pragma once
 
 #include "core/trajectory/zone.h"
-
-#include <QWidget>
-#include <vector>
-
-class QPushButton;
-class QTableWidget;
+#include "ui/testbed/tasks/part_table.h"
 
 namespace odo {
 
 /// The zones of a task: names, rules, and the corners in millimetres.
-class ZoneTable : public QWidget
+class ZoneTable : public PartTable
 {
     Q_OBJECT
 public:
@@ -20,25 +15,17 @@ public:
     explicit ZoneTable(const Eigen::Vector2d &middle, QWidget *parent = nullptr);
     /// Emits nothing.
     void setZones(const std::vector<Zone> &zones);
-    void setCurrent(int zone);
     const std::vector<Zone> &zones() const { return m_zones; }
 
-Q_SIGNALS:
-    void currentChanged(int zone); ///< −1: none
-    void changed();                ///< a person changed a zone, added or removed one
-
 private:
-    void show(int row);
-    void showAll();
-    void readRow(int row);
+    int count() const override { return static_cast<int>(m_zones.size()); }
+    void showRow(int row) override;
+    void readRow(int row) override;
+    void eraseRow(int row) override { m_zones.erase(m_zones.begin() + row); }
     void add(ZoneRule rule);
-    void remove();
 
     const Eigen::Vector2d m_middle;
     std::vector<Zone> m_zones;
-    QTableWidget *m_table;
-    QPushButton *m_remove;
-    bool m_isShowing = false;
 };
 
 /// "stay inside"

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <utility>
+#include <vector>
+
+class QComboBox;
+class QPushButton;
+class QTableWidget;
+
+namespace odo {
+
+/// What the tables of a task's gates and of its zones do alike: a row each, which is shown, read when a person has edited
+/// it, chosen, and removed. GUI thread.
+class PartTable : public QWidget
+{
+    Q_OBJECT
+public:
+    /// Emits nothing.
+    void setCurrent(int row);
+
+Q_SIGNALS:
+    void currentChanged(int row); ///< −1: none
+    void changed();               ///< a person changed a part, added or removed one
+
+protected:
+    /// name: of the table, for a screen reader. remove: the button that removes the chosen part.
+    PartTable(const QStringList &headings, const QString &name, QPushButton *remove, QWidget *parent);
+    QTableWidget &table() const { return *m_table; }
+    QPushButton *removeButton() const { return m_remove; }
+    int currentRow() const;
+    void showAll();
+    /// To be called when a part was added: shows and chooses it.
+    void showAdded(int row);
+    /// The choice in a cell, made when it is not there; a person's choice is read as an edit of the row.
+    QComboBox *choiceIn(int row, int column, const QString &name, const std::vector<std::pair<QString, int>> &choices);
+    /// The button works while there is a part.
+    void enableWithParts(QPushButton *button) { m_ofParts.push_back(button); }
+    /// A row of buttons, beside which nothing stands.
+    QLayout *rowOf(const std::vector<QPushButton *> &buttons) const;
+
+private:
+    virtual int count() const = 0;
+    virtual void showRow(int row) = 0;
+    virtual void readRow(int row) = 0;
+    virtual void eraseRow(int row) = 0;
+    void takeEdit(int row);
+    void removeCurrent();
+
+    QTableWidget *m_table;
+    QPushButton *m_remove;
+    std::vector<QPushButton *> m_ofParts;
+    bool m_isShowing = false;
+};
+
+} // namespace odo
