@@ -9,6 +9,7 @@
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/workflow/task_analysis.h"
+#include "core/workflow/teams.h"
 #include "core/workflow/track_warnings.h"
 #include "core/workflow/view_tracking.h"
 
@@ -232,9 +233,7 @@ Result<void> ImportTracksJob::commit(Project &project)
 Result<void> ImportTracksJob::store(Project &project)
 {
     if (!m_settings.team.empty()) {
-        auto team = project.teams().find(m_settings.team);
-        if (!team)
-            team = project.teams().add({0, m_settings.team, ""});
+        const auto team = findOrAddTeam(project, m_settings.team);
         if (!team)
             return tl::unexpected(team.error());
         m_trial.team = team->id;

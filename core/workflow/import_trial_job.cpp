@@ -8,6 +8,7 @@
 #include "core/workflow/cameras.h"
 #include "core/workflow/clip_offset.h"
 #include "core/workflow/media_copy.h"
+#include "core/workflow/teams.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,15 +83,10 @@ Result<void> ImportTrialJob::prepare(Project &project)
         for (const CameraRecord &camera : *cameras) {
             if (camera.name != name)
                 continue;
-            const auto registration = project.cameras().currentRegistration(camera.id);
-            if (!registration)
-                return tl::unexpected(registration.error());
-            if (*registration) {
-                auto floorView = floorViewOf(project, **registration);
-                if (!floorView)
-                    return tl::unexpected(floorView.error());
-                view.floorView = std::move(*floorView);
-            }
+            auto floorView = floorViewInForce(project, camera.id);
+            if (!floorView)
+                return tl::unexpected(floorView.error());
+            view.floorView = std::move(*floorView);
         }
         m_views.push_back(std::move(view));
     }
@@ -268,9 +264,7 @@ Result<void> ImportTrialJob::commit(Project &project)
             recording.camera = camera->id;
         }
         if (!m_settings.team.empty()) {
-            auto team = project.teams().find(m_settings.team);
-            if (!team)
-                team = project.teams().add({0, m_settings.team, ""});
+            const auto team = findOrAddTeam(project, m_settings.team);
             if (!team)
                 return tl::unexpected(team.error());
             m_trial.team = team->id;

@@ -113,15 +113,10 @@ Result<std::vector<LiveView>> liveViews(Project &project, const RecordSettings &
     for (const auto &[name, address] : settings.cameras) {
         LiveView view{name, {}};
         if (const auto camera = project.cameras().find(name)) {
-            const auto registration = project.cameras().currentRegistration(camera->id);
-            if (!registration)
-                return tl::unexpected(registration.error());
-            if (*registration) {
-                auto floorView = floorViewOf(project, **registration);
-                if (!floorView)
-                    return tl::unexpected(floorView.error());
-                view.floorView = std::move(*floorView);
-            }
+            auto floorView = floorViewInForce(project, camera->id);
+            if (!floorView)
+                return tl::unexpected(floorView.error());
+            view.floorView = std::move(*floorView);
         }
         views.push_back(std::move(view));
     }

@@ -28,6 +28,19 @@ Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &regist
     return floorViewOf(registration.registration, *camera, registration.pixels);
 }
 
+Result<std::optional<FloorView>> floorViewInForce(Project &project, RecordId camera)
+{
+    const auto registration = project.cameras().currentRegistration(camera);
+    if (!registration)
+        return tl::unexpected(registration.error());
+    if (!*registration)
+        return std::nullopt;
+    auto floorView = floorViewOf(project, **registration);
+    if (!floorView)
+        return tl::unexpected(floorView.error());
+    return std::move(*floorView);
+}
+
 Result<std::vector<RegisteredView>> registeredViews(Project &project, const TrialRecord &trial)
 {
     auto recordings = project.trials().recordings(trial.id);

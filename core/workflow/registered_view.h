@@ -25,6 +25,9 @@ struct RegisteredView
 /// uncertainty it carries to the floor.
 Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &registration);
 
+/// The camera as it is registered now; nullopt where it is not. Project's thread.
+Result<std::optional<FloorView>> floorViewInForce(Project &project, RecordId camera);
+
 /// The views of a trial in their order. A recording of another picture size than its camera was calibrated at is an
 /// Error: the figures would be wrong in silence. Project's thread.
 Result<std::vector<RegisteredView>> registeredViews(Project &project, const TrialRecord &trial);
