@@ -43,9 +43,12 @@ Result<std::string> readTextFile(const std::filesystem::path &file, std::size_t 
             return fail(ErrorCode::NotFound, what, "there is no such file", "check the name");
         return fail(ErrorCode::Io, what, "it cannot be read", "check that you may read the file");
     }
-    // One byte more than allowed tells a file that is too large from one that just fits, also where no size
-    // is known.
-    QByteArray bytes = input.read(static_cast<qint64>(maxBytes) + 1);
+    // In blocks, because reading all that is allowed at once would take memory for it. One block more than allowed tells a
+    // file that is too large from one that just fits, also where no size is known.
+    constexpr qint64 blockBytes = 1 << 16;
+    QByteArray bytes = input.read(blockBytes);
+    for (QByteArray block = bytes; !block.isEmpty() && static_cast<std::size_t>(bytes.size()) <= maxBytes; bytes += block)
+        block = input.read(blockBytes);
     if (static_cast<std::size_t>(bytes.size()) > maxBytes)
         return fail(ErrorCode::InvalidInput, what,
                     "it is larger than " + std::to_string(maxBytes / 1024) + " KiB",

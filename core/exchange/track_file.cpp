@@ -13,6 +13,7 @@ namespace odo {
 namespace {
 
 constexpr std::size_t maxBytes = std::size_t(256) << 20;
+constexpr std::size_t mostPlaces = 4'000'000; // a blank one takes thirty times its bytes in the file
 constexpr double mostM = 100e3;
 constexpr auto longest = std::chrono::hours(24 * 7);
 constexpr std::size_t leastPositions = 3, tumEntries = 8;
@@ -53,6 +54,7 @@ private:
     TextLines m_lines;
     const JobControl &m_control;
     char m_delimiter = ' ';
+    std::size_t m_places = 0; ///< of all tracks
     std::vector<std::string_view> m_cells, m_above; ///< of the line that is read, and of the one above the header
 };
 
@@ -88,6 +90,8 @@ Result<void> TrackReader::add(FileTrack &track, const ImportedPosition &position
     }
     if (position.position && position.position->cwiseAbs().maxCoeff() > mostM)
         return wrong("its place is more than 100 km away", "check the unit of the places: m, cm or mm");
+    if (++m_places > mostPlaces)
+        return wrong("the file has more than four million places", "check that all lines are of one run");
     track.positions.push_back(position);
     return {};
 }

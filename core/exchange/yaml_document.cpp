@@ -5,6 +5,7 @@
 #include "core/exchange/yaml_scalar.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace odo {
 
@@ -184,6 +185,7 @@ private:
     Result<YamlNode> parseMapping(std::size_t indent, int depth)
     {
         auto node = newNode(YamlNode::Kind::Mapping, m_lines[m_index].number, depth);
+        std::unordered_set<std::string> keys; // a search among the entries would take minutes for a large file
         while (node && m_index < m_lines.size() && m_lines[m_index].indent == indent) {
             Line &line = m_lines[m_index];
             const std::size_t colon = keyEnd(line.content);
@@ -194,12 +196,12 @@ private:
             if (colon == std::string::npos)
                 return failure(line.number, "the line has no \"key: value\"");
             const std::string key = unquoted(trimmed(line.content.substr(0, colon)));
-            if (node->find(key) != nullptr)
+            if (!keys.insert(key).second)
                 return failure(line.number, "the key '" + key.substr(0, 40) + "' is there twice");
             auto value = parseAfterKey(line, colon + 1, indent, depth);
             if (!value)
                 return value;
-            node->entries.emplace_back(key, std::move(*value));
+            node->entries.push_back({key, std::move(*value)});
         }
         return node;
     }
@@ -267,12 +269,13 @@ private:
         auto node =
             newNode(open == '[' ? YamlNode::Kind::Sequence : YamlNode::Kind::Mapping, m_flow.number, depth);
         ++m_column;
+        std::unordered_set<std::string> keys;
         while (node) {
             if (!skipBlanks())
                 return failure(node->line, "a bracket is not closed");
             if (m_flow.content[m_column] == close)
                 break;
-            if (auto added = open == '[' ? parseFlowItem(*node, depth) : parseFlowEntry(*node, depth); !added)
+            if (auto added = open == '[' ? parseFlowItem(*node, depth) : parseFlowEntry(*node, keys, depth); !added)
                 return tl::unexpected(added.error());
             if (!skipBlanks())
                 return failure(node->line, "a bracket is not closed");
@@ -294,20 +297,20 @@ private:
         return {};
     }
 
-    Result<void> parseFlowEntry(YamlNode &into, int depth)
+    Result<void> parseFlowEntry(YamlNode &into, std::unordered_set<std::string> &keys, int depth)
     {
         const auto key = parseFlowScalar(depth + 1);
         if (!key)
             return tl::unexpected(key.error());
         if (!skipBlanks() || m_flow.content[m_column] != ':')
             return failure(m_flow.number, "a colon is missing after '" + key->text.substr(0, 40) + "'");
-        if (into.find(key->text) != nullptr)
+        if (!keys.insert(key->text).second)
             return failure(key->line, "the key '" + key->text.substr(0, 40) + "' is there twice");
         ++m_column;
         auto value = parseFlow(depth + 1);
         if (!value)
             return tl::unexpected(value.error());
-        into.entries.emplace_back(key->text, std::move(*value));
+        into.entries.push_back({key->text, std::move(*value)});
         return {};
     }
 
@@ -341,8 +344,8 @@ private:
 const YamlNode *YamlNode::find(std::string_view key) const
 {
     const auto found =
-        std::find_if(entries.begin(), entries.end(), [key](const auto &entry) { return entry.first == key; });
-    return found == entries.end() ? nullptr : &found->second;
+        std::find_if(entries.begin(), entries.end(), [key](const auto &entry) { return entry.key == key; });
+    return found == entries.end() ? nullptr : &found->value;
 }
 
 Result<YamlNode> parseYaml(const std::filesystem::path &file, const std::string &text, const std::string &advice)

@@ -5,24 +5,31 @@
 
 #include <filesystem>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 namespace odo {
 
 /// A node of the part of YAML in which calibrations and tasks are written; JSON is of it. Its text is that of
 /// the file: nothing is guessed.
+struct YamlEntry;
 struct YamlNode
 {
     enum class Kind { Null, Scalar, Sequence, Mapping };
     Kind kind = Kind::Null;
     int line = 0;
     std::string text;                                      ///< of a scalar, without quotes
-    std::vector<YamlNode> items;                           ///< of a sequence
-    std::vector<std::pair<std::string, YamlNode>> entries; ///< of a mapping, in the file's order
+    std::vector<YamlNode> items;    ///< of a sequence
+    std::vector<YamlEntry> entries; ///< of a mapping, in the file's order
 
     /// nullptr when this is no mapping, or has no such key.
     const YamlNode *find(std::string_view key) const;
+};
+
+struct YamlEntry
+{
+    std::string key;
+    YamlNode value;
 };
 
 /// Parses one YAML document: block mappings and sequences, flow sequences and mappings, plain and quoted
