@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::size_t blockBytes = 1 << 20;
 constexpr std::size_t mostEntries = 1'000'000;
+/// What may be unpacked for each byte of the archive, and in any case: videos do not shrink, projects to a twentieth.
+constexpr std::uintmax_t mostGrowth = 100, alwaysAllowedBytes = 16 << 20;
 constexpr const char *roomAdvice = "check the free space and the rights of its folder";
 
 struct Free
@@ -151,6 +153,9 @@ public:
         archive_read_support_format_zip(m_archive);
         if (archive_read_open_filename(m_archive, m_file.c_str(), blockBytes) != ARCHIVE_OK)
             return refuse(problemOf(m_archive));
+        m_archiveBytes = std::filesystem::file_size(m_file, problem);
+        if (problem)
+            m_archiveBytes = 0;
         m_made = std::filesystem::create_directories(m_part, problem);
         if (!m_made)
             return failure(problem ? problem.message()
@@ -199,6 +204,8 @@ private:
         std::filesystem::create_directories(target.parent_path(), problem);
         const int descriptor =
             ::open(target.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC | O_NOFOLLOW, 0644);
+        if (descriptor < 0 && errno == EEXIST)
+            return refuse("'" + name.string() + "' is in it twice");
         if (descriptor < 0)
             return failure(std::strerror(errno));
         auto copied = copyData(descriptor, control);
@@ -230,6 +237,9 @@ private:
                 return {};
             if (count < 0)
                 return refuse(problemOf(m_archive));
+            m_unpackedBytes += static_cast<std::uintmax_t>(count);
+            if (m_unpackedBytes > alwaysAllowedBytes + mostGrowth * m_archiveBytes)
+                return refuse("it unpacks to more than a hundred times its size");
             for (la_ssize_t at = 0; at < count;) {
                 const ssize_t written =
                     ::write(descriptor, block.data() + at, static_cast<std::size_t>(count - at));
@@ -238,10 +248,7 @@ private:
                 at += written;
             }
             const auto read = static_cast<double>(archive_filter_bytes(m_archive, -1));
-            std::error_code ignored;
-            control.report(
-                std::min(1.0, read / static_cast<double>(std::filesystem::file_size(m_file, ignored))),
-                "unpacking");
+            control.report(std::min(1.0, read / static_cast<double>(m_archiveBytes)), "unpacking");
         }
     }
 
@@ -259,6 +266,7 @@ private:
     archive *const m_archive;
     bool m_made = false;
     std::filesystem::path m_project;
+    std::uintmax_t m_archiveBytes = 0, m_unpackedBytes = 0;
 };
 
 } // namespace

@@ -129,7 +129,11 @@ private Q_SLOTS:
         row("another folder", {"p.odo", "q.media/x"}, "does not belong");
         row("a second project", {"p.odo", "q.odo"}, "does not belong");
         row("beside", {"p.odo", "p.odo-wal"}, "does not belong");
-        row("the same twice", {"p.odo", "p.media/x", "p.media/x"}, "File exists");
+        row("the same twice", {"p.odo", "p.media/x", "p.media/x"}, "'p.media/x' is in it twice");
+        row("a file as a folder", {"p.odo", "p.media/x", "p.media/x/y"}, "Not a directory");
+        row("its own lock", {"p.odo", "p.odo.lock"}, "does not belong");
+        row("by a detour", {"p.odo", "p.media/./x"}, "does not belong");
+        row("in the folder's place", {"p.odo", "p.media/.."}, "does not belong");
         row("a link", {"p.odo", "@p.media/x"}, "does not belong");
         row("no project", {"p.media/x"}, "does not belong");
         row("a hidden one", {".odo"}, "does not belong");
@@ -149,6 +153,19 @@ private Q_SLOTS:
         QVERIFY2(refused.error().message().find(why.toStdString()) != std::string::npos,
                  refused.error().message().c_str());
         QCOMPARE(files(), QStringList{QStringLiteral("p.zip")});
+    }
+
+    /// A hundred megabytes of nothing take a hundred kilobytes; a video takes what it has.
+    void whatGrowsWithoutBoundIsRefused()
+    {
+        const auto bomb = write("bomb", QByteArray(100 << 20, '\0'));
+        QVERIFY(writeArchive(path("p.zip").toStdString(), {{"p.odo", bomb}}, {}));
+        const auto refused = unpackArchive(path("p.zip").toStdString(), path("new").toStdString(), {});
+        QCOMPARE(refused.error().message(), "unpack '" + path("p.zip").toStdString() +
+                     "': it unpacks to more than a hundred times its size; choose a file that Odograph has packed, and copy it anew if it is damaged");
+        QVERIFY(writeArchive(path("q.zip").toStdString(), {{"q.odo", write("a", "project")}, {"q.media/x", bomb}}, {}));
+        QVERIFY(unpackArchive(path("q.zip").toStdString(), path("other").toStdString(), {}));
+        QVERIFY(!QFile::exists(path("new")) && !QFile::exists(path("new.part")));
     }
 
     void whatIsNoArchiveIsRefused()

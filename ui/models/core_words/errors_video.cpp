@@ -46,6 +46,8 @@ std::span<const CorePattern> errorsVideo()
         {QT_TRANSLATE_NOOP("CoreWords", "wait until nobody writes to it, and try again")},
         {QT_TRANSLATE_NOOP("CoreWords", "there is no project in it")},
         {QT_TRANSLATE_NOOP("CoreWords", "it has too many files")},
+        {QT_TRANSLATE_NOOP("CoreWords", "'%1' is in it twice")},
+        {QT_TRANSLATE_NOOP("CoreWords", "it unpacks to more than a hundred times its size")},
         {QT_TRANSLATE_NOOP("CoreWords", "'%1' does not belong into a packed project")},
         {QT_TRANSLATE_NOOP("CoreWords", "choose a file that Odograph has packed, and copy it anew if it is damaged")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is written in UTF-16")},
