@@ -2396,6 +2396,10 @@
         <translation>es ist die Datenbank eines anderen Programms</translation>
     </message>
     <message>
+        <source>the journal beside it names another file</source>
+        <translation>das Journal daneben nennt eine andere Datei</translation>
+    </message>
+    <message>
         <source>choose a file that Odograph has written</source>
         <translation>wählen Sie eine Datei, die Odograph geschrieben hat</translation>
     </message>
@@ -3950,6 +3954,14 @@
     <message>
         <source>it has too many files</source>
         <translation>es hat zu viele Dateien</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than a hundred times its size</source>
+        <translation>es wird beim Entpacken mehr als hundertmal so groß</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is in it twice</source>
+        <translation>&apos;%1&apos; ist zweimal darin</translation>
     </message>
     <message>
         <source>&apos;%1&apos; does not belong into a packed project</source>

@@ -2396,6 +2396,10 @@
         <translation>es una base de datos de otro programa</translation>
     </message>
     <message>
+        <source>the journal beside it names another file</source>
+        <translation>el diario que está a su lado nombra otro archivo</translation>
+    </message>
+    <message>
         <source>choose a file that Odograph has written</source>
         <translation>elija un archivo escrito por Odograph</translation>
     </message>
@@ -3950,6 +3954,14 @@
     <message>
         <source>it has too many files</source>
         <translation>tiene demasiados archivos</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than a hundred times its size</source>
+        <translation>al desempaquetarlo ocupa más de cien veces su tamaño</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is in it twice</source>
+        <translation>&apos;%1&apos; está dos veces en él</translation>
     </message>
     <message>
         <source>&apos;%1&apos; does not belong into a packed project</source>

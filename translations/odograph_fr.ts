@@ -2396,6 +2396,10 @@
         <translation>c’est la base de données d’un autre programme</translation>
     </message>
     <message>
+        <source>the journal beside it names another file</source>
+        <translation>le journal à côté nomme un autre fichier</translation>
+    </message>
+    <message>
         <source>choose a file that Odograph has written</source>
         <translation>choisissez un fichier écrit par Odograph</translation>
     </message>
@@ -3950,6 +3954,14 @@
     <message>
         <source>it has too many files</source>
         <translation>il a trop de fichiers</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than a hundred times its size</source>
+        <translation>une fois décompressé, il dépasse cent fois sa taille</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is in it twice</source>
+        <translation>&apos;%1&apos; s’y trouve deux fois</translation>
     </message>
     <message>
         <source>&apos;%1&apos; does not belong into a packed project</source>

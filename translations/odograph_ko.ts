@@ -2394,6 +2394,10 @@
         <translation>다른 프로그램의 데이터베이스입니다</translation>
     </message>
     <message>
+        <source>the journal beside it names another file</source>
+        <translation>옆에 있는 저널이 다른 파일을 가리킵니다</translation>
+    </message>
+    <message>
         <source>choose a file that Odograph has written</source>
         <translation>Odograph가 쓴 파일을 선택하십시오</translation>
     </message>
@@ -3948,6 +3952,14 @@
     <message>
         <source>it has too many files</source>
         <translation>파일이 너무 많습니다</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than a hundred times its size</source>
+        <translation>풀면 크기가 백 배 넘게 커집니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is in it twice</source>
+        <translation>&apos;%1&apos;이(가) 두 번 들어 있습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; does not belong into a packed project</source>

@@ -2394,6 +2394,10 @@
         <translation>是其他程序的数据库</translation>
     </message>
     <message>
+        <source>the journal beside it names another file</source>
+        <translation>旁边的日志指向另一个文件</translation>
+    </message>
+    <message>
         <source>choose a file that Odograph has written</source>
         <translation>请选择 Odograph 写出的文件</translation>
     </message>
@@ -3948,6 +3952,14 @@
     <message>
         <source>it has too many files</source>
         <translation>文件过多</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than a hundred times its size</source>
+        <translation>解包后超过其大小的一百倍</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is in it twice</source>
+        <translation>其中“%1”出现了两次</translation>
     </message>
     <message>
         <source>&apos;%1&apos; does not belong into a packed project</source>

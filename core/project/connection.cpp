@@ -9,6 +9,7 @@
 #include <atomic>
 #include <limits>
 #include <sqlite3.h>
+#include <utility>
 
 namespace odo {
 
@@ -54,6 +55,7 @@ Explanation explain(int resultCode)
         return {ErrorCode::Io, "the disk reported an error, the change was not saved",
                 "check the disk, and copy the project to another one"};
     case SQLITE_CORRUPT:
+    case SQLITE_INTERRUPT: // by a StepLimit
         return {ErrorCode::InvalidInput, "the file is damaged", "restore it from a backup copy"};
     case SQLITE_NOTADB:
         return {ErrorCode::InvalidInput, "it is not a project file",
@@ -101,15 +103,33 @@ Result<std::unique_ptr<ProjectConnection>> ProjectConnection::open(const std::fi
     return connection;
 }
 
+namespace {
+
+/// A project may come from anyone: its schema is data, not trusted code, and what is larger than anything of ours is refused
+/// before it takes time and memory (https://www.sqlite.org/security.html).
+void harden(sqlite3 *handle)
+{
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    for (const int allowed : {SQLITE_DBCONFIG_TRUSTED_SCHEMA, SQLITE_DBCONFIG_ENABLE_VIEW, SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION,
+                              SQLITE_DBCONFIG_DQS_DDL, SQLITE_DBCONFIG_DQS_DML})
+        sqlite3_db_config(handle, allowed, 0, nullptr);
+    constexpr std::pair<int, int> limits[] = {
+        {SQLITE_LIMIT_LENGTH, 512 * 1024 * 1024}, {SQLITE_LIMIT_SQL_LENGTH, 100'000}, {SQLITE_LIMIT_COLUMN, 100},
+        {SQLITE_LIMIT_EXPR_DEPTH, 100},           {SQLITE_LIMIT_COMPOUND_SELECT, 10}, {SQLITE_LIMIT_VDBE_OP, 250'000},
+        {SQLITE_LIMIT_FUNCTION_ARG, 16},          {SQLITE_LIMIT_ATTACHED, 1},         {SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 1000},
+        {SQLITE_LIMIT_VARIABLE_NUMBER, 1000},     {SQLITE_LIMIT_TRIGGER_DEPTH, 10},   {SQLITE_LIMIT_WORKER_THREADS, 0}};
+    for (const auto &[limit, most] : limits)
+        sqlite3_limit(handle, limit, most);
+}
+
+} // namespace
+
 Result<void> ProjectConnection::configure(DatabaseAccess access)
 {
     if (access == DatabaseAccess::ReadWrite && sqlite3_db_readonly(handle(), "main") == 1)
         return fail(ErrorCode::ReadOnly, displayName(), "it cannot be written to",
                     "copy it to a folder that you may write to, and open the copy");
-    // A project may come from anyone: its schema is data, not trusted code.
-    sqlite3_db_config(handle(), SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
-    sqlite3_limit(handle(), SQLITE_LIMIT_LENGTH, 512 * 1024 * 1024);
-    sqlite3_limit(handle(), SQLITE_LIMIT_ATTACHED, 1);
+    harden(handle());
     for (const char *pragma :
          {"PRAGMA trusted_schema=OFF", "PRAGMA cell_size_check=ON", "PRAGMA mmap_size=0",
           "PRAGMA temp_store=MEMORY", "PRAGMA foreign_keys=ON", "PRAGMA synchronous=FULL"}) {

@@ -33,6 +33,17 @@ std::uintmax_t promisedBytes(const Header &header)
     return pageBytes * bigEndian(header, pageCountOffset);
 }
 
+/// Whether a rollback journal ends with the name of another one (https://www.sqlite.org/fileformat.html, section 3), which SQLite
+/// would remove after rolling back, whatever file it is. It belongs to changes of several databases, which we never make.
+bool namesAnotherFile(const std::filesystem::path &journal)
+{
+    constexpr std::string_view mark("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
+    std::ifstream input(journal, std::ios::binary);
+    std::string end(mark.size(), '\0');
+    input.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+    return input.read(end.data(), static_cast<std::streamsize>(end.size())) && end == mark;
+}
+
 } // namespace
 
 Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersion)
@@ -74,6 +85,11 @@ Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersio
                     "it was written by a newer Odograph (format " + std::to_string(version) +
                         ", this one knows formats up to " + std::to_string(newestVersion) + ")",
                     "open it with that Odograph, or update this one");
+    std::filesystem::path journal = file;
+    journal += "-journal";
+    if (std::filesystem::is_regular_file(journal, problem) && namesAnotherFile(journal))
+        return fail(ErrorCode::InvalidInput, what, "the journal beside it names another file",
+                    "copy it again from where it came, or restore a backup copy");
     // While a write-ahead log lies beside it, the file itself may lag behind.
     std::filesystem::path log = file;
     log += "-wal";

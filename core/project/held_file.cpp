@@ -34,7 +34,8 @@ Result<std::unique_ptr<HeldFile>> HeldFile::take(const std::filesystem::path &fi
                                                  const std::string &words)
 {
     for (;;) {
-        const int descriptor = ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+        // Never through a link: a project may come from anyone, and what the link leads to would be emptied.
+        const int descriptor = ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644);
         if (descriptor < 0)
             return fail(ErrorCode::Io, "cannot hold " + file.string(), std::strerror(errno),
                         "check the free space and the rights of its folder");
@@ -57,7 +58,7 @@ Result<std::unique_ptr<HeldFile>> HeldFile::take(const std::filesystem::path &fi
 
 bool HeldFile::isHeld(const std::filesystem::path &file)
 {
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0)
         return false;
     const bool held = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0;
@@ -67,10 +68,14 @@ bool HeldFile::isHeld(const std::filesystem::path &file)
 
 std::string HeldFile::wordsOf(const std::filesystem::path &file)
 {
+    constexpr std::streamsize mostWords = 300;
+    if (std::error_code problem; !std::filesystem::is_regular_file(file, problem))
+        return {};
     std::ifstream stream(file);
-    std::string words;
-    std::getline(stream, words);
-    return words;
+    std::string words(mostWords, '\0');
+    stream.read(words.data(), mostWords);
+    words.resize(static_cast<std::size_t>(stream.gcount()));
+    return words.substr(0, words.find('\n'));
 }
 
 HeldFile::~HeldFile()

@@ -11,7 +11,11 @@
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/project/schema.h"
+#include "core/project/step_limit.h"
 
+#include <limits>
+#include <map>
+#include <mutex>
 #include <set>
 
 namespace odo {
@@ -20,6 +24,8 @@ namespace {
 
 /// Larger files are looked through only by Project::check: reading them at every start would be slow.
 constexpr std::uintmax_t quickCheckBytes = 64 * 1024 * 1024;
+/// More than the fullest file of that size takes; a file may be made so that reading it does not end.
+constexpr std::int64_t mostOpeningSteps = 500'000'000;
 
 std::filesystem::path beside(const std::filesystem::path &file, const char *suffix)
 {
@@ -28,12 +34,14 @@ std::filesystem::path beside(const std::filesystem::path &file, const char *suff
     return other;
 }
 
-/// The schema as SQLite keeps it: one text for each table, index, trigger and view.
-Result<std::set<std::string>> schemaOf(const ProjectConnection &connection)
+using Schema = std::set<std::string>;
+
+/// The schema as SQLite keeps it: one text for each table, index, trigger and view; the first so many of them.
+Result<Schema> schemaOf(const ProjectConnection &connection, std::size_t most)
 {
-    std::set<std::string> schema;
-    Statement select(connection, QStringLiteral("SELECT type, name, sql FROM sqlite_master"));
-    auto read = select.eachRow([&schema](const Statement &row) -> Result<void> {
+    Schema schema;
+    Statement select(connection, QStringLiteral("SELECT type, name, sql FROM sqlite_master LIMIT ?"));
+    auto read = select.bind(static_cast<std::int64_t>(most)).eachRow([&schema](const Statement &row) -> Result<void> {
         schema.insert(row.text(0) + ' ' + row.text(1) + ' ' + row.text(2));
         return {};
     });
@@ -42,18 +50,34 @@ Result<std::set<std::string>> schemaOf(const ProjectConnection &connection)
     return schema;
 }
 
-/// A project may come from anyone: views or triggers in it that are not ours would be a program that we run.
-Result<void> checkSchema(const ProjectConnection &connection, const Migrator &migrator, int version)
+/// What a project of that version has. Kept, because making it takes longer than to look through a small project. Any thread.
+Result<Schema> expectedSchema(const Migrator &migrator, int version)
 {
+    static std::mutex mutex;
+    static std::map<int, Schema> known;
+    const std::lock_guard lock(mutex);
+    if (const auto found = known.find(version); found != known.end())
+        return found->second;
     const auto reference = ProjectConnection::open(":memory:", DatabaseAccess::ReadWrite);
     if (!reference)
         return tl::unexpected(reference.error());
     if (auto made = migrator.create(**reference, version); !made)
-        return made;
-    const auto expected = schemaOf(**reference);
-    const auto found = schemaOf(connection);
-    if (!expected || !found)
-        return tl::unexpected(expected ? found.error() : expected.error());
+        return tl::unexpected(made.error());
+    auto schema = schemaOf(**reference, std::numeric_limits<std::int64_t>::max());
+    if (schema)
+        known.emplace(version, *schema);
+    return schema;
+}
+
+/// A project may come from anyone: views, triggers or checks in it that are not ours would be a program that we run.
+Result<void> checkSchema(const ProjectConnection &connection, const Migrator &migrator, int version)
+{
+    const auto expected = expectedSchema(migrator, version);
+    if (!expected)
+        return tl::unexpected(expected.error());
+    const auto found = schemaOf(connection, expected->size() + 1);
+    if (!found)
+        return tl::unexpected(found.error());
     if (*expected != *found)
         return fail(ErrorCode::InvalidInput, connection.displayName(),
                     "its tables are not those of a project", "restore it from a backup copy");
@@ -75,16 +99,18 @@ Result<void> quickCheck(const ProjectConnection &connection)
     return {};
 }
 
-/// The version of the schema, when the file is whole and holds nothing but that schema.
+/// The version of the schema, when the file is whole and holds nothing but that schema. The schema comes first, for looking through
+/// the rest evaluates the checks in it.
 Result<int> checkContent(const ProjectConnection &connection, const Migrator &migrator)
 {
-    if (auto sound = quickCheck(connection); !sound)
-        return tl::unexpected(sound.error());
+    const StepLimit limit(connection, mostOpeningSteps);
     const auto version = migrator.knownVersion(connection);
     if (!version)
         return version;
     if (auto ours = checkSchema(connection, migrator, *version); !ours)
         return tl::unexpected(ours.error());
+    if (auto sound = quickCheck(connection); !sound)
+        return tl::unexpected(sound.error());
     return version;
 }
 

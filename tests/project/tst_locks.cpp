@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -53,6 +54,36 @@ private Q_SLOTS:
         QVERIFY(std::filesystem::exists(file()));
         QVERIFY(!HeldFile::isHeld(file()));
         QVERIFY(HeldFile::take(file(), Afterwards::Goes).value() != nullptr);
+    }
+
+    /// What lies in a project's folder may come from anyone.
+    void itIsNeverHeldThroughALink()
+    {
+        const std::filesystem::path own = file().string() + ".own";
+        QFile other(QString::fromStdString(own.string()));
+        QVERIFY(other.open(QIODevice::WriteOnly) && other.write("somebody's own") > 0);
+        other.close();
+        std::filesystem::create_symlink(own, file());
+        const auto refused = HeldFile::take(file(), Afterwards::Goes, "anna");
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::Io);
+        QVERIFY(other.open(QIODevice::ReadOnly));
+        QCOMPARE(other.readAll(), QByteArray("somebody's own"));
+    }
+
+    void whatItSaysIsOneShortLine()
+    {
+        QFile lock(QString::fromStdString(file().string()));
+        QVERIFY(lock.open(QIODevice::WriteOnly) && lock.write(QByteArray(1'000'000, 'x')) > 0);
+        lock.close();
+        QCOMPARE(HeldFile::wordsOf(file()).size(), std::size_t(300));
+        QVERIFY(lock.open(QIODevice::WriteOnly) && lock.write("anna\nand more") > 0);
+        lock.close();
+        QCOMPARE(HeldFile::wordsOf(file()), std::string("anna"));
+        std::filesystem::remove(file());
+        QCOMPARE(mkfifo(file().c_str(), 0600), 0); // reading it would wait for ever
+        QCOMPARE(HeldFile::wordsOf(file()), std::string());
+        QVERIFY(!HeldFile::isHeld(file()));
     }
 
     void aFolderThatIsNotThereIsSaid()

@@ -27,6 +27,7 @@ std::span<const CorePattern> errorsProject()
         {QT_TRANSLATE_NOOP("CoreWords", "the project file is damaged")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is not a project file")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is a database of another program")},
+        {QT_TRANSLATE_NOOP("CoreWords", "the journal beside it names another file")},
         {QT_TRANSLATE_NOOP("CoreWords", "choose a file that Odograph has written")},
         {QT_TRANSLATE_NOOP("CoreWords", "it refers to something that is not in the project, or a value is missing")},
         {QT_TRANSLATE_NOOP("CoreWords", "add what it refers to first")},
