@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/video/picture.h"
+#include "core/video/picture_size.h"
+#include "tests/fuzz/fuzz_file.h"
+
+/// A still picture: PNG, JPEG, BMP, TIFF or PNM. Those of a size that would only be slow are left out.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t count)
+{
+    using namespace odo;
+    constexpr std::uint64_t mostPixels = 1 << 20;
+    const auto size = pictureSize({bytes, count});
+    if (size && std::uint64_t(size->width) * size->height > mostPixels)
+        return 0;
+    static fuzz::File file(".png");
+    const auto frame = readPicture(file.holding(bytes, count));
+    if (frame)
+        static_cast<void>(toScreen(*frame, 16, 12));
+    return 0;
+}

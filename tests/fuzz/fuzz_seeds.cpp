@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes the seeds that are no text, by Odograph's own writers and libav's: fuzz_seeds tests/fuzz/corpus
+#include "core/exchange/project_archive.h"
+#include "core/project/series_blobs.h"
+#include "core/video/jpeg_encoder.h"
+#include "core/video/video_writer.h"
+#include "tests/project/sample_records.h"
+#include "tests/video/foreign_files.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <sqlite3.h>
+
+namespace {
+
+using namespace odo;
+using Path = std::filesystem::path;
+
+void require(bool isSo, const char *what)
+{
+    if (isSo)
+        return;
+    std::fprintf(stderr, "fuzz_seeds: cannot write %s\n", what);
+    std::exit(1);
+}
+
+void write(const Path &file, std::span<const char> bytes)
+{
+    std::ofstream stream(file, std::ios::binary);
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    require(stream.flush().good(), file.c_str());
+}
+
+/// In pages of 512 bytes, so that a table takes less of the file.
+void shrink(const Path &file)
+{
+    sqlite3 *database = nullptr;
+    require(sqlite3_open(file.c_str(), &database) == SQLITE_OK, file.c_str());
+    require(sqlite3_exec(database, "PRAGMA journal_mode=DELETE; PRAGMA page_size=512; VACUUM", nullptr, nullptr, nullptr) == SQLITE_OK, file.c_str());
+    sqlite3_close(database);
+}
+
+void writeProjects(const Path &folder)
+{
+    RecordSource source(7);
+    for (const bool isFilled : {false, true}) {
+        const Path file = folder / (isFilled ? "filled.odo" : "empty.odo");
+        std::filesystem::remove(file);
+        {
+            const auto project = Project::create(file, "title");
+            require(project.has_value(), file.c_str());
+            require(!isFilled || fill(**project, source).has_value(), file.c_str());
+        }
+        shrink(file);
+    }
+}
+
+void writeSeries(const Path &folder)
+{
+    RecordSource source(8);
+    const auto keep = [&folder](const char *name, const QByteArray &bytes) { write(folder / name, bytes); };
+    keep("times", packTimes(std::vector{Nanoseconds(0), Nanoseconds(33'000'000)}));
+    keep("raw_times", packRawTimes(std::vector{RawTime{1, Nanoseconds(2), Nanoseconds(3)}}));
+    keep("clock_readings", packClockReadings(std::vector{ClockReading{Nanoseconds(1), Nanoseconds(2), Nanoseconds(3)}}));
+    keep("observations", packObservations(std::vector{source.observation(0), source.observation(1)}));
+    const AnalysisRecord analysis = source.analysis(1, 1, 2);
+    keep("samples", packSamples(analysis.profile.samples));
+    keep("points", packPoints(analysis.profile.points));
+    keep("truth", packTruth(source.truth(1, 1, 2)));
+    keep("corners", packCorners(source.calibration(1).calibration.pictures.front()));
+    keep("numbers", packNumbers(std::vector{1.0, 2.0}));
+    keep("square", packSquare(Eigen::MatrixXd::Identity(2, 2)));
+}
+
+void writeArchives(const Path &folder)
+{
+    const Path content = folder / "content";
+    write(content, std::string(300, 'x'));
+    require(writeArchive(folder / "packed.zip", {{"p.odo", content}, {"p.media/run_A.mkv", content}, {"p.media/calibration/a.png", content}}, {}).has_value(), "packed.zip");
+    require(writeArchive(folder / "climbs.zip", {{"p.odo", content}, {"p.media/../../x", content}}, {}).has_value(), "climbs.zip");
+    require(writeArchive(folder / "absolute.zip", {{"p.odo", content}, {"/tmp/x", content}}, {}).has_value(), "absolute.zip");
+    std::filesystem::remove(content);
+}
+
+cv::Mat smallPicture()
+{
+    cv::Mat picture(24, 32, CV_8UC3);
+    for (int y = 0; y < picture.rows; ++y)
+        for (int x = 0; x < picture.cols; ++x)
+            picture.at<cv::Vec3b>(y, x) = cv::Vec3b(static_cast<uchar>(8 * x), static_cast<uchar>(10 * y), static_cast<uchar>(4 * (x + y)));
+    return picture;
+}
+
+void writePictures(const Path &folder)
+{
+    for (const char *name : {"a.png", "a.jpg", "a.bmp", "a.tiff", "a.ppm"})
+        require(cv::imwrite(folder / name, smallPicture()), name);
+    require(cv::imwrite(folder / "grey.pgm", cv::Mat(24, 32, CV_8UC1, cv::Scalar(90))), "grey.pgm");
+}
+
+void writeJpegs(const Path &folder)
+{
+    require(cv::imwrite(folder / "baseline.jpg", smallPicture()), "baseline.jpg");
+    require(cv::imwrite(folder / "progressive.jpg", smallPicture(), {cv::IMWRITE_JPEG_PROGRESSIVE, 1}), "progressive.jpg");
+    require(cv::imwrite(folder / "restarts.jpg", smallPicture(), {cv::IMWRITE_JPEG_RST_INTERVAL, 1}), "restarts.jpg");
+    FrameFormat format;
+    format.width = 32;
+    format.height = 24;
+    auto buffer = std::make_shared<FrameBuffer>(format);
+    const auto encoded = JpegEncoder().encode(FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0)));
+    require(encoded.has_value(), "recorded.jpg");
+    write(folder / "recorded.jpg", {reinterpret_cast<const char *>(encoded->data()), encoded->size()});
+}
+
+void writeVideos(const Path &folder)
+{
+    const struct
+    {
+        const char *name, *encoder, *format;
+    } videos[] = {{"mjpeg.mkv", "mjpeg", "yuvj420p"},  {"mjpeg.avi", "mjpeg", "yuvj422p"}, {"ffv1.mkv", "ffv1", "yuv420p"},
+                  {"h264.mp4", "libx264", "yuv420p"},  {"mpeg4.avi", "mpeg4", "yuv420p"},  {"mpeg2.ts", "mpeg2video", "yuv420p"},
+                  {"vp8.webm", "libvpx", "yuv420p"},   {"grey.nut", "rawvideo", "gray"},   {"nv12.mov", "rawvideo", "nv12"},
+                  {"mpeg4.ogg", "mpeg4", "yuv420p"},   {"mpeg2.mxf", "mpeg2video", "yuv420p"}};
+    for (const auto &video : videos) {
+        if (!test::writeRaw(folder / video.name, video.encoder, video.format, 3)) {
+            std::fprintf(stderr, "fuzz_seeds: libav does not write %s\n", video.name);
+            std::filesystem::remove(folder / video.name);
+        }
+    }
+    for (const char *name : {"h264.mkv", "h264.mov", "h264.ts", "h264.flv", "h264.h264"})
+        static_cast<void>(test::remux(folder / "h264.mp4", folder / name));
+}
+
+} // namespace
+
+int main(int count, char **arguments)
+{
+    require(count == 2, "anything: name the folder of the corpora");
+    const Path corpus = arguments[1];
+    const std::pair<const char *, void (*)(const Path &)> parts[] = {{"project", writeProjects}, {"series", writeSeries}, {"archive", writeArchives},
+                                                                    {"picture", writePictures}, {"jpeg", writeJpegs}, {"video", writeVideos}};
+    for (const auto &[name, writePart] : parts) {
+        std::filesystem::create_directories(corpus / name);
+        writePart(corpus / name);
+    }
+}

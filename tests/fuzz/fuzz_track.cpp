@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/track_file.h"
+#include "tests/fuzz/fuzz_file.h"
+
+#include <cmath>
+
+namespace {
+
+void require(bool isSo, const char *what)
+{
+    if (isSo)
+        return;
+    std::fprintf(stderr, "a track was read, but %s\n", what);
+    std::abort();
+}
+
+} // namespace
+
+/// A finished track: a table, TUM or Tracker's text. What is read must be what trajectories are made of.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t count)
+{
+    using namespace odo;
+    static fuzz::File file(".csv");
+    const auto read = readTrackFile(file.holding(bytes, count), {});
+    if (!read)
+        return 0;
+    require(!read->tracks.empty(), "there is none");
+    for (const FileTrack &track : read->tracks) {
+        for (std::size_t i = 0; i < track.positions.size(); ++i) {
+            const ImportedPosition &one = track.positions[i];
+            require(i == 0 || one.time > track.positions[i - 1].time, "its times do not rise");
+            require(!one.position || one.position->allFinite(), "a place is no number");
+        }
+    }
+    return 0;
+}
