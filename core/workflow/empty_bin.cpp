@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/empty_bin.h"
 
+#include "core/project/own_media.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 
-#include <algorithm>
-
 namespace odo {
-
-namespace {
-
-bool isInside(const std::filesystem::path &file, const std::filesystem::path &folder)
-{
-    const auto normal = file.lexically_normal(), base = folder.lexically_normal();
-    return std::mismatch(base.begin(), base.end(), normal.begin(), normal.end()).first == base.end();
-}
-
-} // namespace
 
 Result<BinContent> binContent(Project &project)
 {
@@ -70,7 +59,7 @@ Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial)
         recording.path = path;
         const std::filesystem::path file = project.resolve(recording);
         const auto used = project.trials().isFileUsed(path);
-        if (!used || *used || !isInside(file, project.mediaFolder()))
+        if (!used || *used || !isOwnMedia(file, project.mediaFolder()))
             continue;
         std::error_code problem;
         std::filesystem::remove(file, problem);

@@ -2,6 +2,7 @@
 #include "core/workflow/recover_job.h"
 
 #include "core/capture/recorded_clock.h"
+#include "core/project/own_media.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
@@ -59,6 +60,7 @@ Result<void> RecoverJob::prepare(Project &project)
     if (!lock)
         return lock.error().code == ErrorCode::AlreadyExists ? Result<void>() : tl::unexpected(lock.error());
     m_lock = std::move(*lock);
+    m_mediaFolder = project.mediaFolder();
     for (const TrialRecord &trial : *trials) {
         if (!trial.unfinished)
             continue;
@@ -90,7 +92,7 @@ Result<void> RecoverJob::run(const JobControl &control)
     return {};
 }
 
-Result<void> RecoverJob::recover(Unfinished &unfinished)
+Result<void> RecoverJob::recover(Unfinished &unfinished) const
 {
     std::vector<EndedView> ended;
     for (View &view : unfinished.views) {
@@ -101,7 +103,7 @@ Result<void> RecoverJob::recover(Unfinished &unfinished)
         }
         const auto reader = VideoReader::open(view.file);
         if (!reader) { // it was cut off before a picture was on the disk
-            if (view.times.pictures.empty() && hasNoPicture(view.file))
+            if (view.times.pictures.empty() && isOwnMedia(view.file, m_mediaFolder) && hasNoPicture(view.file))
                 unfinished.empty.push_back(view.file);
             continue;
         }

@@ -45,10 +45,11 @@ private:
         std::string missing;                     ///< a file that is not there; then the trial stays as it is
         std::vector<std::filesystem::path> empty; ///< files that no picture has come into
     };
-    static Result<void> recover(Unfinished &unfinished);
+    Result<void> recover(Unfinished &unfinished) const;
     static void removeEmpty(const Unfinished &unfinished);
     Result<void> complete(Project &project, Unfinished &unfinished);
 
+    std::filesystem::path m_mediaFolder;
     std::unique_ptr<RecordingLock> m_lock;
     std::vector<Unfinished> m_trials;
     std::vector<std::string> m_told;

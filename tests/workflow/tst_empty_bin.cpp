@@ -55,6 +55,18 @@ private Q_SLOTS:
         QCOMPARE(job.left(), std::vector<std::string>{path("year.media/folder").string()});
     }
 
+    /// A project may come from anyone, with a folder that is a link.
+    void whatALinkLeadsToStays()
+    {
+        std::filesystem::create_directories(path("mine"));
+        std::filesystem::create_symlink(path("mine"), path("year.media/link"));
+        const RecordId one = addTrial("one", {"year.media/link/own.mkv"});
+        QVERIFY(m_project->trials().setBinned(one, true));
+        EmptyBinJob job(binContent(*m_project).value());
+        QVERIFY(runToEnd(job, *m_project, {}));
+        QVERIFY(std::filesystem::exists(path("mine/own.mkv")));
+    }
+
     void whatWasTakenOutStays()
     {
         const RecordId one = addTrial("one", {"year.media/one.mkv"}), two = addTrial("two", {"year.media/two.mkv"});

@@ -86,6 +86,7 @@ private Q_SLOTS:
     void aMissingFileIsWaitedFor();
     void picturesWithoutStoredTimesGetTheirsFromTheFile();
     void aFileWithoutAPictureIsRemoved();
+    void aFileOfSomebodyElseStays();
     void aFileThatMayHoldAPictureStays();
     void hashesAreMadeAfterwards();
 };
@@ -256,6 +257,23 @@ void TestLiveTrial::aFileWithoutAPictureIsRemoved()
     QVERIFY(recoverTrials(*sitting.project, {}));
     QCOMPARE(sitting.trial().viewCount, 1);
     QCOMPARE(sitting.media(), QStringList{QStringLiteral("run_A.mkv")});
+}
+
+/// A project may come from anyone, and say of any file that it was being recorded.
+void TestLiveTrial::aFileOfSomebodyElseStays()
+{
+    Sitting sitting;
+    const std::filesystem::path own = sitting.project->mediaFolder().parent_path() / "own.txt";
+    std::ofstream(own) << "somebody's own";
+    TrialRecord trial;
+    trial.name = "hostile";
+    RecordingRecord recording;
+    recording.camera = sitting.project->cameras().add({0, "C", ""})->id;
+    recording.path = own.string();
+    QVERIFY(sitting.project->trials().begin(trial, {recording}));
+    QVERIFY(recoverTrials(*sitting.project, {}));
+    QVERIFY(!sitting.project->trials().find("hostile"));
+    QVERIFY(std::filesystem::exists(own));
 }
 
 void TestLiveTrial::aFileThatMayHoldAPictureStays()
