@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Takes every picture of the manual anew, from the demo lesson, and holds their names against those of docs/manual/pictures. They go to the
+// folder ODOGRAPH_PICTURES, or to one that is thrown away. docs/manual/make_pictures runs this program.
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/demo.h"
+#include "tests/manual/picture_book.h"
+#include "tests/ui/support/driven_window.h"
+#include "tests/ui/support/found_widgets.h"
+#include "ui/history/history_page.h"
+#include "ui/main_window/appearance.h"
+#include "ui/main_window/import_trial_dialog.h"
+#include "ui/main_window/language.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/message_bar.h"
+#include "ui/main_window/preferences/preferences_dialog.h"
+#include "ui/main_window/workspace.h"
+#include "ui/models/timeline.h"
+#include "ui/record/record_page.h"
+#include "ui/record/run_result_card.h"
+#include "ui/report/report_dialog.h"
+#include "ui/report/report_preview.h"
+#include "ui/review/review_page.h"
+#include "ui/testbed/check/moved_dialog.h"
+#include "ui/testbed/floor/floor_source_page.h"
+#include "ui/testbed/floor/floor_wizard.h"
+#include "ui/testbed/lens/lens_source_page.h"
+#include "ui/testbed/lens/lens_wizard.h"
+#include "ui/views/path_field.h"
+#include "ui/views/spike_list.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSqlDatabase>
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+namespace {
+
+constexpr int patienceMs = 120'000;
+constexpr Nanoseconds second{1'000'000'000};
+const QString eight = QStringLiteral("figure-eight"), reflections = QStringLiteral("figure-eight with reflections");
+
+/// Whatever day it is, the pictures show the trials of one day, and the cameras of the simulated testbed.
+void settleProject(const QString &project)
+{
+    QSqlDatabase database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), QStringLiteral("dates"));
+    database.setDatabaseName(project);
+    QVERIFY(database.open());
+    const QDateTime first({2026, 11, 20}, {9, 15});
+    QSqlQuery query(database);
+    for (const char *change : {"UPDATE trial SET date_ms = %1 + id * 360000", "UPDATE intrinsics SET made_ms = %1 + id * 60000",
+                               "UPDATE registration SET made_ms = %1 + id * 120000", "UPDATE camera SET device_uri = 'sim:' || name"}) {
+        QString words = QString::fromLatin1(change);
+        if (words.contains(u'%'))
+            words = words.arg(first.toMSecsSinceEpoch());
+        QVERIFY2(query.exec(words), qPrintable(query.lastError().text()));
+    }
+}
+
+void copyFolder(const QString &from, const QString &to)
+{
+    std::filesystem::copy(from.toStdString(), to.toStdString(), std::filesystem::copy_options::recursive);
+}
+
+/// Until the default button can be pressed; then it is.
+void pressNext(QDialog &dialog)
+{
+    QTRY_VERIFY_WITH_TIMEOUT(std::ranges::any_of(dialog.findChildren<QPushButton *>(),
+                                                 [](auto *button) { return button->isDefault() && button->isEnabled(); }),
+                             patienceMs);
+    press(dialog);
+}
+
+} // namespace
+
+class TestManualPictures : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void theFirstLesson();
+    void camerasAndMounting();
+    void lensCalibration();
+    void floorRegistration();
+    void importing();
+    void review();
+    void spikes();
+    void compare();
+    void history();
+    void tasks();
+    void reports();
+    void preferences();
+    void trouble();
+    void recording(); // adds a trial of today, so it comes last
+    void cleanupTestCase();
+
+private:
+    QString path(const QString &name) const { return m_folder.filePath(name); }
+    QString project() const { return path(QStringLiteral("lesson/demo.odo")); }
+    QStringList calibrationPictures(const QString &camera) const;
+    void showTrial(const QString &trial, Nanoseconds at);
+    ReviewPage &reviewPage() { return *m_book->window().findChild<ReviewPage *>(); }
+
+    // Its name is in some of the pictures, and shall be the same each time.
+    QDir m_folder{QDir::temp().filePath(QStringLiteral("odograph-manual"))};
+    std::unique_ptr<PictureBook> m_book;
+};
+
+void TestManualPictures::initTestCase()
+{
+    beginWithoutSettings();
+    installLanguage(*qApp, QStringLiteral("en"));
+    applyAppearance(*qApp, Theme::Light);
+    QApplication::setCursorFlashTime(0);
+    m_folder.removeRecursively();
+    QVERIFY(m_folder.mkpath(QStringLiteral(".")));
+    const QString told = qEnvironmentVariable("ODOGRAPH_PICTURES"), demo = qEnvironmentVariable("ODOGRAPH_DEMO");
+    if (demo.isEmpty()) {
+        const auto made = makeDemo(path(QStringLiteral("lesson")).toStdString(), {});
+        QVERIFY2(made, made ? "" : made.error().message().c_str());
+    } else {
+        copyFolder(demo, path(QStringLiteral("lesson")));
+    }
+    settleProject(project());
+    const QString pictures = told.isEmpty() ? path(QStringLiteral("pictures")) : told;
+    QVERIFY(QDir().mkpath(pictures));
+    m_book = std::make_unique<PictureBook>(pictures);
+    m_book->takeWindow(QStringLiteral("welcome"));
+    m_book->open(project());
+}
+
+QStringList TestManualPictures::calibrationPictures(const QString &camera) const
+{
+    QStringList files;
+    const QDir folder(path(QStringLiteral("lesson/calibration")));
+    for (const QString &name : folder.entryList({camera + QStringLiteral("_*.png")}))
+        files << folder.filePath(name);
+    return files;
+}
+
+void TestManualPictures::showTrial(const QString &trial, Nanoseconds at)
+{
+    m_book->showPage(WindowMode::Review);
+    QVERIFY(m_book->window().showTrial(trial.toStdString()));
+    waitFor(m_book->window());
+    reviewPage().timeline().setCurrentTime(at);
+    waitFor(m_book->window());
+}
+
+void TestManualPictures::theFirstLesson()
+{
+    showTrial(eight, 3 * second);
+    m_book->takeWindow(QStringLiteral("review"));
+    auto *help = m_book->window().findChild<QAction *>(QStringLiteral("help"));
+    help->trigger();
+    m_book->window().findChild<QAction *>(QStringLiteral("lesson"))->trigger();
+    m_book->takeWindow(QStringLiteral("lesson"));
+    help->trigger();
+    QTest::mouseClick(button(m_book->window(), "Leave the lesson"), Qt::LeftButton);
+    m_book->fitWindow(); // the help had made it wider
+}
+
+void TestManualPictures::camerasAndMounting()
+{
+    m_book->showPage(WindowMode::Testbed);
+    m_book->takeWindow(QStringLiteral("testbed"));
+    m_book->takeDialog("expectedAccuracy", QStringLiteral("accuracy"));
+    m_book->showPage(WindowMode::Record);
+    const auto *record = m_book->window().findChild<QPushButton *>(QStringLiteral("recordButton"));
+    QTRY_VERIFY_WITH_TIMEOUT(record->isEnabled(), patienceMs); // the cameras run
+    m_book->takeDialog("chooseCameras", QStringLiteral("cameras"), [](QDialog &dialog) {
+        QTRY_VERIFY_WITH_TIMEOUT(!says(dialog, "Looking for cameras"), patienceMs);
+    });
+    m_book->takeDialog("doctor", QStringLiteral("doctor"),
+                       [](QDialog &dialog) { QTRY_VERIFY_WITH_TIMEOUT(button(dialog, "Look again")->isEnabled(), patienceMs); });
+}
+
+void TestManualPictures::lensCalibration()
+{
+    m_book->showPage(WindowMode::Testbed);
+    m_book->takeDialog("printTargets", QStringLiteral("targets"));
+    m_book->takeDialog("calibrate", QString(), [this](QDialog &dialog) {
+        dynamic_cast<LensWizard &>(dialog).source().addFiles(calibrationPictures(QStringLiteral("A")));
+        QTRY_VERIFY_WITH_TIMEOUT(std::ranges::none_of(dialog.findChildren<QComboBox *>(),
+                                                      [](auto *box) { return box->currentText().startsWith(u"Looking"); }),
+                                 patienceMs);
+        m_book->take(dialog, QStringLiteral("lens_source"));
+        pressNext(dialog);
+        QTRY_VERIFY_WITH_TIMEOUT(button(dialog, "Next >")->isEnabled(), patienceMs);
+        m_book->take(dialog, QStringLiteral("lens_pictures"));
+        pressNext(dialog);
+        QTRY_VERIFY_WITH_TIMEOUT(button(dialog, "Save")->isEnabled(), patienceMs);
+        m_book->take(dialog, QStringLiteral("lens_result"));
+    });
+}
+
+void TestManualPictures::floorRegistration()
+{
+    m_book->showPage(WindowMode::Testbed);
+    m_book->takeDialog("newLayout", QStringLiteral("layout"));
+    m_book->takeDialog("register", QString(), [this](QDialog &dialog) {
+        const auto trial = m_book->window().workspace().project()->trials().find("circle");
+        const auto recordings = m_book->window().workspace().project()->trials().recordings(trial->id);
+        dynamic_cast<FloorWizard &>(dialog).source().setFile(
+            QString::fromStdString(m_book->window().workspace().project()->resolve(recordings->front()).string()));
+        m_book->take(dialog, QStringLiteral("floor_source"));
+        pressNext(dialog);
+        QTRY_VERIFY_WITH_TIMEOUT(button(dialog, "Save")->isEnabled(), patienceMs);
+        m_book->take(dialog, QStringLiteral("floor_markers"));
+    });
+    m_book->takeDialog("registerTogether", QStringLiteral("together"));
+    m_book->takeDialog("checkMoved", QStringLiteral("moved"), [](QDialog &dialog) {
+        QPushButton *check = button(dialog, "Check");
+        QTest::mouseClick(check, Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(check->isEnabled() && !dynamic_cast<MovedDialog &>(dialog).isRunning(), patienceMs);
+    });
+    m_book->takeDialog("revisions", QStringLiteral("revisions"));
+}
+
+void TestManualPictures::recording()
+{
+    m_book->showPage(WindowMode::Record);
+    auto &page = *m_book->window().findChild<RecordPage *>();
+    auto *team = named<QComboBox>(page, "Team that is up");
+    team->setCurrentIndex(team->findText(QStringLiteral("Otter"))); // whose robot drives before the simulated cameras
+    for (QComboBox *box : page.findChildren<QComboBox *>())
+        if (const int circle = box->findText(QStringLiteral("Circle")); circle >= 0)
+            box->setCurrentIndex(circle);
+    auto *record = page.findChild<QPushButton *>(QStringLiteral("recordButton"));
+    QTRY_VERIFY_WITH_TIMEOUT(record->isEnabled(), patienceMs);
+    m_book->takeWindow(QStringLiteral("record"));
+    QTest::mouseClick(record, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(page.isRecording(), patienceMs);
+    m_book->take(m_book->window(), QStringLiteral("record_running")); // never still: some seconds into the run
+    QTest::mouseClick(record, Qt::LeftButton);
+    auto *result = page.findChild<RunResultCard *>();
+    QTRY_VERIFY_WITH_TIMEOUT(!page.isRecording() && result->isVisible(), patienceMs);
+    m_book->take(m_book->window(), QStringLiteral("record_result"));
+    waitFor(m_book->window());
+}
+
+void TestManualPictures::importing()
+{
+    showTrial(eight, 3 * second);
+    m_book->takeDialog("import", QStringLiteral("import"), [this](QDialog &dialog) {
+        dialog.findChildren<QLineEdit *>().at(0)->setText(QStringLiteral("Run 1"));
+        auto &open = *m_book->window().workspace().project();
+        const auto trial = open.trials().find("circle");
+        const auto recordings = open.trials().recordings(trial->id);
+        for (int view = 0; view < 2; ++view)
+            dialog.findChildren<PathField *>().at(view)->setPath(
+                QString::fromStdString((*recordings)[std::size_t(view)].path));
+    });
+    m_book->takeDialog("addRobot", QStringLiteral("add_robot"));
+    m_book->takeDialog("importTracks", QStringLiteral("import_tracks"));
+    m_book->takeDialog("track", QStringLiteral("track"));
+}
+
+void TestManualPictures::review()
+{
+    showTrial(eight, 3 * second);
+    reviewPage().timeline().setSelection(TimeSpan{2 * second, 5 * second});
+    m_book->takeWindow(QStringLiteral("range"));
+    reviewPage().timeline().setSelection(std::nullopt);
+    auto *disagreement = m_book->window().findChild<QAction *>(QStringLiteral("viewsDisagreement"));
+    disagreement->trigger();
+    m_book->takeWindow(QStringLiteral("disagreement"));
+    disagreement->trigger();
+}
+
+void TestManualPictures::spikes()
+{
+    showTrial(reflections, 3 * second);
+    auto *table = m_book->window().findChild<SpikeList *>()->table();
+    QTRY_VERIFY(table->model()->rowCount() > 0);
+    table->setFocus();
+    table->selectRow(0);
+    m_book->takeWindow(QStringLiteral("spikes"));
+    QTest::keyClick(table, Qt::Key_Return);
+    for (QWidget *other : QApplication::topLevelWidgets())
+        if (auto *dialog = qobject_cast<QDialog *>(other); dialog && dialog->isVisible()) {
+            m_book->take(*dialog, QStringLiteral("explanation"));
+            dialog->reject();
+        }
+}
+
+void TestManualPictures::compare()
+{
+    m_book->showPage(WindowMode::Compare);
+    QVERIFY(m_book->window().compareTrials({eight, reflections}));
+    m_book->takeWindow(QStringLiteral("compare"));
+}
+
+void TestManualPictures::history()
+{
+    m_book->showPage(WindowMode::History);
+    auto *page = m_book->window().findChild<HistoryPage *>();
+    auto *table = page->findChild<QTableView *>(QStringLiteral("trials"));
+    QTRY_VERIFY(table->model()->rowCount() > 3);
+    table->selectRow(0);
+    m_book->takeWindow(QStringLiteral("history"));
+    page->findChild<QTabWidget *>()->setCurrentIndex(1);
+    for (QComboBox *box : page->findChildren<QComboBox *>())
+        if (const int task = box->findText(QStringLiteral("Figure eight")); task >= 0 && box->isVisible())
+            box->setCurrentIndex(task);
+    m_book->takeWindow(QStringLiteral("teams"));
+    page->findChild<QTabWidget *>()->setCurrentIndex(0);
+    m_book->takeDialog("classes", QStringLiteral("classes"));
+    m_book->takeDialog("robots", QStringLiteral("robots"));
+    m_book->takeDialog("changes", QStringLiteral("changes"));
+}
+
+void TestManualPictures::tasks()
+{
+    m_book->takeDialog("tasks", QStringLiteral("tasks"));
+}
+
+void TestManualPictures::reports()
+{
+    showTrial(eight, 3 * second);
+    m_book->takeDialog("report", QStringLiteral("report"), [this](QDialog &dialog) {
+        ReportPreview &preview = dynamic_cast<ReportDialog &>(dialog).preview();
+        QTRY_VERIFY_WITH_TIMEOUT(preview.isSettled() && !preview.pictures().isEmpty(), patienceMs);
+        m_book->write(preview.pictures().front().scaledToWidth(900, Qt::SmoothTransformation), QStringLiteral("report_page"));
+    });
+    m_book->showPage(WindowMode::History);
+    m_book->takeDialog("report", QStringLiteral("report_class"), [](QDialog &dialog) {
+        ReportPreview &preview = dynamic_cast<ReportDialog &>(dialog).preview();
+        QComboBox *subject = dialog.findChildren<QComboBox *>().first();
+        subject->setCurrentIndex(subject->findText(QStringLiteral("A class")));
+        QTRY_VERIFY_WITH_TIMEOUT(preview.isSettled() && !preview.pictures().isEmpty(), patienceMs);
+    });
+    showTrial(eight, 3 * second);
+    m_book->takeDialog("exportVideo", QStringLiteral("export_video"));
+}
+
+void TestManualPictures::preferences()
+{
+    m_book->takeDialog("preferences", QStringLiteral("preferences"), [this](QDialog &dialog) {
+        auto *tabs = dialog.findChild<QTabWidget *>();
+        tabs->setCurrentIndex(PreferencesDialog::Keys);
+        m_book->take(dialog, QStringLiteral("keys"));
+        tabs->setCurrentIndex(PreferencesDialog::General);
+    });
+    applyAppearance(*qApp, Theme::Dark);
+    showTrial(eight, 3 * second);
+    m_book->takeWindow(QStringLiteral("dark"));
+    applyAppearance(*qApp, Theme::Light);
+}
+
+void TestManualPictures::trouble()
+{
+    QFile broken(path(QStringLiteral("holiday.odo")));
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write("this is no project, and never was one");
+    broken.close();
+    showTrial(eight, 3 * second);
+    m_book->window().beginOpening(broken.fileName().toStdString());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_book->window().workspace().isBusy() && m_book->window().findChild<MessageBar *>()->isVisible(), patienceMs);
+    m_book->take(*m_book->window().findChild<MessageBar *>(), QStringLiteral("message"));
+}
+
+/// A picture that is no longer taken, or that nobody has taken over into the manual yet.
+void TestManualPictures::cleanupTestCase()
+{
+    if (!m_book)
+        return;
+    QStringList made = m_book->names(), kept;
+    made.sort();
+    for (const QString &file : QDir(qEnvironmentVariable("ODOGRAPH_SOURCE_DIR") + QStringLiteral("/docs/manual/pictures")).entryList({QStringLiteral("*.png")}))
+        kept << QFileInfo(file).completeBaseName();
+    kept.sort();
+    m_book.reset();
+    m_folder.removeRecursively();
+    if (qEnvironmentVariableIsEmpty("ODOGRAPH_PICTURES"))
+        QCOMPARE(made, kept);
+}
+
+QTEST_MAIN(TestManualPictures)
+#include "tst_manual_pictures.moc"
