@@ -10,7 +10,7 @@ namespace odo {
 
 namespace {
 
-constexpr long double mostSeconds = 1e10L; // the year 2286
+constexpr long double mostSeconds = 4e9L; // the year 2096; nanoseconds of 64 bits hold what lies between any two
 
 /// A whole cell as a number of any kind of floating point.
 template <class Number>

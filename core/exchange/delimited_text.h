@@ -40,7 +40,7 @@ void splitCells(std::string_view line, char delimiter, std::vector<std::string_v
 std::optional<double> cellNumber(std::string_view cell, char delimiter);
 
 /// A whole cell as a time in a unit of so many seconds, exact to the nanosecond (a double is not, for times since 1970); nullopt
-/// also where it is beyond ten thousand million seconds.
+/// also where it is beyond four thousand million seconds.
 std::optional<Nanoseconds> cellTime(std::string_view cell, char delimiter, double secondsPerUnit);
 
 } // namespace odo

@@ -102,9 +102,10 @@ private:
         const auto value = number(**node, key);
         if (!value)
             return value;
-        if (!(*value > 0))
+        const double metres = fromMillimetres(*value); // which may be zero where the millimetres are not
+        if (!(metres > 0))
             return failure((*node)->line, "'" + key + "' is not above zero");
-        return fromMillimetres(*value);
+        return metres;
     }
 
     Result<Eigen::Vector2d> point(const YamlNode &node, const std::string &name) const

@@ -59,7 +59,8 @@ ReferencePath sampled(const std::function<Eigen::Vector2d(double)> &curve, doubl
 {
     // A chord c on a circle of radius r leaves it by c²/8r. Even steps of the parameter are uneven on the curve.
     const double chordM = std::sqrt(8 * sharpestRadiusM * largestChordErrorM) / 2;
-    const auto pieces = static_cast<std::size_t>(std::clamp(std::ceil(lengthM / chordM), 16.0, 4096.0));
+    // Other than std::clamp, these give a number for none, as of lengths beyond those that can be computed with.
+    const auto pieces = static_cast<std::size_t>(std::fmin(std::fmax(std::ceil(lengthM / chordM), 16.0), 4096.0));
     ReferencePath path;
     path.closed = closed;
     for (std::size_t i = 0; i < pieces + (closed ? 0 : 1); ++i)

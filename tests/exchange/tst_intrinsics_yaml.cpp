@@ -160,6 +160,10 @@ private Q_SLOTS:
             "coefficients");
         row("doubled key", changed("image_height: 480", "image_width: 480"),
             ":3: the key 'image_width' is there twice");
+        QByteArray manyKeys;
+        for (int key = 0; key < 80'000; ++key) // each was compared with all before it
+            manyKeys += 'k' + QByteArray::number(key) + ": 1\n";
+        row("many keys", manyKeys, ":1: the entry 'image_width' is missing");
         row("alias", changed("640", "*a"), ":2: anchors, aliases");
         row("open bracket", changed("0, 0, 1]", "0, 0, 1"), "");
         row("open quote", changed("\"head # left\"", "\"head"), ":4: a quoted text does not end");

@@ -123,6 +123,8 @@ private Q_SLOTS:
             ":2: the reference path is given twice");
         row("radius", "{\"reference_path\": {\"circle\": {\"centre_mm\": [0, 0],\n\"radius_mm\": -5}}}",
             ":2: 'radius_mm' is not above zero");
+        row("radius that is zero in metres", "{\"reference_path\": {\"circle\": {\"centre_mm\": [0, 0],\n\"radius_mm\": 1e-322}}}",
+            ":2: 'radius_mm' is not above zero");
         row("poles", "{\"reference_path\": {\"slalom\": {\"from_mm\": [0, 0], \"to_mm\": [1, 0], \"swing_mm\": 1,\n\"poles\": 1.5}}}",
             ":2: 'poles' is not a whole number from 1 to 100");
         row("limit", "{\"limits\": {\n\"speed_mm_s\": 0}}", ":2: 'speed_mm_s' is not above zero");

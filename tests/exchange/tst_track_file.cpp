@@ -133,6 +133,13 @@ private Q_SLOTS:
         row("too large for a number", csv + "1,1e999,2\n", ":3: '1e999' is not a finite number; write it with digits, like 12.5, or leave the place blank");
         row("no time", csv + ",1,2\n", ":3: '' is not a time; write it with digits, like 12.5");
         row("a time of no age", tum + "1e300 1 2 0 0 0 0 1\n", ":2: '1e300' is not a time in seconds; write it with digits, like 12.5");
+        row("times with more between them than is counted", "t,x,y\n-9e9,0,0\n9e9,1,1\n", ":2: '-9e9' is not a time; write it with digits, like 12.5");
+        QByteArray many = "t";
+        for (int track = 0; track < 1000; ++track)
+            many += ",x,y";
+        for (int line = 0; line <= 4000; ++line)
+            many += '\n' + QByteArray::number(line) + QByteArray(2000, ',');
+        row("blank places without end", many, ":4002: the file has more than four million places; check that all lines are of one run");
         row("half a place", csv + "1,,2\n", ":3: one of its two places is blank; fill in both or none");
         row("backwards", csv + "2,1,2\n1,1,2\n", (std::string(":4: its time is before that of the line before") + order).c_str());
         row("twice", csv + "1,1,2\n1,1,2\n", (std::string(":4: its time is that of the line before") + order).c_str());
