@@ -79,6 +79,14 @@ void sortByPresentation(PacketIndex &index)
     frames.erase(end, frames.end());
 }
 
+/// What lies between two stamps of a file, of which the second is not the earlier one; a moment more than the longest video where that
+/// is more, or cannot be told: stamps may be any number.
+Nanoseconds timeBetween(std::int64_t first, std::int64_t stamp, AVRational base)
+{
+    const std::int64_t time = av_rescale_q(av_sat_sub64(stamp, first), base, nanosecondBase);
+    return Nanoseconds(time < 0 ? longestVideoNs + 1 : std::min(time, longestVideoNs + 1));
+}
+
 std::vector<std::int64_t> evenTimes(std::size_t count)
 {
     std::vector<std::int64_t> times(count);
@@ -107,15 +115,14 @@ void timeByCounting(PacketIndex &index, const Walk &walk, const AVStream &stream
     stamps.erase(std::unique(stamps.begin(), stamps.end()), stamps.end());
     index.frames.resize(std::min(index.frames.size(), stamps.size()));
     for (std::size_t i = 0; i < index.frames.size(); ++i)
-        index.times.emplace_back(av_rescale_q(stamps[i] - stamps[0], base, nanosecondBase));
+        index.times.push_back(timeBetween(stamps[0], stamps[i], base));
 }
 
 void timeByStamps(PacketIndex &index, const AVStream &stream)
 {
     sortByPresentation(index);
     for (const auto &frame : index.frames)
-        index.times.emplace_back(
-            av_rescale_q(frame.pts - index.frames.front().pts, stream.time_base, nanosecondBase));
+        index.times.push_back(timeBetween(index.frames.front().pts, frame.pts, stream.time_base));
 }
 
 void warnIfCutShort(PacketIndex &index, const VideoInput &input, const Walk &walk)
@@ -129,10 +136,10 @@ void warnIfCutShort(PacketIndex &index, const VideoInput &input, const Walk &wal
     else if (container.duration_estimation_method != AVFMT_DURATION_FROM_BITRATE &&
              container.duration != AV_NOPTS_VALUE) {
         // Three frames and a hundredth: headers are rounded, and some count to the end of the last frame.
-        const std::int64_t missing = container.duration - input.lastEnd();
+        const std::int64_t missing = av_sat_sub64(container.duration, input.lastEnd());
         const auto frame = index.times.back().count() / 1000 / static_cast<std::int64_t>(index.times.size());
         if (missing > 3 * frame && missing > container.duration / 100)
-            why = "its header promises " + secondsText(Nanoseconds(container.duration * 1000));
+            why = "its header promises " + secondsText(Nanoseconds(std::min(container.duration, longestVideoNs / 1000) * 1000));
     }
     if (!why.empty())
         addWarning(index, "ends early at " + secondsText(index.times.back()) + ": " + why);

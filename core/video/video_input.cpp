@@ -124,8 +124,8 @@ int VideoInput::read(AVPacket &packet)
             const std::int64_t start =
                 m_container->start_time == AV_NOPTS_VALUE ? 0 : m_container->start_time;
             const std::int64_t end =
-                av_rescale_q(begin + packet.duration, from.time_base, AVRational{1, AV_TIME_BASE});
-            m_lastEnd = std::max(m_lastEnd, end - start);
+                av_rescale_q(av_sat_add64(begin, packet.duration), from.time_base, AVRational{1, AV_TIME_BASE});
+            m_lastEnd = std::max(m_lastEnd, av_sat_sub64(end, start));
         }
         if (packet.stream_index == m_stream->index && packet.size > 0)
             return 0;

@@ -143,10 +143,14 @@ bool VideoReader::Impl::startAt(std::size_t keyPacket)
     const bool byDecodeTime = std::string_view(input->container().iformat->name).starts_with("mov");
     if (!input->seek(byDecodeTime && key.dts != AV_NOPTS_VALUE ? key.dts : key.pts))
         return false;
+    std::int64_t place = -1;
     do {
         if (input->read(*packet) < 0)
             return false;
-        const std::int64_t place = index.packetOf(timeStampOf(*packet));
+        // They follow one another as in the index, which a search for each would take long to find in a large file.
+        const auto next = static_cast<std::size_t>(place + 1);
+        const bool follows = place >= 0 && next < index.packets.size() && index.packets[next].pts == timeStampOf(*packet);
+        place = follows ? place + 1 : index.packetOf(timeStampOf(*packet));
         if (place > static_cast<std::int64_t>(keyPacket))
             return false;
         packetsRead = static_cast<std::size_t>(std::max<std::int64_t>(place, 0)) + 1;

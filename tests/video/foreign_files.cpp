@@ -99,7 +99,7 @@ bool remux(const std::filesystem::path &from, const std::filesystem::path &to)
 }
 
 bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, const std::string &pixelFormat,
-              int frames)
+              int frames, std::int64_t interval)
 {
     Output out(to);
     const AVCodec *codec = avcodec_find_encoder_by_name(encoderName.c_str());
@@ -123,7 +123,7 @@ bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, c
         picture->format = encoder->pix_fmt;
         picture->width = encoder->width;
         picture->height = encoder->height;
-        picture->pts = i;
+        picture->pts = i * interval;
         good = av_frame_get_buffer(picture.get(), 0) >= 0;
         fill(*picture, i);
         good = good && encodeTo(out, *encoder, picture.get());

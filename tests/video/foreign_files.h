@@ -12,8 +12,8 @@ bool remux(const std::filesystem::path &from, const std::filesystem::path &to);
 
 /// Writes `frames` pictures of 64x48 in a pixel format of libav's ("nv12", "gray", "yuv420p10le", ...) with
 /// one of its encoders. Of every picture i, each byte of plane p is 40 + 20 p + i; in semi-planar chroma, odd
-/// bytes are 100 more.
+/// bytes are 100 more. interval: between two pictures, in 25ths of a second.
 bool writeRaw(const std::filesystem::path &to, const std::string &encoder, const std::string &pixelFormat,
-              int frames);
+              int frames, std::int64_t interval = 1);
 
 } // namespace odo::test

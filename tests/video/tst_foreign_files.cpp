@@ -18,6 +18,7 @@ class TestForeignFiles : public QObject
 private Q_SLOTS:
     void containers_data();
     void containers();
+    void timesBeyondAnyVideoAreRefused();
     void pixelFormats_data();
     void pixelFormats();
     void refusedPixelFormats_data();
@@ -73,6 +74,16 @@ void TestForeignFiles::containers()
     }
     for (const int i : {299, 0, 251, 249, 250, 100, 7, 8, 290})
         QCOMPARE(numberIn((*reader)->frameAt(i).value()), i);
+}
+
+/// Stamps may be any number; what lies between these does not fit into 64 bits of nanoseconds.
+void TestForeignFiles::timesBeyondAnyVideoAreRefused()
+{
+    constexpr std::int64_t interval = 50'000'000'000'000'000;
+    QVERIFY(writeRaw(path("far.mkv"), "mjpeg", "yuvj420p", 3, interval));
+    const auto reader = VideoReader::open(path("far.mkv"));
+    QVERIFY(!reader);
+    QCOMPARE(reader.error().why, std::string("its time stamps span 8640000.00 s"));
 }
 
 void TestForeignFiles::pixelFormats_data()
