@@ -43,7 +43,7 @@ private Q_SLOTS:
         // Looking through the rows evaluates checks: this one for longer than a test may take.
         QTest::newRow("an endless check")
             << QByteArray("CREATE TABLE evil (x); WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n LIMIT 5000) INSERT INTO evil SELECT x FROM n;"
-                          "PRAGMA writable_schema=ON; UPDATE sqlite_master SET sql='CREATE TABLE evil (x CHECK (length(replace(hex(zeroblob(30000000)), ''0'', "
+                          "PRAGMA writable_schema=ON; UPDATE sqlite_master SET sql='CREATE TABLE evil (x CHECK (length(replace(hex(zeroblob(30000000 + x)), ''0'', "
                           "''00'')) > x))' WHERE name='evil'");
     }
     void whatIsNotOursInTheSchemaIsRefused()
