@@ -2329,7 +2329,7 @@
     </message>
     <message>
         <source>it cannot be written to</source>
-        <translation>es kann nicht beschrieben werden</translation>
+        <translation>Schreiben ist dort nicht erlaubt</translation>
     </message>
     <message>
         <source>its folder cannot be written to</source>
@@ -2445,11 +2445,11 @@
     </message>
     <message>
         <source>it cannot be read</source>
-        <translation>es kann nicht gelesen werden</translation>
+        <translation>Lesen nicht möglich</translation>
     </message>
     <message>
         <source>it cannot be read (%1)</source>
-        <translation>es kann nicht gelesen werden (%1)</translation>
+        <translation>Lesen nicht möglich (%1)</translation>
     </message>
     <message>
         <source>check that you may read the file</source>
@@ -2473,7 +2473,7 @@
     </message>
     <message>
         <source>it has %1 of %2 bytes</source>
-        <translation>sie hat %1 von %2 Bytes</translation>
+        <translation>%1 von %2 Bytes sind da</translation>
     </message>
     <message>
         <source>copy it again from where it came, or restore a backup copy</source>
@@ -2481,7 +2481,7 @@
     </message>
     <message>
         <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
-        <translation>es wurde von einem neueren Odograph geschrieben (Format %1, dieses kennt Formate bis %2)</translation>
+        <translation>geschrieben von einem neueren Odograph (Format %1, dieses kennt Formate bis %2)</translation>
     </message>
     <message>
         <source>open it with that Odograph, or update this one</source>
@@ -2537,7 +2537,7 @@
     </message>
     <message>
         <source>it has no file name</source>
-        <translation>es hat keinen Dateinamen</translation>
+        <translation>der Dateiname fehlt</translation>
     </message>
     <message>
         <source>give the file a name</source>
@@ -2545,7 +2545,7 @@
     </message>
     <message>
         <source>its name is too long</source>
-        <translation>sein Name ist zu lang</translation>
+        <translation>der Name ist zu lang</translation>
     </message>
     <message>
         <source>choose a shorter name</source>
@@ -2573,7 +2573,7 @@
     </message>
     <message>
         <source>it cannot be written (%1)</source>
-        <translation>sie kann nicht geschrieben werden (%1)</translation>
+        <translation>Schreiben nicht möglich (%1)</translation>
     </message>
     <message>
         <source>what it concerns has been changed or used since</source>
@@ -2657,7 +2657,7 @@
     </message>
     <message>
         <source>it has %1 characters</source>
-        <translation>er hat %1 Zeichen</translation>
+        <translation>%1 Zeichen</translation>
     </message>
     <message>
         <source>use at most %1</source>
@@ -2665,7 +2665,7 @@
     </message>
     <message>
         <source>it holds a line break or another control character</source>
-        <translation>er enthält einen Zeilenumbruch oder ein anderes Steuerzeichen</translation>
+        <translation>darin ist ein Zeilenumbruch oder ein anderes Steuerzeichen</translation>
     </message>
     <message>
         <source>use a name of one line</source>
@@ -2673,7 +2673,7 @@
     </message>
     <message>
         <source>it is not valid UTF-8 text</source>
-        <translation>er ist kein gültiger UTF-8-Text</translation>
+        <translation>kein gültiger UTF-8-Text</translation>
     </message>
     <message>
         <source>class &apos;%1&apos;</source>
@@ -2725,7 +2725,7 @@
     </message>
     <message>
         <source>it can be given another name</source>
-        <translation>er kann einen anderen Namen bekommen</translation>
+        <translation>ein anderer Name ist möglich</translation>
     </message>
     <message>
         <source>a trial has it</source>
@@ -3197,19 +3197,19 @@
     </message>
     <message>
         <source>it is shorter than 1 mm</source>
-        <translation>sie ist kürzer als 1 mm</translation>
+        <translation>kürzer als 1 mm</translation>
     </message>
     <message>
         <source>its points are not on a floor of 1 km</source>
-        <translation>seine Punkte liegen nicht auf einem Boden von 1 km</translation>
+        <translation>die Punkte liegen nicht auf einem Boden von 1 km</translation>
     </message>
     <message>
         <source>it has more than %1 points</source>
-        <translation>sie hat mehr als %1 Punkte</translation>
+        <translation>mehr als %1 Punkte</translation>
     </message>
     <message>
         <source>its place is not a number</source>
-        <translation>sein Ort ist keine Zahl</translation>
+        <translation>der Ort ist keine Zahl</translation>
     </message>
     <message>
         <source>a slalom has 1 to 100 poles, not %1</source>
@@ -3253,7 +3253,7 @@
     </message>
     <message>
         <source>it cannot be looked at (%1)</source>
-        <translation>sie kann nicht angesehen werden (%1)</translation>
+        <translation>Zugriff nicht möglich (%1)</translation>
     </message>
     <message>
         <source>choose a robot of the trial</source>
@@ -3357,7 +3357,7 @@
     </message>
     <message>
         <source>its content is damaged or cut short</source>
-        <translation>sein Inhalt ist beschädigt oder abgeschnitten</translation>
+        <translation>der Inhalt ist beschädigt oder abgeschnitten</translation>
     </message>
     <message>
         <source>copy it again</source>
@@ -3397,7 +3397,7 @@
     </message>
     <message>
         <source>its pictures have more than 100 megapixels</source>
-        <translation>seine Bilder haben mehr als 100 Megapixel</translation>
+        <translation>die Bilder haben mehr als 100 Megapixel</translation>
     </message>
     <message>
         <source>convert it to a smaller size</source>
@@ -3421,7 +3421,7 @@
     </message>
     <message>
         <source>it was made with it already</source>
-        <translation>sie wurde schon damit gemacht</translation>
+        <translation>das ist schon damit gemacht</translation>
     </message>
     <message>
         <source>calibrate the lens first, or put another calibration in force</source>
@@ -3685,7 +3685,7 @@
     </message>
     <message>
         <source>its ends are not on a floor of 1 km</source>
-        <translation>seine Enden liegen nicht auf einem Boden von 1 km</translation>
+        <translation>die Enden liegen nicht auf einem Boden von 1 km</translation>
     </message>
     <message>
         <source>check the numbers</source>
@@ -3693,7 +3693,7 @@
     </message>
     <message>
         <source>its ends are less than 1 mm apart</source>
-        <translation>seine Enden liegen weniger als 1 mm auseinander</translation>
+        <translation>die Enden liegen weniger als 1 mm auseinander</translation>
     </message>
     <message>
         <source>give the two ends of the line that is to be passed</source>
@@ -3725,7 +3725,7 @@
     </message>
     <message>
         <source>it has too few points</source>
-        <translation>sie hat zu wenige Punkte</translation>
+        <translation>zu wenige Punkte</translation>
     </message>
     <message>
         <source>give two points or more, three where the path is closed</source>
@@ -3841,7 +3841,7 @@
     </message>
     <message>
         <source>copy it from the camera again</source>
-        <translation>kopieren Sie sie noch einmal von der Kamera</translation>
+        <translation>kopieren Sie noch einmal von der Kamera</translation>
     </message>
     <message>
         <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
@@ -3853,11 +3853,11 @@
     </message>
     <message>
         <source>copy it from the camera again if it was cut short</source>
-        <translation>kopieren Sie sie noch einmal von der Kamera, wenn sie abgeschnitten wurde</translation>
+        <translation>kopieren Sie noch einmal von der Kamera, wenn etwas abgeschnitten wurde</translation>
     </message>
     <message>
         <source>it holds no video stream that can be read</source>
-        <translation>sie enthält keinen lesbaren Videostrom</translation>
+        <translation>kein lesbarer Videostrom ist darin</translation>
     </message>
     <message>
         <source>give the file that the camera recorded</source>
@@ -3869,7 +3869,7 @@
     </message>
     <message>
         <source>its decoder would not start (%1)</source>
-        <translation>sein Decoder startet nicht (%1)</translation>
+        <translation>der Decoder startet nicht (%1)</translation>
     </message>
     <message>
         <source>convert it to H.264</source>
@@ -3877,11 +3877,11 @@
     </message>
     <message>
         <source>its data are damaged</source>
-        <translation>seine Daten sind beschädigt</translation>
+        <translation>die Daten sind beschädigt</translation>
     </message>
     <message>
         <source>it is left out</source>
-        <translation>es wird weggelassen</translation>
+        <translation>wird weggelassen</translation>
     </message>
     <message>
         <source>the video has no picture</source>
@@ -3889,7 +3889,7 @@
     </message>
     <message>
         <source>it has no picture</source>
-        <translation>es hat kein Bild</translation>
+        <translation>kein Bild ist darin</translation>
     </message>
     <message>
         <source>give another file</source>
@@ -3905,7 +3905,7 @@
     </message>
     <message>
         <source>its name ends with neither .mkv nor .mp4</source>
-        <translation>sein Name endet weder auf .mkv noch auf .mp4</translation>
+        <translation>der Name endet weder auf .mkv noch auf .mp4</translation>
     </message>
     <message>
         <source>give it one of these endings</source>
@@ -3941,7 +3941,7 @@
     </message>
     <message>
         <source>it has become shorter meanwhile</source>
-        <translation>sie ist inzwischen kürzer geworden</translation>
+        <translation>inzwischen kürzer geworden</translation>
     </message>
     <message>
         <source>wait until nobody writes to it, and try again</source>
@@ -3953,7 +3953,7 @@
     </message>
     <message>
         <source>it has too many files</source>
-        <translation>es hat zu viele Dateien</translation>
+        <translation>zu viele Dateien</translation>
     </message>
     <message>
         <source>it unpacks to more than a hundred times its size</source>
@@ -3973,7 +3973,7 @@
     </message>
     <message>
         <source>it is written in UTF-16</source>
-        <translation>sie ist in UTF-16 geschrieben</translation>
+        <translation>in UTF-16 geschrieben</translation>
     </message>
     <message>
         <source>it is not a UTF-8 text file</source>
@@ -3989,7 +3989,7 @@
     </message>
     <message>
         <source>it is larger than %1 KiB</source>
-        <translation>sie ist größer als %1 KiB</translation>
+        <translation>größer als %1 KiB</translation>
     </message>
     <message>
         <source>check that it is the right file</source>
@@ -3997,7 +3997,7 @@
     </message>
     <message>
         <source>its columns are separated by semicolons</source>
-        <translation>seine Spalten sind durch Semikolons getrennt</translation>
+        <translation>die Spalten sind durch Semikolons getrennt</translation>
     </message>
     <message>
         <source>save it with commas, and with a point in its numbers</source>
@@ -4017,7 +4017,7 @@
     </message>
     <message>
         <source>it has %1 cells instead of %2</source>
-        <translation>sie hat %1 Zellen statt %2</translation>
+        <translation>%1 Zellen statt %2</translation>
     </message>
     <message>
         <source>a quoted cell does not end</source>
@@ -4073,7 +4073,7 @@
     </message>
     <message>
         <source>it has no team</source>
-        <translation>sie hat kein Team</translation>
+        <translation>kein Team ist darin</translation>
     </message>
     <message>
         <source>write a line with class and team below the header</source>
@@ -4097,7 +4097,7 @@
     </message>
     <message>
         <source>its column &apos;%1&apos; is in a unit that is not known</source>
-        <translation>seine Spalte &apos;%1&apos; hat eine unbekannte Einheit</translation>
+        <translation>die Spalte &apos;%1&apos; hat eine unbekannte Einheit</translation>
     </message>
     <message>
         <source>give times in s or ms and places in m, cm or mm</source>
@@ -4105,7 +4105,7 @@
     </message>
     <message>
         <source>none of its tracks is called &apos;%1&apos;</source>
-        <translation>keine seiner Spuren heißt &apos;%1&apos;</translation>
+        <translation>keine der Spuren heißt &apos;%1&apos;</translation>
     </message>
     <message>
         <source>give the robot the name of one of them</source>
@@ -4113,11 +4113,11 @@
     </message>
     <message>
         <source>it has no samples</source>
-        <translation>sie hat keine Messpunkte</translation>
+        <translation>keine Messpunkte</translation>
     </message>
     <message>
         <source>its times do not rise</source>
-        <translation>seine Zeiten steigen nicht</translation>
+        <translation>die Zeiten steigen nicht</translation>
     </message>
     <message>
         <source>import another file</source>
@@ -4210,6 +4210,1874 @@
     <message>
         <source>by hand</source>
         <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>it says neither an address nor a serial number</source>
+        <translation>darin steht weder eine Adresse noch eine Seriennummer</translation>
+    </message>
+    <message>
+        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
+        <translation>geben Sie eine an, etwa aravis:192.168.1.20 oder aravis:SERIAL</translation>
+    </message>
+    <message>
+        <source>odograph cameras lists them</source>
+        <translation>odograph cameras führt sie auf</translation>
+    </message>
+    <message>
+        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
+        <translation>verwenden Sie rate, exposure_ms, gain, format, size, trigger=software, packet_size oder packet_delay_us, etwa ?rate=30&amp;size=640x480</translation>
+    </message>
+    <message>
+        <source>set it to something between</source>
+        <translation>stellen Sie etwas dazwischen ein</translation>
+    </message>
+    <message>
+        <source>set it to something else</source>
+        <translation>stellen Sie etwas anderes ein</translation>
+    </message>
+    <message>
+        <source>it does not take this for %1 (%2)</source>
+        <translation>dieser Wert von %1 wird nicht angenommen (%2)</translation>
+    </message>
+    <message>
+        <source>it does not take this size (%1)</source>
+        <translation>sie nimmt diese Größe nicht an (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this rate (%1)</source>
+        <translation>sie nimmt diese Rate nicht an (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this exposure (%1)</source>
+        <translation>sie nimmt diese Belichtung nicht an (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this gain (%1)</source>
+        <translation>sie nimmt diese Verstärkung nicht an (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this packet size (%1)</source>
+        <translation>sie nimmt diese Paketgröße nicht an (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this packet delay (%1)</source>
+        <translation>sie nimmt diese Paketverzögerung nicht an (%1)</translation>
+    </message>
+    <message>
+        <source>its pictures have %1 pixels at most</source>
+        <translation>die Bilder haben höchstens %1 Pixel</translation>
+    </message>
+    <message>
+        <source>ask it for a size within that</source>
+        <translation>verlangen Sie eine Größe innerhalb davon</translation>
+    </message>
+    <message>
+        <source>it has no format %1 (%2)</source>
+        <translation>ein Format %1 hat sie nicht (%2)</translation>
+    </message>
+    <message>
+        <source>it has no pixel format that is understood</source>
+        <translation>sie hat kein Pixelformat, das verstanden wird</translation>
+    </message>
+    <message>
+        <source>take a camera that has one of %1</source>
+        <translation>nehmen Sie eine Kamera mit einem von %1</translation>
+    </message>
+    <message>
+        <source>it has no software trigger (%1)</source>
+        <translation>sie hat keinen Software-Auslöser (%1)</translation>
+    </message>
+    <message>
+        <source>it does not tell its pixel format (%1)</source>
+        <translation>sie sagt ihr Pixelformat nicht (%1)</translation>
+    </message>
+    <message>
+        <source>its pixel format is not understood</source>
+        <translation>das Pixelformat wird nicht verstanden</translation>
+    </message>
+    <message>
+        <source>ask it for one of %1</source>
+        <translation>verlangen Sie eines von %1</translation>
+    </message>
+    <message>
+        <source>it does not tell its size (%1)</source>
+        <translation>sie sagt ihre Größe nicht (%1)</translation>
+    </message>
+    <message>
+        <source>its pictures have no size</source>
+        <translation>die Bilder haben keine Größe</translation>
+    </message>
+    <message>
+        <source>set its width and height</source>
+        <translation>stellen Sie Breite und Höhe ein</translation>
+    </message>
+    <message>
+        <source>it does not tell how large its pictures are (%1)</source>
+        <translation>sie sagt nicht, wie groß ihre Bilder sind (%1)</translation>
+    </message>
+    <message>
+        <source>the system keeps only %1 kB of the network&apos;s packets</source>
+        <translation>das System hält nur %1 kB der Netzwerkpakete vor</translation>
+    </message>
+    <message>
+        <source>there is no simulated camera %1</source>
+        <translation>es gibt keine simulierte Kamera %1</translation>
+    </message>
+    <message>
+        <source>take sim:A or sim:B</source>
+        <translation>nehmen Sie sim:A oder sim:B</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>das Bild</translation>
+    </message>
+    <message>
+        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
+        <translation>schreiben Sie zum Beispiel v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</translation>
+    </message>
+    <message>
+        <source>all its pictures come damaged</source>
+        <translation>alle Bilder kommen beschädigt an</translation>
+    </message>
+    <message>
+        <source>try another cable or port, or ask for fewer or smaller pictures</source>
+        <translation>versuchen Sie ein anderes Kabel oder einen anderen Anschluss, oder verlangen Sie weniger oder kleinere Bilder</translation>
+    </message>
+    <message>
+        <source>it is there but sends no pictures</source>
+        <translation>sie ist da, sendet aber keine Bilder</translation>
+    </message>
+    <message>
+        <source>look at its cable, or plug it in again if that lasts</source>
+        <translation>sehen Sie nach dem Kabel, oder stecken Sie sie neu ein, wenn das anhält</translation>
+    </message>
+    <message>
+        <source>no camera gave a picture</source>
+        <translation>keine Kamera lieferte ein Bild</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
+        <translation>Kamera &apos;%1&apos; oder ihre Adresse &apos;%2&apos; wurde zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>give one or more, like --camera A=sim:A</source>
+        <translation>geben Sie eine oder mehr an, etwa --camera A=sim:A</translation>
+    </message>
+    <message>
+        <source>it would take no time, or more than a day</source>
+        <translation>die Dauer ist null, oder mehr als ein Tag</translation>
+    </message>
+    <message>
+        <source>give the seconds, like 10</source>
+        <translation>geben Sie die Sekunden an, etwa 10</translation>
+    </message>
+    <message>
+        <source>what is kept from before is no time, or more than 10 s</source>
+        <translation>was von vorher behalten wird, ist keine Zeit, oder mehr als 10 s</translation>
+    </message>
+    <message>
+        <source>give a pre-roll of 0 to 10 seconds</source>
+        <translation>geben Sie einen Vorlauf von 0 bis 10 Sekunden an</translation>
+    </message>
+    <message>
+        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
+        <translation>keine der Kameras ist eingemessen, darum gibt es keine Orte zu senden</translation>
+    </message>
+    <message>
+        <source>run odograph register for one of them, or leave --ssl-vision out</source>
+        <translation>messen Sie eine davon ein, oder lassen Sie --ssl-vision weg</translation>
+    </message>
+    <message>
+        <source>interface &apos;%1&apos; of live positions</source>
+        <translation>Schnittstelle &apos;%1&apos; der laufenden Orte</translation>
+    </message>
+    <message>
+        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <translation>wählen Sie eine, die `ip link` nennt, oder lo, um auf diesem Rechner zu bleiben</translation>
+    </message>
+    <message>
+        <source>this machine gives no socket</source>
+        <translation>dieser Rechner gibt keinen Socket frei</translation>
+    </message>
+    <message>
+        <source>completing the recordings</source>
+        <translation>Vervollständigen der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>write the task as odograph task list --json shows one</source>
+        <translation>schreiben Sie die Aufgabe so, wie odograph task list --json eine zeigt</translation>
+    </message>
+    <message>
+        <source>use a calibration file as ROS or OpenCV writes it</source>
+        <translation>verwenden Sie eine Kalibrierdatei, wie ROS oder OpenCV sie schreibt</translation>
+    </message>
+    <message>
+        <source>the entry &apos;%1&apos; is missing</source>
+        <translation>der Eintrag &apos;%1&apos; fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>&apos;%1&apos; ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
+        <translation>&apos;%1&apos; ist keine ganze Zahl von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
+        <translation>&apos;%1&apos; hat %2 Zahlen statt %3 × %4</translation>
+    </message>
+    <message>
+        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
+        <translation>&apos;camera_matrix&apos; ist keine 3 × 3-Matrix</translation>
+    </message>
+    <message>
+        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
+        <translation>&apos;camera_matrix&apos; hat nicht die Form fx 0 cx, 0 fy cy, 0 0 1</translation>
+    </message>
+    <message>
+        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
+        <translation>&apos;distortion_coefficients&apos; ist weder Zeile noch Spalte</translation>
+    </message>
+    <message>
+        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
+        <translation>das Objektivmodell &apos;%1&apos; ist nicht bekannt (plumb_bob, rational_polynomial, equidistant sind es)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is left there from before</source>
+        <translation>&apos;%1&apos; ist dort von früher liegen geblieben</translation>
+    </message>
+    <message>
+        <source>the file holds no task</source>
+        <translation>die Datei enthält keine Aufgabe</translation>
+    </message>
+    <message>
+        <source>an object in braces is expected here</source>
+        <translation>hier wird ein Objekt in geschweiften Klammern erwartet</translation>
+    </message>
+    <message>
+        <source>write one with %1</source>
+        <translation>schreiben Sie eines mit %1</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is not known</source>
+        <translation>der Schlüssel &apos;%1&apos; ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>use %1</source>
+        <translation>verwenden Sie %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not above zero</source>
+        <translation>&apos;%1&apos; ist nicht größer als null</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
+        <translation>&apos;%1&apos; ist kein Punkt [x, y] in mm</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a list in brackets</source>
+        <translation>&apos;%1&apos; ist keine Liste in eckigen Klammern</translation>
+    </message>
+    <message>
+        <source>the reference path is given by nothing</source>
+        <translation>die Sollbahn ist durch nichts angegeben</translation>
+    </message>
+    <message>
+        <source>the reference path is given twice</source>
+        <translation>die Sollbahn ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>give one of points_mm, circle, figure_eight or slalom</source>
+        <translation>geben Sie points_mm, circle, figure_eight oder slalom an</translation>
+    </message>
+    <message>
+        <source>&apos;closed&apos; is neither true nor false</source>
+        <translation>&apos;closed&apos; ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
+        <translation>&apos;poles&apos; ist keine ganze Zahl von 1 bis 100</translation>
+    </message>
+    <message>
+        <source>the slalom ends where it starts</source>
+        <translation>der Slalom endet, wo er beginnt</translation>
+    </message>
+    <message>
+        <source>the zone is given twice</source>
+        <translation>die Zone ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>the zone is given by nothing</source>
+        <translation>die Zone ist durch nichts angegeben</translation>
+    </message>
+    <message>
+        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
+        <translation>geben Sie corners_mm ringsherum an, oder zwei gegenüberliegende Ecken als rectangle_mm</translation>
+    </message>
+    <message>
+        <source>&apos;rectangle_mm&apos; is not two corners</source>
+        <translation>&apos;rectangle_mm&apos; hat nicht zwei Ecken</translation>
+    </message>
+    <message>
+        <source>give two opposite corners: [[x, y], [x, y]]</source>
+        <translation>geben Sie zwei gegenüberliegende Ecken an: [[x, y], [x, y]]</translation>
+    </message>
+    <message>
+        <source>style &apos;%1&apos; of CSV</source>
+        <translation>CSV-Stil &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>there is no such style</source>
+        <translation>diesen Stil gibt es nicht</translation>
+    </message>
+    <message>
+        <source>choose analysis, international or continental</source>
+        <translation>wählen Sie analysis, international oder continental</translation>
+    </message>
+    <message>
+        <source>write it with digits, like 12.5, or leave the place blank</source>
+        <translation>schreiben Sie die Zahl mit Ziffern, etwa 12.5, oder lassen Sie die Stelle leer</translation>
+    </message>
+    <message>
+        <source>write it with digits, like 12.5</source>
+        <translation>schreiben Sie die Zeit mit Ziffern, etwa 12.5</translation>
+    </message>
+    <message>
+        <source>its time is that of the line before</source>
+        <translation>die Zeit ist die der Zeile davor</translation>
+    </message>
+    <message>
+        <source>its time is before that of the line before</source>
+        <translation>die Zeit liegt vor der der Zeile davor</translation>
+    </message>
+    <message>
+        <source>put the lines in the order of time, each time once</source>
+        <translation>ordnen Sie die Zeilen nach der Zeit, jede Zeit einmal</translation>
+    </message>
+    <message>
+        <source>it is more than a week after the first line</source>
+        <translation>das ist mehr als eine Woche nach der ersten Zeile</translation>
+    </message>
+    <message>
+        <source>check the unit of the times, and that all lines are of one run</source>
+        <translation>prüfen Sie die Einheit der Zeiten, und ob alle Zeilen von einer Fahrt sind</translation>
+    </message>
+    <message>
+        <source>its place is more than 100 km away</source>
+        <translation>der Ort ist mehr als 100 km entfernt</translation>
+    </message>
+    <message>
+        <source>check the unit of the places: m, cm or mm</source>
+        <translation>prüfen Sie die Einheit der Orte: m, cm oder mm</translation>
+    </message>
+    <message>
+        <source>the track has %1 position</source>
+        <translation>die Spur hat %1 Ort</translation>
+    </message>
+    <message>
+        <source>the track has %1 positions</source>
+        <translation>die Spur hat %1 Orte</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos; has %2 position</source>
+        <translation>Spur &apos;%1&apos; hat %2 Ort</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos; has %2 positions</source>
+        <translation>Spur &apos;%1&apos; hat %2 Orte</translation>
+    </message>
+    <message>
+        <source>choose a file with three positions or more</source>
+        <translation>wählen Sie eine Datei mit drei oder mehr Orten</translation>
+    </message>
+    <message>
+        <source>choose a track with more positions</source>
+        <translation>wählen Sie eine Spur mit mehr Orten</translation>
+    </message>
+    <message>
+        <source>none of its tracks has a position</source>
+        <translation>keine der Spuren hat einen Ort</translation>
+    </message>
+    <message>
+        <source>it has %1 entry instead of the 8 of TUM</source>
+        <translation>%1 Eintrag statt der 8 von TUM</translation>
+    </message>
+    <message>
+        <source>it has %1 entries instead of the 8 of TUM</source>
+        <translation>%1 Einträge statt der 8 von TUM</translation>
+    </message>
+    <message>
+        <source>write %1, or begin the file with the line %2</source>
+        <translation>schreiben Sie %1, oder beginnen Sie die Datei mit der Zeile %2</translation>
+    </message>
+    <message>
+        <source>begin the file with the line %1, or write lines of %2</source>
+        <translation>beginnen Sie die Datei mit der Zeile %1, oder schreiben Sie Zeilen aus %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a time in seconds</source>
+        <translation>&apos;%1&apos; ist keine Zeit in Sekunden</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a time</source>
+        <translation>&apos;%1&apos; ist keine Zeit</translation>
+    </message>
+    <message>
+        <source>one of its two places is blank</source>
+        <translation>einer der beiden Orte ist leer</translation>
+    </message>
+    <message>
+        <source>one of its two errors is blank</source>
+        <translation>einer der beiden Fehler ist leer</translation>
+    </message>
+    <message>
+        <source>fill in both or none</source>
+        <translation>füllen Sie beide oder keines aus</translation>
+    </message>
+    <message>
+        <source>it has %1 cell where the header has %2</source>
+        <translation>%1 Zelle, die Kopfzeile hat %2</translation>
+    </message>
+    <message>
+        <source>it has %1 cells where the header has %2</source>
+        <translation>%1 Zellen, die Kopfzeile hat %2</translation>
+    </message>
+    <message>
+        <source>give each line as many cells as the header</source>
+        <translation>geben Sie jeder Zeile so viele Zellen wie der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>it has no header with a time, x and y, and is no TUM either</source>
+        <translation>eine Kopfzeile mit Zeit, x und y fehlt, und TUM ist es auch nicht</translation>
+    </message>
+    <message>
+        <source>the indentation does not fit</source>
+        <translation>die Einrückung passt nicht</translation>
+    </message>
+    <message>
+        <source>the line is indented with a tab</source>
+        <translation>die Zeile ist mit einem Tabulator eingerückt</translation>
+    </message>
+    <message>
+        <source>it holds more than one document</source>
+        <translation>darin steht mehr als ein Dokument</translation>
+    </message>
+    <message>
+        <source>it is nested more than %1 deep</source>
+        <translation>die Verschachtelung ist tiefer als %1</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 values</source>
+        <translation>darin stehen mehr als %1 Werte</translation>
+    </message>
+    <message>
+        <source>the line has no &quot;key: value&quot;</source>
+        <translation>die Zeile hat kein &quot;key: value&quot;</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is there twice</source>
+        <translation>den Schlüssel &apos;%1&apos; gibt es zweimal</translation>
+    </message>
+    <message>
+        <source>something follows the closing bracket</source>
+        <translation>nach der schließenden Klammer folgt noch etwas</translation>
+    </message>
+    <message>
+        <source>anchors, aliases and blocks of text are not understood</source>
+        <translation>Anker, Verweise und Textblöcke werden nicht verstanden</translation>
+    </message>
+    <message>
+        <source>a quoted text does not end in its line</source>
+        <translation>ein Text in Anführungszeichen endet nicht in seiner Zeile</translation>
+    </message>
+    <message>
+        <source>a bracket is not closed</source>
+        <translation>eine Klammer ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>a comma or a closing bracket is missing</source>
+        <translation>ein Komma oder eine schließende Klammer fehlt</translation>
+    </message>
+    <message>
+        <source>a colon is missing after &apos;%1&apos;</source>
+        <translation>nach &apos;%1&apos; fehlt ein Doppelpunkt</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>ein Wert fehlt</translation>
+    </message>
+    <message>
+        <source>the archive library refused</source>
+        <translation>die Archivbibliothek hat es abgelehnt</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>vorhanden: %1</translation>
+    </message>
+    <message>
+        <source>give one or more, like --track R=run.csv</source>
+        <translation>geben Sie eine oder mehr an, etwa --track R=run.csv</translation>
+    </message>
+    <message>
+        <source>number &apos;%1&apos;</source>
+        <translation>Zahl &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>colour &apos;%1&apos;</source>
+        <translation>Farbe &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>member</source>
+        <translation>Mitglied</translation>
+    </message>
+    <message>
+        <source>pseudonym</source>
+        <translation>Pseudonym</translation>
+    </message>
+    <message>
+        <source>track</source>
+        <translation>Spur</translation>
+    </message>
+    <message>
+        <source>gate</source>
+        <translation>Tor</translation>
+    </message>
+    <message>
+        <source>zone</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation>Schlagwort</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>registration</source>
+        <translation>Einmessung</translation>
+    </message>
+    <message>
+        <source>lens</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>title of the project</source>
+        <translation>Titel des Projekts</translation>
+    </message>
+    <message>
+        <source>address of a camera</source>
+        <translation>Adresse einer Kamera</translation>
+    </message>
+    <message>
+        <source>origin of a calibration</source>
+        <translation>Herkunft einer Kalibrierung</translation>
+    </message>
+    <message>
+        <source>reading of a track</source>
+        <translation>Lesart einer Spur</translation>
+    </message>
+    <message>
+        <source>words of a change</source>
+        <translation>Worte einer Änderung</translation>
+    </message>
+    <message>
+        <source>notes of a trial</source>
+        <translation>Notizen eines Versuchs</translation>
+    </message>
+    <message>
+        <source>path of a recording</source>
+        <translation>Pfad einer Aufnahme</translation>
+    </message>
+    <message>
+        <source>path of a registration&apos;s picture</source>
+        <translation>Pfad des Bilds einer Einmessung</translation>
+    </message>
+    <message>
+        <source>path of a calibration picture</source>
+        <translation>Pfad eines Kalibrierbilds</translation>
+    </message>
+    <message>
+        <source>name of a calibration picture</source>
+        <translation>Name eines Kalibrierbilds</translation>
+    </message>
+    <message>
+        <source>samples and profile differ in length</source>
+        <translation>Messpunkte und Profil sind verschieden lang</translation>
+    </message>
+    <message>
+        <source>it has more than %1 samples</source>
+        <translation>mehr als %1 Messpunkte</translation>
+    </message>
+    <message>
+        <source>views and registrations differ in number</source>
+        <translation>Sichten und Einmessungen sind verschieden viele</translation>
+    </message>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>Kennwert &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is not a finite number</source>
+        <translation>das ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>analysis %1 of the project</source>
+        <translation>Auswertung %1 des Projekts</translation>
+    </message>
+    <message>
+        <source>its series are missing</source>
+        <translation>die Reihen fehlen</translation>
+    </message>
+    <message>
+        <source>a spike refers to a sample that is not there</source>
+        <translation>ein Ausreißer verweist auf einen Messpunkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>its stored series is not of the expected kind</source>
+        <translation>die gespeicherte Reihe ist nicht von der erwarteten Art</translation>
+    </message>
+    <message>
+        <source>its stored series has the unknown layout %1</source>
+        <translation>die gespeicherte Reihe hat den unbekannten Aufbau %1</translation>
+    </message>
+    <message>
+        <source>its stored series announces %1 rows but holds %2 bytes</source>
+        <translation>die gespeicherte Reihe kündigt %1 Zeilen an, hat aber %2 Bytes</translation>
+    </message>
+    <message>
+        <source>a value to be stored is not a finite number</source>
+        <translation>ein Wert, der gespeichert werden soll, ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>check the input that it was computed from</source>
+        <translation>prüfen Sie, woraus er berechnet wurde</translation>
+    </message>
+    <message>
+        <source>lens %1 of the project</source>
+        <translation>Objektiv %1 des Projekts</translation>
+    </message>
+    <message>
+        <source>registration %1 of the project</source>
+        <translation>Einmessung %1 des Projekts</translation>
+    </message>
+    <message>
+        <source>it has no %1 with the number %2</source>
+        <translation>mit der Nummer %2 gibt es darin nichts: %1</translation>
+    </message>
+    <message>
+        <source>restore the project from a backup copy</source>
+        <translation>stellen Sie das Projekt aus einer Sicherungskopie wieder her</translation>
+    </message>
+    <message>
+        <source>it has no file</source>
+        <translation>dazu fehlt die Datei</translation>
+    </message>
+    <message>
+        <source>name the video&apos;s file</source>
+        <translation>nennen Sie die Datei des Videos</translation>
+    </message>
+    <message>
+        <source>its relative path leaves the project&apos;s folder</source>
+        <translation>der relative Pfad führt aus dem Ordner des Projekts hinaus</translation>
+    </message>
+    <message>
+        <source>copy the file beside the project</source>
+        <translation>kopieren Sie die Datei neben das Projekt</translation>
+    </message>
+    <message>
+        <source>its stored covariance is not a 6 by 6 matrix</source>
+        <translation>die gespeicherte Kovarianz ist keine 6 × 6-Matrix</translation>
+    </message>
+    <message>
+        <source>its stored matrix of %1 numbers is not square</source>
+        <translation>die gespeicherte Matrix aus %1 Zahlen ist nicht quadratisch</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos;</source>
+        <translation>Spur &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a position or its covariance is no number</source>
+        <translation>ein Ort oder seine Kovarianz ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>truth of a trial</source>
+        <translation>Wahrheit eines Versuchs</translation>
+    </message>
+    <message>
+        <source>its series differ in length</source>
+        <translation>die Reihen sind verschieden lang</translation>
+    </message>
+    <message>
+        <source>give position, velocity and acceleration for each time</source>
+        <translation>geben Sie zu jeder Zeit Ort, Geschwindigkeit und Beschleunigung an</translation>
+    </message>
+    <message>
+        <source>its stored setting &apos;%1&apos; is unknown</source>
+        <translation>die gespeicherte Einstellung &apos;%1&apos; ist unbekannt</translation>
+    </message>
+    <message>
+        <source>its reference path ends within a point</source>
+        <translation>die Sollbahn endet mitten in einem Punkt</translation>
+    </message>
+    <message>
+        <source>its zone &apos;%1&apos; ends within a point</source>
+        <translation>die Zone &apos;%1&apos; endet mitten in einem Punkt</translation>
+    </message>
+    <message>
+        <source>raw times of recording %1</source>
+        <translation>Rohzeiten der Aufnahme %1</translation>
+    </message>
+    <message>
+        <source>its recording has ended, and is kept</source>
+        <translation>die Aufnahme ist beendet und wird behalten</translation>
+    </message>
+    <message>
+        <source>leave it</source>
+        <translation>lassen Sie es dabei</translation>
+    </message>
+    <message>
+        <source>look for lost videos</source>
+        <translation>Suche nach verlorenen Videos</translation>
+    </message>
+    <message>
+        <source>demo</source>
+        <translation>Demo</translation>
+    </message>
+    <message>
+        <source>the planned camera</source>
+        <translation>die geplante Kamera</translation>
+    </message>
+    <message>
+        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <translation>von dort sähe sie %1 der Marker des Plans (%2), vier werden gebraucht</translation>
+    </message>
+    <message>
+        <source>move it back or up, or choose a wider lens</source>
+        <translation>rücken Sie die Kamera zurück oder höher, oder wählen Sie ein weiteres Objektiv</translation>
+    </message>
+    <message>
+        <source>the markers that it would see do not hold it</source>
+        <translation>die Marker, die sie sähe, legen ihre Lage nicht fest</translation>
+    </message>
+    <message>
+        <source>it cannot stand %1 m above the floor</source>
+        <translation>%1 m über dem Boden kann keine Kamera stehen</translation>
+    </message>
+    <message>
+        <source>give a height of 0.05 m to 100 m</source>
+        <translation>geben Sie eine Höhe von 0.05 m bis 100 m an</translation>
+    </message>
+    <message>
+        <source>it cannot stand %1 m away</source>
+        <translation>%1 m entfernt kann keine Kamera stehen</translation>
+    </message>
+    <message>
+        <source>give a distance of 0 m to 1000 m</source>
+        <translation>geben Sie einen Abstand von 0 m bis 1000 m an</translation>
+    </message>
+    <message>
+        <source>its field of view is %1°</source>
+        <translation>das Blickfeld ist %1°</translation>
+    </message>
+    <message>
+        <source>give 2° to 150°, and the size of its pictures</source>
+        <translation>geben Sie 2° bis 150° an, und die Größe der Bilder</translation>
+    </message>
+    <message>
+        <source>the best place for a camera</source>
+        <translation>der beste Ort für eine Kamera</translation>
+    </message>
+    <message>
+        <source>the layout has %1 markers, four are needed</source>
+        <translation>der Plan hat %1 Marker, vier werden gebraucht</translation>
+    </message>
+    <message>
+        <source>make a layout of four markers or more</source>
+        <translation>legen Sie einen Plan mit vier oder mehr Markern an</translation>
+    </message>
+    <message>
+        <source>from nowhere within %1 m beyond the markers would it see four of them at the height and with the lens given</source>
+        <translation>bis %1 m um die Marker herum sähe sie mit dieser Höhe und diesem Objektiv nirgends vier davon</translation>
+    </message>
+    <message>
+        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <translation>stellen Sie die Kamera höher oder weiter weg, oder wählen Sie ein weiteres Objektiv</translation>
+    </message>
+    <message>
+        <source>the board is seen too obliquely, at %1 degrees</source>
+        <translation>die Tafel ist zu schräg zu sehen, unter %1 Grad</translation>
+    </message>
+    <message>
+        <source>tilt it by 30 to 45 degrees</source>
+        <translation>neigen Sie sie um 30 bis 45 Grad</translation>
+    </message>
+    <message>
+        <source>the board is too small</source>
+        <translation>die Tafel ist zu klein</translation>
+    </message>
+    <message>
+        <source>it fills %1 % of the picture</source>
+        <translation>sie füllt %1 % des Bilds</translation>
+    </message>
+    <message>
+        <source>hold it closer to the camera</source>
+        <translation>halten Sie sie näher an die Kamera</translation>
+    </message>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>dieses Bild hat %1×%2, das erste %3×%4</translation>
+    </message>
+    <message>
+        <source>use pictures of one camera at one resolution</source>
+        <translation>verwenden Sie Bilder einer Kamera mit einer Auflösung</translation>
+    </message>
+    <message>
+        <source>the corners do not lie as on a flat board</source>
+        <translation>die Ecken liegen nicht wie auf einer flachen Tafel</translation>
+    </message>
+    <message>
+        <source>glue the board onto something stiff and flat</source>
+        <translation>kleben Sie die Tafel auf etwas Steifes und Flaches</translation>
+    </message>
+    <message>
+        <source>the board stands as in %1 already</source>
+        <translation>die Tafel steht wie schon in %1</translation>
+    </message>
+    <message>
+        <source>the board stands as in a picture already taken</source>
+        <translation>die Tafel steht wie in einem schon aufgenommenen Bild</translation>
+    </message>
+    <message>
+        <source>move it elsewhere, turn it or tilt it</source>
+        <translation>halten Sie sie woanders hin, drehen oder neigen Sie sie</translation>
+    </message>
+    <message>
+        <source>the board is not sharp</source>
+        <translation>die Tafel ist nicht scharf</translation>
+    </message>
+    <message>
+        <source>focus the camera, or give more light</source>
+        <translation>stellen Sie die Kamera scharf, oder sorgen Sie für mehr Licht</translation>
+    </message>
+    <message>
+        <source>the pictures ask for two focal lengths</source>
+        <translation>die Bilder verlangen zwei Brennweiten</translation>
+    </message>
+    <message>
+        <source>%1 for about %2 px, %3 (such as %4) for about %5 px</source>
+        <translation>%1 etwa %2 px, %3 (etwa %4) etwa %5 px</translation>
+    </message>
+    <message>
+        <source>it has %1 corners of the board, six are needed</source>
+        <translation>es zeigt %1 Ecken der Tafel, sechs werden gebraucht</translation>
+    </message>
+    <message>
+        <source>show more of it</source>
+        <translation>zeigen Sie mehr davon</translation>
+    </message>
+    <message>
+        <source>a corner of it is not a number</source>
+        <translation>eine Ecke darin ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>let the board be found in it again</source>
+        <translation>lassen Sie die Tafel darin neu suchen</translation>
+    </message>
+    <message>
+        <source>too few pictures to compare it with others</source>
+        <translation>zu wenige Bilder, um es mit anderen zu vergleichen</translation>
+    </message>
+    <message>
+        <source>name one like DICT_6X6_250, or leave it out</source>
+        <translation>nennen Sie eines wie DICT_6X6_250, oder lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <translation>die gelesenen Marker liegen nicht wie auf einer ChArUco-Tafel</translation>
+    </message>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <translation>die gelesenen Marker liegen nicht wie auf einer ChArUco-Tafel mit %1 inneren Ecken</translation>
+    </message>
+    <message>
+        <source>the pixel of point %1 is not a finite number</source>
+        <translation>das Pixel von Punkt %1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the pixel of marker %1 is not a finite number</source>
+        <translation>das Pixel von Marker %1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the place of marker %1 is not a finite number</source>
+        <translation>der Ort von Marker %1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <translation>Punkt %1 liegt außerhalb des Bilds von %2 (%3)</translation>
+    </message>
+    <message>
+        <source>check which columns belong to which camera</source>
+        <translation>prüfen Sie, welche Spalten zu welcher Kamera gehören</translation>
+    </message>
+    <message>
+        <source>this camera</source>
+        <translation>diese Kamera</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is there twice</source>
+        <translation>Kamera &apos;%1&apos; gibt es zweimal</translation>
+    </message>
+    <message>
+        <source>name each camera once</source>
+        <translation>nennen Sie jede Kamera einmal</translation>
+    </message>
+    <message>
+        <source>the σ of the tape measure is not above 0</source>
+        <translation>das σ des Maßbands ist nicht größer als 0</translation>
+    </message>
+    <message>
+        <source>give some 2 mm</source>
+        <translation>geben Sie etwa 2 mm an</translation>
+    </message>
+    <message>
+        <source>no pose</source>
+        <translation>keine Lage</translation>
+    </message>
+    <message>
+        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <translation>%1 liegt, wohin das Objektiv dieser Kamera nichts abbilden kann</translation>
+    </message>
+    <message>
+        <source>check its pixel and the camera&apos;s intrinsics</source>
+        <translation>prüfen Sie das Pixel und die Objektivdaten der Kamera</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor, not along a line</source>
+        <translation>verteilen Sie die Punkte über den Boden, nicht entlang einer Linie</translation>
+    </message>
+    <message>
+        <source>both an angle and a pair of markers were given for X</source>
+        <translation>für X wurden ein Winkel und ein Paar Marker angegeben</translation>
+    </message>
+    <message>
+        <source>both a marker and a point were given for the origin</source>
+        <translation>für den Ursprung wurden ein Marker und ein Punkt angegeben</translation>
+    </message>
+    <message>
+        <source>unit &apos;%1&apos;</source>
+        <translation>Einheit &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is not known</source>
+        <translation>das ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>use mm, cm, m or inch</source>
+        <translation>verwenden Sie mm, cm, m oder inch</translation>
+    </message>
+    <message>
+        <source>a length factor of %1 makes no floor</source>
+        <translation>ein Längenfaktor von %1 ergibt keinen Boden</translation>
+    </message>
+    <message>
+        <source>give a number above 0</source>
+        <translation>geben Sie eine Zahl über 0 an</translation>
+    </message>
+    <message>
+        <source>the origin or the angle is not a finite number</source>
+        <translation>der Ursprung oder der Winkel ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>give plain numbers</source>
+        <translation>geben Sie gewöhnliche Zahlen an</translation>
+    </message>
+    <message>
+        <source>check the unit of the layout</source>
+        <translation>prüfen Sie die Einheit des Plans</translation>
+    </message>
+    <message>
+        <source>it is given in mm</source>
+        <translation>erwartet werden mm</translation>
+    </message>
+    <message>
+        <source>no homography</source>
+        <translation>keine Homographie</translation>
+    </message>
+    <message>
+        <source>four points are needed, %1 given</source>
+        <translation>vier Punkte werden gebraucht, %1 sind angegeben</translation>
+    </message>
+    <message>
+        <source>add points</source>
+        <translation>fügen Sie Punkte hinzu</translation>
+    </message>
+    <message>
+        <source>a coordinate of %1 is not a finite number</source>
+        <translation>eine Koordinate von %1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1 lie at one place</source>
+        <translation>%1 liegen an einer Stelle</translation>
+    </message>
+    <message>
+        <source>%1 lie at one place in the picture</source>
+        <translation>%1 liegen im Bild an einer Stelle</translation>
+    </message>
+    <message>
+        <source>%1 lie on one line</source>
+        <translation>%1 liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>%1 lie on one line in the picture</source>
+        <translation>%1 liegen im Bild auf einer Linie</translation>
+    </message>
+    <message>
+        <source>use four points of which no three are in line</source>
+        <translation>verwenden Sie vier Punkte, von denen keine drei auf einer Linie liegen</translation>
+    </message>
+    <message>
+        <source>%1 would lie beyond the horizon</source>
+        <translation>%1 läge hinter dem Horizont</translation>
+    </message>
+    <message>
+        <source>the order of the points crosses over like a bow tie</source>
+        <translation>die Reihenfolge der Punkte überkreuzt sich wie eine Schleife</translation>
+    </message>
+    <message>
+        <source>check which point is which</source>
+        <translation>prüfen Sie, welcher Punkt welcher ist</translation>
+    </message>
+    <message>
+        <source>the points do not determine it</source>
+        <translation>die Punkte bestimmen sie nicht</translation>
+    </message>
+    <message>
+        <source>spread the points</source>
+        <translation>verteilen Sie die Punkte</translation>
+    </message>
+    <message>
+        <source>the chain has no links</source>
+        <translation>die Kette hat keine Glieder</translation>
+    </message>
+    <message>
+        <source>give at least one</source>
+        <translation>geben Sie mindestens eines an</translation>
+    </message>
+    <message>
+        <source>link %1 of %2 of the chain is singular</source>
+        <translation>Glied %1 von %2 der Kette ist singulär</translation>
+    </message>
+    <message>
+        <source>use four points in it of which no three are in line</source>
+        <translation>verwenden Sie darin vier Punkte, von denen keine drei auf einer Linie liegen</translation>
+    </message>
+    <message>
+        <source>the picture size %1 is not positive</source>
+        <translation>die Bildgröße %1 ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>one of the values is not a finite number</source>
+        <translation>einer der Werte ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the focal length %1 px is not positive</source>
+        <translation>die Brennweite %1 px ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <translation>%1 Verzeichnungskoeffizienten gehören nicht zu diesem Objektivmodell</translation>
+    </message>
+    <message>
+        <source>the covariance has the wrong size</source>
+        <translation>die Kovarianz hat die falsche Größe</translation>
+    </message>
+    <message>
+        <source>no picture could be read</source>
+        <translation>kein Bild konnte gelesen werden</translation>
+    </message>
+    <message>
+        <source>calibration picture &apos;%1&apos;</source>
+        <translation>Kalibrierbild &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>intrinsics of camera &apos;%1&apos;</source>
+        <translation>Objektivdaten der Kamera &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>run odograph calibrate, or odograph intrinsics import</source>
+        <translation>kalibrieren Sie sie, oder importieren Sie ihre Objektivdaten</translation>
+    </message>
+    <message>
+        <source>markers for camera &apos;%1&apos;</source>
+        <translation>Marker für Kamera &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <translation>geben Sie --pixels pixels.csv, --image picture.png oder --video clip.mp4 an</translation>
+    </message>
+    <message>
+        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
+        <translation>kalibrieren Sie sie, importieren Sie ihre Objektivdaten, oder geben Sie auch --image oder --video an</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <translation>Einmessung der Kamera &apos;%1&apos; mit dem gültigen Objektiv</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; has none of that number</source>
+        <translation>Kamera &apos;%1&apos; hat keine mit dieser Nummer</translation>
+    </message>
+    <message>
+        <source>see its revisions for those there are</source>
+        <translation>die Liste ihrer Revisionen zeigt, welche es gibt</translation>
+    </message>
+    <message>
+        <source>calibration %1</source>
+        <translation>Kalibrierung %1</translation>
+    </message>
+    <message>
+        <source>registration %1</source>
+        <translation>Einmessung %1</translation>
+    </message>
+    <message>
+        <source>one view saw the robot in fewer than %1 pictures</source>
+        <translation>eine Sicht sah den Roboter in weniger als %1 Bildern</translation>
+    </message>
+    <message>
+        <source>the views hardly ever saw the robot at the same time</source>
+        <translation>die Sichten sahen den Roboter fast nie zugleich</translation>
+    </message>
+    <message>
+        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
+        <translation>der Roboter stand oder fuhr gleichmäßig geradeaus, darum passt jeder Versatz</translation>
+    </message>
+    <message>
+        <source>the views&apos; tracks do not resemble one another</source>
+        <translation>die Spuren der Sichten ähneln einander nicht</translation>
+    </message>
+    <message>
+        <source>the views&apos; tracks do not coincide at any offset looked at</source>
+        <translation>die Spuren der Sichten decken sich bei keinem untersuchten Versatz</translation>
+    </message>
+    <message>
+        <source>the motion repeats itself</source>
+        <translation>die Bewegung wiederholt sich</translation>
+    </message>
+    <message>
+        <source>offsets of %1 s and %2 s fit alike</source>
+        <translation>ein Versatz von %1 s und von %2 s passt gleich gut</translation>
+    </message>
+    <message>
+        <source>neither view shows a flash of light</source>
+        <translation>keine der Sichten zeigt einen Lichtblitz</translation>
+    </message>
+    <message>
+        <source>only one of the views shows a flash of light</source>
+        <translation>nur eine der Sichten zeigt einen Lichtblitz</translation>
+    </message>
+    <message>
+        <source>the light flickers</source>
+        <translation>das Licht flackert</translation>
+    </message>
+    <message>
+        <source>the flashes of light in the views do not belong together</source>
+        <translation>die Lichtblitze der Sichten gehören nicht zusammen</translation>
+    </message>
+    <message>
+        <source>the flashes of light fit alike at offsets of %1 s and %2 s</source>
+        <translation>die Lichtblitze passen bei einem Versatz von %1 s und von %2 s gleich gut</translation>
+    </message>
+    <message>
+        <source>%1, and neither view shows a flash of light</source>
+        <translation>%1, und keine der Sichten zeigt einen Lichtblitz</translation>
+    </message>
+    <message>
+        <source>%1, and only one of the views shows a flash of light</source>
+        <translation>%1, und nur eine der Sichten zeigt einen Lichtblitz</translation>
+    </message>
+    <message>
+        <source>%1, and the light flickers</source>
+        <translation>%1, und das Licht flackert</translation>
+    </message>
+    <message>
+        <source>%1, and the flashes of light in the views do not belong together</source>
+        <translation>%1, und die Lichtblitze der Sichten gehören nicht zusammen</translation>
+    </message>
+    <message>
+        <source>%1, and the flashes of light fit alike at offsets of %2 s and %3 s</source>
+        <translation>%1, und die Lichtblitze passen bei einem Versatz von %2 s und von %3 s gleich gut</translation>
+    </message>
+    <message>
+        <source>%1, so it is taken as begun together</source>
+        <translation>%1, darum gilt sie als gemeinsam begonnen</translation>
+    </message>
+    <message>
+        <source>fit of %1</source>
+        <translation>Anpassung (%1)</translation>
+    </message>
+    <message>
+        <source>a constant</source>
+        <translation>eine Konstante</translation>
+    </message>
+    <message>
+        <source>a straight line</source>
+        <translation>eine Gerade</translation>
+    </message>
+    <message>
+        <source>a parabola</source>
+        <translation>eine Parabel</translation>
+    </message>
+    <message>
+        <source>%1 point is too few for it</source>
+        <translation>%1 Punkt ist dafür zu wenig</translation>
+    </message>
+    <message>
+        <source>the robot does not move in %1</source>
+        <translation>in %1 bewegt sich der Roboter nicht</translation>
+    </message>
+    <message>
+        <source>the robot hardly moves in %1</source>
+        <translation>in %1 bewegt sich der Roboter kaum</translation>
+    </message>
+    <message>
+        <source>choose a run with motion</source>
+        <translation>wählen Sie eine Fahrt mit Bewegung</translation>
+    </message>
+    <message>
+        <source>%1 drives the way in the other direction than %2</source>
+        <translation>%1 fährt den Weg in anderer Richtung als %2</translation>
+    </message>
+    <message>
+        <source>choose runs in the same direction</source>
+        <translation>wählen Sie Fahrten in gleicher Richtung</translation>
+    </message>
+    <message>
+        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
+        <translation>%1 hat kein Stück Weg mit der Sollbahn gemeinsam</translation>
+    </message>
+    <message>
+        <source>%1 has no stretch of the way in common with %2</source>
+        <translation>%1 hat kein Stück Weg mit %2 gemeinsam</translation>
+    </message>
+    <message>
+        <source>choose runs of the same task</source>
+        <translation>wählen Sie Fahrten derselben Aufgabe</translation>
+    </message>
+    <message>
+        <source>%1 does not pass a start gate</source>
+        <translation>%1 fährt durch kein Starttor</translation>
+    </message>
+    <message>
+        <source>align by motion onset or distance</source>
+        <translation>richten Sie nach Bewegungsbeginn oder Weg aus</translation>
+    </message>
+    <message>
+        <source>the robot of %1 drives already when it is first seen</source>
+        <translation>der Roboter von %1 fährt schon, wenn er zum ersten Mal zu sehen ist</translation>
+    </message>
+    <message>
+        <source>align by distance</source>
+        <translation>richten Sie nach dem Weg aus</translation>
+    </message>
+    <message>
+        <source>a moment of each run is needed to align them by hand</source>
+        <translation>zum Ausrichten von Hand wird von jeder Fahrt ein Zeitpunkt gebraucht</translation>
+    </message>
+    <message>
+        <source>tell one for each</source>
+        <translation>nennen Sie für jede einen</translation>
+    </message>
+    <message>
+        <source>the moment told for %1 lies outside of it</source>
+        <translation>der für %1 genannte Zeitpunkt liegt außerhalb</translation>
+    </message>
+    <message>
+        <source>tell one between its first and last frame</source>
+        <translation>nennen Sie einen zwischen dem ersten und dem letzten Bild</translation>
+    </message>
+    <message>
+        <source>%1 was not seen at the place to align by</source>
+        <translation>%1 war am Ort der Ausrichtung nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>choose a place that both runs pass</source>
+        <translation>wählen Sie einen Ort, an dem beide Fahrten vorbeikommen</translation>
+    </message>
+    <message>
+        <source>there is no such template</source>
+        <translation>dieses Muster gibt es nicht</translation>
+    </message>
+    <message>
+        <source>template &apos;%1&apos;</source>
+        <translation>Muster &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>rule &apos;%1&apos;</source>
+        <translation>Regel &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>use stay_inside or stay_outside</source>
+        <translation>verwenden Sie stay_inside oder stay_outside</translation>
+    </message>
+    <message>
+        <source>smoother %1</source>
+        <translation>Glättung %1</translation>
+    </message>
+    <message>
+        <source>there is none of that name</source>
+        <translation>so heißt keine</translation>
+    </message>
+    <message>
+        <source>use rts, savgol, tracker or none</source>
+        <translation>verwenden Sie rts, savgol, tracker oder none</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <translation>Roboter &apos;%1&apos; wurde darin nicht verfolgt, wohl aber %2</translation>
+    </message>
+    <message>
+        <source>track it, or choose another</source>
+        <translation>verfolgen Sie ihn, oder wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>track it, or choose another with --robot</source>
+        <translation>verfolgen Sie ihn, oder wählen Sie mit --robot einen anderen</translation>
+    </message>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
+        <translation>keine der Spuren heißt &apos;%1&apos;; vorhanden: %2</translation>
+    </message>
+    <message>
+        <source>run odograph track first</source>
+        <translation>verfolgen Sie zuerst</translation>
+    </message>
+    <message>
+        <source>run odograph track without --again first</source>
+        <translation>verfolgen Sie zuerst ohne --again</translation>
+    </message>
+    <message>
+        <source>analyse them anew with</source>
+        <translation>werten Sie sie neu aus mit</translation>
+    </message>
+    <message>
+        <source>choose one with --robot</source>
+        <translation>wählen Sie einen mit --robot</translation>
+    </message>
+    <message>
+        <source>frame %1 of trial &apos;%2&apos;</source>
+        <translation>Bild %1 des Versuchs &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>%1 s of trial &apos;%2&apos;</source>
+        <translation>%1 s des Versuchs &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the analysis has no sample</source>
+        <translation>die Auswertung hat keinen Messpunkt</translation>
+    </message>
+    <message>
+        <source>track the trial again</source>
+        <translation>verfolgen Sie den Versuch noch einmal</translation>
+    </message>
+    <message>
+        <source>choose a time from %1 s to %2 s</source>
+        <translation>wählen Sie eine Zeit von %1 s bis %2 s</translation>
+    </message>
+    <message>
+        <source>choose a frame with a measurement</source>
+        <translation>wählen Sie ein Bild mit einer Messung</translation>
+    </message>
+    <message>
+        <source>nothing was said by hand there</source>
+        <translation>dort wurde nichts von Hand festgelegt</translation>
+    </message>
+    <message>
+        <source>see the flags by_hand in odograph export</source>
+        <translation>siehe die Kennzeichen by_hand in odograph export</translation>
+    </message>
+    <message>
+        <source>tracking</source>
+        <translation>Verfolgung</translation>
+    </message>
+    <message>
+        <source>add one with</source>
+        <translation>fügen Sie einen hinzu mit</translation>
+    </message>
+    <message>
+        <source>cannot render %1</source>
+        <translation>%1 kann nicht gerechnet werden</translation>
+    </message>
+    <message>
+        <source>rendering %1</source>
+        <translation>Rechnen von %1</translation>
+    </message>
+    <message>
+        <source>camera %1 takes no frame while the scene lasts</source>
+        <translation>Kamera %1 nimmt kein Bild auf, solange die Szene dauert</translation>
+    </message>
+    <message>
+        <source>give the scene a longer duration or start the camera earlier</source>
+        <translation>lassen Sie die Szene länger dauern, oder starten Sie die Kamera früher</translation>
+    </message>
+    <message>
+        <source>a picture cannot be coded</source>
+        <translation>ein Bild kann nicht kodiert werden</translation>
+    </message>
+    <message>
+        <source>JPEG does not have its layout of colours</source>
+        <translation>diese Anordnung der Farben kennt JPEG nicht</translation>
+    </message>
+    <message>
+        <source>let the camera give another format</source>
+        <translation>lassen Sie die Kamera ein anderes Format liefern</translation>
+    </message>
+    <message>
+        <source>cannot decode all of a frame</source>
+        <translation>ein Bild kann nicht ganz dekodiert werden</translation>
+    </message>
+    <message>
+        <source>its sound part is used</source>
+        <translation>verwendet wird der unbeschädigte Teil</translation>
+    </message>
+    <message>
+        <source>its time scale was not found where the muxer should have put it</source>
+        <translation>die Zeitskala fehlt an der Stelle, an die der Muxer sie schreiben sollte</translation>
+    </message>
+    <message>
+        <source>report this as a bug</source>
+        <translation>melden Sie dies als Fehler</translation>
+    </message>
+    <message>
+        <source>its header could not be rewritten</source>
+        <translation>die Kopfdaten konnten nicht neu geschrieben werden</translation>
+    </message>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>prüfen Sie, ob auf der Platte Platz ist</translation>
+    </message>
+    <message>
+        <source>a packet there is damaged</source>
+        <translation>ein Paket dort ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its header promises %1</source>
+        <translation>die Kopfdaten versprechen %1</translation>
+    </message>
+    <message>
+        <source>not one whole frame is in it</source>
+        <translation>darin ist kein einziges ganzes Bild</translation>
+    </message>
+    <message>
+        <source>its time stamps span %1</source>
+        <translation>die Zeitstempel umfassen %1</translation>
+    </message>
+    <message>
+        <source>it says that it has %1 pixels</source>
+        <translation>darin steht, dass es %1 Pixel sind</translation>
+    </message>
+    <message>
+        <source>more than 100 megapixels are not read</source>
+        <translation>mehr als 100 Megapixel werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>picture &apos;%1&apos;</source>
+        <translation>Bild &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it could not be packed</source>
+        <translation>das Bild konnte nicht gepackt werden</translation>
+    </message>
+    <message>
+        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
+        <translation>prüfen Sie den Ordner, den freien Platz, und ob der Name auf .png oder .jpg endet</translation>
+    </message>
+    <message>
+        <source>it could not be written</source>
+        <translation>Schreiben nicht möglich</translation>
+    </message>
+    <message>
+        <source>its format is not known</source>
+        <translation>das Format ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the size of its pictures could not be found out</source>
+        <translation>die Größe der Bilder ließ sich nicht feststellen</translation>
+    </message>
+    <message>
+        <source>its pixel format %1 is not read</source>
+        <translation>das Pixelformat %1 wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>its pixel format (unknown) is not read</source>
+        <translation>das (unbekannte) Pixelformat wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
+        <translation>wandeln Sie es in 8-Bit-YUV um, z. B. mit ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
+    </message>
+    <message>
+        <source>frames of this size or chroma format cannot be encoded</source>
+        <translation>Bilder dieser Größe oder dieses Farbformats können nicht kodiert werden</translation>
+    </message>
+    <message>
+        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
+        <translation>verwenden Sie 4:2:0, 4:2:2 oder 4:4:4</translation>
+    </message>
+    <message>
+        <source>install Debian&apos;s libavcodec with libx264</source>
+        <translation>installieren Sie Debians libavcodec mit libx264</translation>
+    </message>
+    <message>
+        <source>the chroma siting could not be set (%1)</source>
+        <translation>die Lage der Farbwerte konnte nicht gesetzt werden (%1)</translation>
+    </message>
+    <message>
+        <source>install Debian&apos;s libavcodec</source>
+        <translation>installieren Sie Debians libavcodec</translation>
+    </message>
+    <message>
+        <source>FFV1 does not go into MP4</source>
+        <translation>FFV1 passt nicht in MP4</translation>
+    </message>
+    <message>
+        <source>use the ending .mkv</source>
+        <translation>verwenden Sie die Endung .mkv</translation>
+    </message>
+    <message>
+        <source>its frame rate is not positive</source>
+        <translation>die Bildrate ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>give the frames per second, e.g. 30</source>
+        <translation>geben Sie die Bilder je Sekunde an, z. B. 30</translation>
+    </message>
+    <message>
+        <source>start the video again</source>
+        <translation>beginnen Sie das Video neu</translation>
+    </message>
+    <message>
+        <source>its format differs from the video&apos;s</source>
+        <translation>das Format ist ein anderes als das des Videos</translation>
+    </message>
+    <message>
+        <source>write one format to a file</source>
+        <translation>schreiben Sie in eine Datei ein Format</translation>
+    </message>
+    <message>
+        <source>its time is not after the frame&apos;s before it</source>
+        <translation>die Zeit liegt nicht nach der des Bilds davor</translation>
+    </message>
+    <message>
+        <source>write the frames in order, at least a microsecond apart</source>
+        <translation>schreiben Sie die Bilder der Reihe nach, mindestens eine Mikrosekunde auseinander</translation>
+    </message>
+    <message>
+        <source>it is finished</source>
+        <translation>es ist abgeschlossen</translation>
+    </message>
+    <message>
+        <source>start it again</source>
+        <translation>beginnen Sie es neu</translation>
+    </message>
+    <message>
+        <source>no frame was written to it</source>
+        <translation>kein Bild wurde hineingeschrieben</translation>
+    </message>
+    <message>
+        <source>write at least one</source>
+        <translation>schreiben Sie mindestens eines</translation>
+    </message>
+    <message>
+        <source>give one view or more, like --video A=a.mp4</source>
+        <translation>geben Sie eine oder mehr Sichten an, etwa --video A=a.mp4</translation>
+    </message>
+    <message>
+        <source>%1 views were given and the offsets of %2</source>
+        <translation>angegeben sind %1 Sichten und der Versatz von %2</translation>
+    </message>
+    <message>
+        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
+        <translation>geben Sie für jede Sicht außer der ersten einen Versatz an, etwa --sync 0.1,0.2, oder nehmen Sie --sync auto</translation>
+    </message>
+    <message>
+        <source>frame %1 of &apos;%2&apos;</source>
+        <translation>Bild %1 von &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>choose one from %1 to %2</source>
+        <translation>wählen Sie eines von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>its only one is frame 0</source>
+        <translation>das einzige ist Bild 0</translation>
+    </message>
+    <message>
+        <source>there is no such role</source>
+        <translation>diese Rolle gibt es nicht</translation>
+    </message>
+    <message>
+        <source>role &apos;%1&apos;</source>
+        <translation>Rolle &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>from a flash of light, to %1 ms only, for %2</source>
+        <translation>aus einem Lichtblitz, nur auf %1 ms, denn %2</translation>
+    </message>
+    <message>
+        <source>%1 frames left out</source>
+        <translation>%1 Bilder weggelassen</translation>
+    </message>
+    <message>
+        <source>their time stamps repeat the frame before</source>
+        <translation>ihre Zeitstempel wiederholen den des Bilds davor</translation>
+    </message>
+    <message>
+        <source>ends early at %1</source>
+        <translation>endet vorzeitig bei %1</translation>
+    </message>
+    <message>
+        <source>the file has no time stamps</source>
+        <translation>die Datei hat keine Zeitstempel</translation>
+    </message>
+    <message>
+        <source>an even %1 frames/s is assumed</source>
+        <translation>gleichmäßige %1 Bilder/s werden angenommen</translation>
+    </message>
+    <message>
+        <source>Simulated camera %1</source>
+        <translation>Simulierte Kamera %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 frames/s</source>
+        <translation>%1 mit %2 Bildern/s</translation>
+    </message>
+    <message>
+        <source>check that all lines are of one run</source>
+        <translation>prüfen Sie, ob alle Zeilen von einer Fahrt sind</translation>
+    </message>
+    <message>
+        <source>the file has more than four million places</source>
+        <translation>die Datei hat mehr als vier Millionen Orte</translation>
+    </message>
+    <message>
+        <source>it sends no pictures</source>
+        <translation>sie sendet keine Bilder</translation>
+    </message>
+    <message>
+        <source>check its cable</source>
+        <translation>prüfen Sie das Kabel</translation>
+    </message>
+    <message>
+        <source>it is taken up again by itself</source>
+        <translation>danach geht es von selbst weiter</translation>
+    </message>
+    <message>
+        <source>it has been away</source>
+        <translation>sie war fort</translation>
+    </message>
+    <message>
+        <source>wait: it is taken up again</source>
+        <translation>warten Sie: es geht von selbst weiter</translation>
+    </message>
+    <message>
+        <source>its pictures come incomplete</source>
+        <translation>die Bilder kommen unvollständig an</translation>
+    </message>
+    <message>
+        <source>check its cable and the network</source>
+        <translation>prüfen Sie das Kabel und das Netz</translation>
+    </message>
+    <message>
+        <source>ask for a smaller size or rate</source>
+        <translation>verlangen Sie eine kleinere Größe oder Rate</translation>
+    </message>
+    <message>
+        <source>it answers, but sends no pictures</source>
+        <translation>sie antwortet, sendet aber keine Bilder</translation>
+    </message>
+    <message>
+        <source>check its trigger and this computer&apos;s firewall</source>
+        <translation>prüfen Sie den Auslöser und die Firewall dieses Computers</translation>
+    </message>
+    <message>
+        <source>it failed (%1)</source>
+        <translation>sie ist ausgefallen (%1)</translation>
+    </message>
+    <message>
+        <source>unplug it and plug it in again if that lasts</source>
+        <translation>ziehen Sie sie ab und stecken Sie sie neu ein, wenn das anhält</translation>
+    </message>
+    <message>
+        <source>no picture has come for %1</source>
+        <translation>seit %1 kam kein Bild</translation>
+    </message>
+    <message>
+        <source>look at its cable</source>
+        <translation>sehen Sie nach dem Kabel</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again if it stays so</source>
+        <translation>ziehen Sie sie ab und stecken Sie sie wieder an, wenn es so bleibt</translation>
+    </message>
+    <message>
+        <source>its disk has only %1 MB left, of which %2 are kept free</source>
+        <translation>auf der Platte sind nur noch %1 MB frei, von denen %2 frei bleiben sollen</translation>
+    </message>
+    <message>
+        <source>the disk of %1</source>
+        <translation>die Platte von %1</translation>
+    </message>
+    <message>
+        <source>it is too slow</source>
+        <translation>sie ist zu langsam</translation>
+    </message>
+    <message>
+        <source>a picture has waited %1 s for it, and %2 % of the room to wait in is taken</source>
+        <translation>ein Bild hat %1 s gewartet, und %2 % des Platzes zum Warten sind belegt</translation>
+    </message>
+    <message>
+        <source>nothing is lost yet</source>
+        <translation>noch ist nichts verloren</translation>
+    </message>
+    <message>
+        <source>end what else writes to it</source>
+        <translation>beenden Sie, was sonst darauf schreibt</translation>
+    </message>
+    <message>
+        <source>pictures are being lost</source>
+        <translation>Bilder gehen verloren</translation>
+    </message>
+    <message>
+        <source>record to another disk, or fewer cameras</source>
+        <translation>nehmen Sie auf eine andere Platte auf, oder mit weniger Kameras</translation>
+    </message>
+    <message>
+        <source>Exposure and gain</source>
+        <translation>Belichtung und Verstärkung</translation>
+    </message>
+    <message>
+        <source>line %1 has no team</source>
+        <translation>Zeile %1 hat kein Team</translation>
+    </message>
+    <message>
+        <source>line %1 has no class for team &apos;%2&apos;</source>
+        <translation>Zeile %1 hat keine Klasse zum Team &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
+        <translation>Zeile %1 nennt Team &apos;%2&apos; noch einmal, wie Zeile %3</translation>
+    </message>
+    <message>
+        <source>and %1 lines more</source>
+        <translation>und %1 weitere Zeilen</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>positions to %1 mm, as the file says</source>
+        <translation>Orte auf %1 mm, wie die Datei sagt</translation>
+    </message>
+    <message>
+        <source>positions to %1 mm, as estimated from them</source>
+        <translation>Orte auf %1 mm, aus ihnen geschätzt</translation>
+    </message>
+    <message>
+        <source>the file&apos;s track &apos;%1&apos;</source>
+        <translation>Spur &apos;%1&apos; der Datei</translation>
+    </message>
+    <message>
+        <source>its times count from %1 s</source>
+        <translation>die Zeiten zählen ab %1 s</translation>
+    </message>
+    <message>
+        <source>a value is too large to be stored</source>
+        <translation>ein Wert ist zu groß zum Speichern</translation>
+    </message>
+    <message>
+        <source>split the recording into shorter ones</source>
+        <translation>teilen Sie die Aufnahme in kürzere</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>legen Sie die Datei an ihren Ort zurück, und öffnen Sie das Projekt noch einmal</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor</source>
+        <translation>Kamera &apos;%1&apos; ist nicht eingemessen</translation>
+    </message>
+    <message>
+        <source>glue the board onto something stiff</source>
+        <translation>kleben Sie die Tafel auf etwas Steifes</translation>
+    </message>
+    <message>
+        <source>its corners do not lie as on a flat board</source>
+        <translation>die Ecken liegen nicht wie auf einer flachen Tafel</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <translation>Punkt %1 liegt außerhalb des Bilds der Kamera, die eingemessen wird (%2)</translation>
+    </message>
+    <message>
+        <source>its numbers look like %1, then it would stand %2 m above the floor</source>
+        <translation>die Zahlen sehen nach %1 aus, dann stünde sie %2 m über dem Boden</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Metern</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimetern</translation>
+    </message>
+    <message>
+        <source>thousandths of a mm</source>
+        <translation>tausendstel mm</translation>
+    </message>
+    <message>
+        <source>tenths of a mm</source>
+        <translation>zehntel mm</translation>
+    </message>
+    <message>
+        <source>with %1 and %2 exchanged they fit to %3 px</source>
+        <translation>mit %1 und %2 vertauscht passen sie auf %3 px</translation>
+    </message>
+    <message>
+        <source>%1 % of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <translation>%1 % des Gemessenen liegen jenseits der Grenzwerte der Aufgabe &apos;%2&apos;, darum blieben diese außer Betracht</translation>
+    </message>
+    <message>
+        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <translation>fast alles Gemessene liegt jenseits der Grenzwerte der Aufgabe &apos;%1&apos;, darum blieben diese außer Betracht</translation>
+    </message>
+    <message>
+        <source>give the task the limits of its fastest robot</source>
+        <translation>geben Sie der Aufgabe die Grenzwerte ihres schnellsten Roboters</translation>
     </message>
 </context>
 <context>

@@ -4211,6 +4211,1874 @@
         <source>by hand</source>
         <translation>a mano</translation>
     </message>
+    <message>
+        <source>it says neither an address nor a serial number</source>
+        <translation>no indica ni una dirección ni un número de serie</translation>
+    </message>
+    <message>
+        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
+        <translation>dé una como aravis:192.168.1.20 o aravis:SERIAL</translation>
+    </message>
+    <message>
+        <source>odograph cameras lists them</source>
+        <translation>odograph cameras las enumera</translation>
+    </message>
+    <message>
+        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
+        <translation>use rate, exposure_ms, gain, format, size, trigger=software, packet_size o packet_delay_us, como en ?rate=30&amp;size=640x480</translation>
+    </message>
+    <message>
+        <source>set it to something between</source>
+        <translation>póngalo en algo intermedio</translation>
+    </message>
+    <message>
+        <source>set it to something else</source>
+        <translation>póngalo en otra cosa</translation>
+    </message>
+    <message>
+        <source>it does not take this for %1 (%2)</source>
+        <translation>no admite esto para %1 (%2)</translation>
+    </message>
+    <message>
+        <source>it does not take this size (%1)</source>
+        <translation>no admite este tamaño (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this rate (%1)</source>
+        <translation>no admite esta frecuencia (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this exposure (%1)</source>
+        <translation>no admite esta exposición (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this gain (%1)</source>
+        <translation>no admite esta ganancia (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this packet size (%1)</source>
+        <translation>no admite este tamaño de paquete (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this packet delay (%1)</source>
+        <translation>no admite este retardo de paquete (%1)</translation>
+    </message>
+    <message>
+        <source>its pictures have %1 pixels at most</source>
+        <translation>sus imágenes tienen %1 píxeles como máximo</translation>
+    </message>
+    <message>
+        <source>ask it for a size within that</source>
+        <translation>pida un tamaño que quepa en eso</translation>
+    </message>
+    <message>
+        <source>it has no format %1 (%2)</source>
+        <translation>no tiene el formato %1 (%2)</translation>
+    </message>
+    <message>
+        <source>it has no pixel format that is understood</source>
+        <translation>no tiene ningún formato de píxel que se entienda</translation>
+    </message>
+    <message>
+        <source>take a camera that has one of %1</source>
+        <translation>use una cámara que tenga uno de %1</translation>
+    </message>
+    <message>
+        <source>it has no software trigger (%1)</source>
+        <translation>no tiene disparo por software (%1)</translation>
+    </message>
+    <message>
+        <source>it does not tell its pixel format (%1)</source>
+        <translation>no dice su formato de píxel (%1)</translation>
+    </message>
+    <message>
+        <source>its pixel format is not understood</source>
+        <translation>su formato de píxel no se entiende</translation>
+    </message>
+    <message>
+        <source>ask it for one of %1</source>
+        <translation>pida uno de %1</translation>
+    </message>
+    <message>
+        <source>it does not tell its size (%1)</source>
+        <translation>no dice su tamaño (%1)</translation>
+    </message>
+    <message>
+        <source>its pictures have no size</source>
+        <translation>sus imágenes no tienen tamaño</translation>
+    </message>
+    <message>
+        <source>set its width and height</source>
+        <translation>ajuste su ancho y su alto</translation>
+    </message>
+    <message>
+        <source>it does not tell how large its pictures are (%1)</source>
+        <translation>no dice qué tamaño tienen sus imágenes (%1)</translation>
+    </message>
+    <message>
+        <source>the system keeps only %1 kB of the network&apos;s packets</source>
+        <translation>el sistema guarda solo %1 kB de los paquetes de la red</translation>
+    </message>
+    <message>
+        <source>there is no simulated camera %1</source>
+        <translation>no hay ninguna cámara simulada %1</translation>
+    </message>
+    <message>
+        <source>take sim:A or sim:B</source>
+        <translation>use sim:A o sim:B</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>la imagen</translation>
+    </message>
+    <message>
+        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
+        <translation>escriba por ejemplo v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</translation>
+    </message>
+    <message>
+        <source>all its pictures come damaged</source>
+        <translation>todas sus imágenes llegan dañadas</translation>
+    </message>
+    <message>
+        <source>try another cable or port, or ask for fewer or smaller pictures</source>
+        <translation>pruebe otro cable o puerto, o pida menos imágenes o más pequeñas</translation>
+    </message>
+    <message>
+        <source>it is there but sends no pictures</source>
+        <translation>está ahí pero no envía imágenes</translation>
+    </message>
+    <message>
+        <source>look at its cable, or plug it in again if that lasts</source>
+        <translation>revise su cable, o conéctela de nuevo si eso persiste</translation>
+    </message>
+    <message>
+        <source>no camera gave a picture</source>
+        <translation>ninguna cámara dio una imagen</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
+        <translation>la cámara &apos;%1&apos; o su dirección &apos;%2&apos; se dio dos veces</translation>
+    </message>
+    <message>
+        <source>give one or more, like --camera A=sim:A</source>
+        <translation>dé una o más, como --camera A=sim:A</translation>
+    </message>
+    <message>
+        <source>it would take no time, or more than a day</source>
+        <translation>no duraría nada, o más de un día</translation>
+    </message>
+    <message>
+        <source>give the seconds, like 10</source>
+        <translation>dé los segundos, como 10</translation>
+    </message>
+    <message>
+        <source>what is kept from before is no time, or more than 10 s</source>
+        <translation>lo que se guarda de antes no es un tiempo, o es más de 10 s</translation>
+    </message>
+    <message>
+        <source>give a pre-roll of 0 to 10 seconds</source>
+        <translation>dé un prerregistro de 0 a 10 segundos</translation>
+    </message>
+    <message>
+        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
+        <translation>ninguna de sus cámaras está registrada respecto al suelo, así que no hay posiciones en vivo que enviar</translation>
+    </message>
+    <message>
+        <source>run odograph register for one of them, or leave --ssl-vision out</source>
+        <translation>registre una de ellas, u omita --ssl-vision</translation>
+    </message>
+    <message>
+        <source>interface &apos;%1&apos; of live positions</source>
+        <translation>interfaz &apos;%1&apos; de las posiciones en vivo</translation>
+    </message>
+    <message>
+        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <translation>elija una que nombre `ip link`, o lo para quedarse en esta computadora</translation>
+    </message>
+    <message>
+        <source>this machine gives no socket</source>
+        <translation>esta computadora no da ningún socket</translation>
+    </message>
+    <message>
+        <source>completing the recordings</source>
+        <translation>completar las grabaciones</translation>
+    </message>
+    <message>
+        <source>write the task as odograph task list --json shows one</source>
+        <translation>escriba la tarea como la muestra odograph task list --json</translation>
+    </message>
+    <message>
+        <source>use a calibration file as ROS or OpenCV writes it</source>
+        <translation>use un archivo de calibración como los que escriben ROS u OpenCV</translation>
+    </message>
+    <message>
+        <source>the entry &apos;%1&apos; is missing</source>
+        <translation>falta la entrada &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>&apos;%1&apos; no es un número finito</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
+        <translation>&apos;%1&apos; no es un número entero de %2 a %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
+        <translation>&apos;%1&apos; tiene %2 números en lugar de %3 × %4</translation>
+    </message>
+    <message>
+        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
+        <translation>&apos;camera_matrix&apos; no es una matriz de 3 × 3</translation>
+    </message>
+    <message>
+        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
+        <translation>&apos;camera_matrix&apos; no tiene la forma fx 0 cx, 0 fy cy, 0 0 1</translation>
+    </message>
+    <message>
+        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
+        <translation>&apos;distortion_coefficients&apos; no es ni una fila ni una columna</translation>
+    </message>
+    <message>
+        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
+        <translation>el modelo de lente &apos;%1&apos; no se conoce (sí plumb_bob, rational_polynomial, equidistant)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is left there from before</source>
+        <translation>&apos;%1&apos; quedó ahí de antes</translation>
+    </message>
+    <message>
+        <source>the file holds no task</source>
+        <translation>el archivo no contiene ninguna tarea</translation>
+    </message>
+    <message>
+        <source>an object in braces is expected here</source>
+        <translation>aquí se espera un objeto entre llaves</translation>
+    </message>
+    <message>
+        <source>write one with %1</source>
+        <translation>escriba uno con %1</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is not known</source>
+        <translation>la clave &apos;%1&apos; no se conoce</translation>
+    </message>
+    <message>
+        <source>use %1</source>
+        <translation>use %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not above zero</source>
+        <translation>&apos;%1&apos; no es mayor que cero</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
+        <translation>&apos;%1&apos; no es un punto [x, y] en mm</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a list in brackets</source>
+        <translation>&apos;%1&apos; no es una lista entre corchetes</translation>
+    </message>
+    <message>
+        <source>the reference path is given by nothing</source>
+        <translation>la trayectoria de referencia no se da con nada</translation>
+    </message>
+    <message>
+        <source>the reference path is given twice</source>
+        <translation>la trayectoria de referencia se da dos veces</translation>
+    </message>
+    <message>
+        <source>give one of points_mm, circle, figure_eight or slalom</source>
+        <translation>dé uno de points_mm, circle, figure_eight o slalom</translation>
+    </message>
+    <message>
+        <source>&apos;closed&apos; is neither true nor false</source>
+        <translation>&apos;closed&apos; no es ni true ni false</translation>
+    </message>
+    <message>
+        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
+        <translation>&apos;poles&apos; no es un número entero de 1 a 100</translation>
+    </message>
+    <message>
+        <source>the slalom ends where it starts</source>
+        <translation>el eslalon termina donde empieza</translation>
+    </message>
+    <message>
+        <source>the zone is given twice</source>
+        <translation>la zona se da dos veces</translation>
+    </message>
+    <message>
+        <source>the zone is given by nothing</source>
+        <translation>la zona no se da con nada</translation>
+    </message>
+    <message>
+        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
+        <translation>dé corners_mm, todo alrededor, o dos esquinas opuestas como rectangle_mm</translation>
+    </message>
+    <message>
+        <source>&apos;rectangle_mm&apos; is not two corners</source>
+        <translation>&apos;rectangle_mm&apos; no son dos esquinas</translation>
+    </message>
+    <message>
+        <source>give two opposite corners: [[x, y], [x, y]]</source>
+        <translation>dé dos esquinas opuestas: [[x, y], [x, y]]</translation>
+    </message>
+    <message>
+        <source>style &apos;%1&apos; of CSV</source>
+        <translation>estilo &apos;%1&apos; de CSV</translation>
+    </message>
+    <message>
+        <source>there is no such style</source>
+        <translation>no existe ese estilo</translation>
+    </message>
+    <message>
+        <source>choose analysis, international or continental</source>
+        <translation>elija analysis, international o continental</translation>
+    </message>
+    <message>
+        <source>write it with digits, like 12.5, or leave the place blank</source>
+        <translation>escríbalo con cifras, como 12.5, o deje el lugar en blanco</translation>
+    </message>
+    <message>
+        <source>write it with digits, like 12.5</source>
+        <translation>escríbalo con cifras, como 12.5</translation>
+    </message>
+    <message>
+        <source>its time is that of the line before</source>
+        <translation>su tiempo es el de la línea anterior</translation>
+    </message>
+    <message>
+        <source>its time is before that of the line before</source>
+        <translation>su tiempo es anterior al de la línea anterior</translation>
+    </message>
+    <message>
+        <source>put the lines in the order of time, each time once</source>
+        <translation>ponga las líneas en orden de tiempo, cada tiempo una vez</translation>
+    </message>
+    <message>
+        <source>it is more than a week after the first line</source>
+        <translation>es más de una semana después de la primera línea</translation>
+    </message>
+    <message>
+        <source>check the unit of the times, and that all lines are of one run</source>
+        <translation>compruebe la unidad de los tiempos, y que todas las líneas son de un mismo recorrido</translation>
+    </message>
+    <message>
+        <source>its place is more than 100 km away</source>
+        <translation>su lugar está a más de 100 km</translation>
+    </message>
+    <message>
+        <source>check the unit of the places: m, cm or mm</source>
+        <translation>compruebe la unidad de los lugares: m, cm o mm</translation>
+    </message>
+    <message>
+        <source>the track has %1 position</source>
+        <translation>la traza tiene %1 posición</translation>
+    </message>
+    <message>
+        <source>the track has %1 positions</source>
+        <translation>la traza tiene %1 posiciones</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos; has %2 position</source>
+        <translation>la traza &apos;%1&apos; tiene %2 posición</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos; has %2 positions</source>
+        <translation>la traza &apos;%1&apos; tiene %2 posiciones</translation>
+    </message>
+    <message>
+        <source>choose a file with three positions or more</source>
+        <translation>elija un archivo con tres posiciones o más</translation>
+    </message>
+    <message>
+        <source>choose a track with more positions</source>
+        <translation>elija una traza con más posiciones</translation>
+    </message>
+    <message>
+        <source>none of its tracks has a position</source>
+        <translation>ninguna de sus trazas tiene una posición</translation>
+    </message>
+    <message>
+        <source>it has %1 entry instead of the 8 of TUM</source>
+        <translation>tiene %1 entrada en lugar de las 8 de TUM</translation>
+    </message>
+    <message>
+        <source>it has %1 entries instead of the 8 of TUM</source>
+        <translation>tiene %1 entradas en lugar de las 8 de TUM</translation>
+    </message>
+    <message>
+        <source>write %1, or begin the file with the line %2</source>
+        <translation>escriba %1, o empiece el archivo con la línea %2</translation>
+    </message>
+    <message>
+        <source>begin the file with the line %1, or write lines of %2</source>
+        <translation>empiece el archivo con la línea %1, o escriba líneas de %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a time in seconds</source>
+        <translation>&apos;%1&apos; no es un tiempo en segundos</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a time</source>
+        <translation>&apos;%1&apos; no es un tiempo</translation>
+    </message>
+    <message>
+        <source>one of its two places is blank</source>
+        <translation>uno de sus dos lugares está en blanco</translation>
+    </message>
+    <message>
+        <source>one of its two errors is blank</source>
+        <translation>uno de sus dos errores está en blanco</translation>
+    </message>
+    <message>
+        <source>fill in both or none</source>
+        <translation>rellene ambos o ninguno</translation>
+    </message>
+    <message>
+        <source>it has %1 cell where the header has %2</source>
+        <translation>tiene %1 celda donde la cabecera tiene %2</translation>
+    </message>
+    <message>
+        <source>it has %1 cells where the header has %2</source>
+        <translation>tiene %1 celdas donde la cabecera tiene %2</translation>
+    </message>
+    <message>
+        <source>give each line as many cells as the header</source>
+        <translation>dé a cada línea tantas celdas como la cabecera</translation>
+    </message>
+    <message>
+        <source>it has no header with a time, x and y, and is no TUM either</source>
+        <translation>no tiene cabecera con tiempo, x e y, y tampoco es TUM</translation>
+    </message>
+    <message>
+        <source>the indentation does not fit</source>
+        <translation>la sangría no encaja</translation>
+    </message>
+    <message>
+        <source>the line is indented with a tab</source>
+        <translation>la línea está sangrada con un tabulador</translation>
+    </message>
+    <message>
+        <source>it holds more than one document</source>
+        <translation>contiene más de un documento</translation>
+    </message>
+    <message>
+        <source>it is nested more than %1 deep</source>
+        <translation>está anidado a más de %1 niveles</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 values</source>
+        <translation>contiene más de %1 valores</translation>
+    </message>
+    <message>
+        <source>the line has no &quot;key: value&quot;</source>
+        <translation>la línea no tiene &quot;key: value&quot;</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is there twice</source>
+        <translation>la clave &apos;%1&apos; está dos veces</translation>
+    </message>
+    <message>
+        <source>something follows the closing bracket</source>
+        <translation>algo sigue al corchete de cierre</translation>
+    </message>
+    <message>
+        <source>anchors, aliases and blocks of text are not understood</source>
+        <translation>no se entienden anclas, alias ni bloques de texto</translation>
+    </message>
+    <message>
+        <source>a quoted text does not end in its line</source>
+        <translation>un texto entre comillas no termina en su línea</translation>
+    </message>
+    <message>
+        <source>a bracket is not closed</source>
+        <translation>un corchete no está cerrado</translation>
+    </message>
+    <message>
+        <source>a comma or a closing bracket is missing</source>
+        <translation>falta una coma o un corchete de cierre</translation>
+    </message>
+    <message>
+        <source>a colon is missing after &apos;%1&apos;</source>
+        <translation>faltan dos puntos después de &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>falta un valor</translation>
+    </message>
+    <message>
+        <source>the archive library refused</source>
+        <translation>la biblioteca de archivos se negó</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>tiene %1</translation>
+    </message>
+    <message>
+        <source>give one or more, like --track R=run.csv</source>
+        <translation>dé una o más, como --track R=run.csv</translation>
+    </message>
+    <message>
+        <source>number &apos;%1&apos;</source>
+        <translation>número &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>colour &apos;%1&apos;</source>
+        <translation>color &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>marcador</translation>
+    </message>
+    <message>
+        <source>member</source>
+        <translation>miembro</translation>
+    </message>
+    <message>
+        <source>pseudonym</source>
+        <translation>seudónimo</translation>
+    </message>
+    <message>
+        <source>track</source>
+        <translation>traza</translation>
+    </message>
+    <message>
+        <source>gate</source>
+        <translation>puerta</translation>
+    </message>
+    <message>
+        <source>zone</source>
+        <translation>zona</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>indicador</translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation>etiqueta</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>calibración</translation>
+    </message>
+    <message>
+        <source>registration</source>
+        <translation>registro</translation>
+    </message>
+    <message>
+        <source>lens</source>
+        <translation>lente</translation>
+    </message>
+    <message>
+        <source>title of the project</source>
+        <translation>título del proyecto</translation>
+    </message>
+    <message>
+        <source>address of a camera</source>
+        <translation>dirección de una cámara</translation>
+    </message>
+    <message>
+        <source>origin of a calibration</source>
+        <translation>origen de una calibración</translation>
+    </message>
+    <message>
+        <source>reading of a track</source>
+        <translation>lectura de una traza</translation>
+    </message>
+    <message>
+        <source>words of a change</source>
+        <translation>palabras de un cambio</translation>
+    </message>
+    <message>
+        <source>notes of a trial</source>
+        <translation>notas de un ensayo</translation>
+    </message>
+    <message>
+        <source>path of a recording</source>
+        <translation>ruta de una grabación</translation>
+    </message>
+    <message>
+        <source>path of a registration&apos;s picture</source>
+        <translation>ruta de la imagen de un registro</translation>
+    </message>
+    <message>
+        <source>path of a calibration picture</source>
+        <translation>ruta de una imagen de calibración</translation>
+    </message>
+    <message>
+        <source>name of a calibration picture</source>
+        <translation>nombre de una imagen de calibración</translation>
+    </message>
+    <message>
+        <source>samples and profile differ in length</source>
+        <translation>muestras y perfil difieren en longitud</translation>
+    </message>
+    <message>
+        <source>it has more than %1 samples</source>
+        <translation>tiene más de %1 muestras</translation>
+    </message>
+    <message>
+        <source>views and registrations differ in number</source>
+        <translation>vistas y registros difieren en número</translation>
+    </message>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>indicador &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is not a finite number</source>
+        <translation>no es un número finito</translation>
+    </message>
+    <message>
+        <source>analysis %1 of the project</source>
+        <translation>análisis %1 del proyecto</translation>
+    </message>
+    <message>
+        <source>its series are missing</source>
+        <translation>faltan sus series</translation>
+    </message>
+    <message>
+        <source>a spike refers to a sample that is not there</source>
+        <translation>un valor atípico se refiere a una muestra que no está</translation>
+    </message>
+    <message>
+        <source>its stored series is not of the expected kind</source>
+        <translation>su serie guardada no es del tipo esperado</translation>
+    </message>
+    <message>
+        <source>its stored series has the unknown layout %1</source>
+        <translation>su serie guardada tiene la disposición desconocida %1</translation>
+    </message>
+    <message>
+        <source>its stored series announces %1 rows but holds %2 bytes</source>
+        <translation>su serie guardada anuncia %1 filas pero contiene %2 bytes</translation>
+    </message>
+    <message>
+        <source>a value to be stored is not a finite number</source>
+        <translation>un valor que se iba a guardar no es un número finito</translation>
+    </message>
+    <message>
+        <source>check the input that it was computed from</source>
+        <translation>compruebe los datos de los que se calculó</translation>
+    </message>
+    <message>
+        <source>lens %1 of the project</source>
+        <translation>lente %1 del proyecto</translation>
+    </message>
+    <message>
+        <source>registration %1 of the project</source>
+        <translation>registro %1 del proyecto</translation>
+    </message>
+    <message>
+        <source>it has no %1 with the number %2</source>
+        <translation>no contiene %1 con el número %2</translation>
+    </message>
+    <message>
+        <source>restore the project from a backup copy</source>
+        <translation>restaure el proyecto desde una copia de seguridad</translation>
+    </message>
+    <message>
+        <source>it has no file</source>
+        <translation>no tiene archivo</translation>
+    </message>
+    <message>
+        <source>name the video&apos;s file</source>
+        <translation>nombre el archivo del video</translation>
+    </message>
+    <message>
+        <source>its relative path leaves the project&apos;s folder</source>
+        <translation>su ruta relativa sale de la carpeta del proyecto</translation>
+    </message>
+    <message>
+        <source>copy the file beside the project</source>
+        <translation>copie el archivo junto al proyecto</translation>
+    </message>
+    <message>
+        <source>its stored covariance is not a 6 by 6 matrix</source>
+        <translation>su covarianza guardada no es una matriz de 6 por 6</translation>
+    </message>
+    <message>
+        <source>its stored matrix of %1 numbers is not square</source>
+        <translation>su matriz guardada de %1 números no es cuadrada</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos;</source>
+        <translation>traza &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a position or its covariance is no number</source>
+        <translation>una posición o su covarianza no es un número</translation>
+    </message>
+    <message>
+        <source>truth of a trial</source>
+        <translation>verdad de un ensayo</translation>
+    </message>
+    <message>
+        <source>its series differ in length</source>
+        <translation>sus series difieren en longitud</translation>
+    </message>
+    <message>
+        <source>give position, velocity and acceleration for each time</source>
+        <translation>dé posición, velocidad y aceleración para cada tiempo</translation>
+    </message>
+    <message>
+        <source>its stored setting &apos;%1&apos; is unknown</source>
+        <translation>su ajuste guardado &apos;%1&apos; es desconocido</translation>
+    </message>
+    <message>
+        <source>its reference path ends within a point</source>
+        <translation>su trayectoria de referencia termina en medio de un punto</translation>
+    </message>
+    <message>
+        <source>its zone &apos;%1&apos; ends within a point</source>
+        <translation>su zona &apos;%1&apos; termina en medio de un punto</translation>
+    </message>
+    <message>
+        <source>raw times of recording %1</source>
+        <translation>tiempos sin procesar de la grabación %1</translation>
+    </message>
+    <message>
+        <source>its recording has ended, and is kept</source>
+        <translation>su grabación ha terminado y se conserva</translation>
+    </message>
+    <message>
+        <source>leave it</source>
+        <translation>déjelo así</translation>
+    </message>
+    <message>
+        <source>look for lost videos</source>
+        <translation>buscar videos perdidos</translation>
+    </message>
+    <message>
+        <source>demo</source>
+        <translation>demo</translation>
+    </message>
+    <message>
+        <source>the planned camera</source>
+        <translation>la cámara prevista</translation>
+    </message>
+    <message>
+        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <translation>desde ahí vería %1 de los marcadores del plano (%2), hacen falta cuatro</translation>
+    </message>
+    <message>
+        <source>move it back or up, or choose a wider lens</source>
+        <translation>aléjela o súbala, o elija una lente más angular</translation>
+    </message>
+    <message>
+        <source>the markers that it would see do not hold it</source>
+        <translation>los marcadores que vería no fijan su posición</translation>
+    </message>
+    <message>
+        <source>it cannot stand %1 m above the floor</source>
+        <translation>no puede estar a %1 m sobre el suelo</translation>
+    </message>
+    <message>
+        <source>give a height of 0.05 m to 100 m</source>
+        <translation>dé una altura de 0.05 m a 100 m</translation>
+    </message>
+    <message>
+        <source>it cannot stand %1 m away</source>
+        <translation>no puede estar a %1 m de distancia</translation>
+    </message>
+    <message>
+        <source>give a distance of 0 m to 1000 m</source>
+        <translation>dé una distancia de 0 m a 1000 m</translation>
+    </message>
+    <message>
+        <source>its field of view is %1°</source>
+        <translation>su campo de visión es de %1°</translation>
+    </message>
+    <message>
+        <source>give 2° to 150°, and the size of its pictures</source>
+        <translation>dé de 2° a 150°, y el tamaño de sus imágenes</translation>
+    </message>
+    <message>
+        <source>the best place for a camera</source>
+        <translation>el mejor lugar para una cámara</translation>
+    </message>
+    <message>
+        <source>the layout has %1 markers, four are needed</source>
+        <translation>el plano tiene %1 marcadores, hacen falta cuatro</translation>
+    </message>
+    <message>
+        <source>make a layout of four markers or more</source>
+        <translation>haga un plano de cuatro marcadores o más</translation>
+    </message>
+    <message>
+        <source>from nowhere within %1 m beyond the markers would it see four of them at the height and with the lens given</source>
+        <translation>desde ningún lugar a menos de %1 m de los marcadores vería cuatro de ellos con la altura y la lente dadas</translation>
+    </message>
+    <message>
+        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <translation>colóquela más alta o más lejos, o elija una lente más angular</translation>
+    </message>
+    <message>
+        <source>the board is seen too obliquely, at %1 degrees</source>
+        <translation>el tablero se ve demasiado oblicuo, a %1 grados</translation>
+    </message>
+    <message>
+        <source>tilt it by 30 to 45 degrees</source>
+        <translation>inclínelo de 30 a 45 grados</translation>
+    </message>
+    <message>
+        <source>the board is too small</source>
+        <translation>el tablero es demasiado pequeño</translation>
+    </message>
+    <message>
+        <source>it fills %1 % of the picture</source>
+        <translation>ocupa el %1 % de la imagen</translation>
+    </message>
+    <message>
+        <source>hold it closer to the camera</source>
+        <translation>acérquelo a la cámara</translation>
+    </message>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>tiene %1×%2, la primera imagen %3×%4</translation>
+    </message>
+    <message>
+        <source>use pictures of one camera at one resolution</source>
+        <translation>use imágenes de una cámara con una misma resolución</translation>
+    </message>
+    <message>
+        <source>the corners do not lie as on a flat board</source>
+        <translation>las esquinas no están como en un tablero plano</translation>
+    </message>
+    <message>
+        <source>glue the board onto something stiff and flat</source>
+        <translation>pegue el tablero sobre algo rígido y plano</translation>
+    </message>
+    <message>
+        <source>the board stands as in %1 already</source>
+        <translation>el tablero está igual que en %1</translation>
+    </message>
+    <message>
+        <source>the board stands as in a picture already taken</source>
+        <translation>el tablero está igual que en una imagen ya tomada</translation>
+    </message>
+    <message>
+        <source>move it elsewhere, turn it or tilt it</source>
+        <translation>muévalo, gírelo o inclínelo</translation>
+    </message>
+    <message>
+        <source>the board is not sharp</source>
+        <translation>el tablero no está nítido</translation>
+    </message>
+    <message>
+        <source>focus the camera, or give more light</source>
+        <translation>enfoque la cámara, o dé más luz</translation>
+    </message>
+    <message>
+        <source>the pictures ask for two focal lengths</source>
+        <translation>las imágenes piden dos distancias focales</translation>
+    </message>
+    <message>
+        <source>%1 for about %2 px, %3 (such as %4) for about %5 px</source>
+        <translation>%1 unos %2 px, %3 (como %4) unos %5 px</translation>
+    </message>
+    <message>
+        <source>it has %1 corners of the board, six are needed</source>
+        <translation>tiene %1 esquinas del tablero, hacen falta seis</translation>
+    </message>
+    <message>
+        <source>show more of it</source>
+        <translation>muestre más de él</translation>
+    </message>
+    <message>
+        <source>a corner of it is not a number</source>
+        <translation>una de sus esquinas no es un número</translation>
+    </message>
+    <message>
+        <source>let the board be found in it again</source>
+        <translation>haga que se busque de nuevo el tablero en ella</translation>
+    </message>
+    <message>
+        <source>too few pictures to compare it with others</source>
+        <translation>muy pocas imágenes para compararlo con otros</translation>
+    </message>
+    <message>
+        <source>name one like DICT_6X6_250, or leave it out</source>
+        <translation>nombre uno como DICT_6X6_250, u omítalo</translation>
+    </message>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <translation>los marcadores leídos no están como en un tablero ChArUco</translation>
+    </message>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <translation>los marcadores leídos no están como en un tablero ChArUco de %1 esquinas interiores</translation>
+    </message>
+    <message>
+        <source>the pixel of point %1 is not a finite number</source>
+        <translation>el píxel del punto %1 no es un número finito</translation>
+    </message>
+    <message>
+        <source>the pixel of marker %1 is not a finite number</source>
+        <translation>el píxel del marcador %1 no es un número finito</translation>
+    </message>
+    <message>
+        <source>the place of marker %1 is not a finite number</source>
+        <translation>el lugar del marcador %1 no es un número finito</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <translation>el punto %1 está fuera de la imagen de %2 (%3)</translation>
+    </message>
+    <message>
+        <source>check which columns belong to which camera</source>
+        <translation>compruebe qué columnas son de qué cámara</translation>
+    </message>
+    <message>
+        <source>this camera</source>
+        <translation>esta cámara</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is there twice</source>
+        <translation>la cámara &apos;%1&apos; está dos veces</translation>
+    </message>
+    <message>
+        <source>name each camera once</source>
+        <translation>nombre cada cámara una sola vez</translation>
+    </message>
+    <message>
+        <source>the σ of the tape measure is not above 0</source>
+        <translation>el σ de la cinta métrica no es mayor que 0</translation>
+    </message>
+    <message>
+        <source>give some 2 mm</source>
+        <translation>dé unos 2 mm</translation>
+    </message>
+    <message>
+        <source>no pose</source>
+        <translation>sin posición</translation>
+    </message>
+    <message>
+        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <translation>%1 está donde la lente de esta cámara no puede haberlo puesto</translation>
+    </message>
+    <message>
+        <source>check its pixel and the camera&apos;s intrinsics</source>
+        <translation>compruebe su píxel y los parámetros intrínsecos de la cámara</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor, not along a line</source>
+        <translation>reparta los puntos por el suelo, no a lo largo de una línea</translation>
+    </message>
+    <message>
+        <source>both an angle and a pair of markers were given for X</source>
+        <translation>para X se dieron un ángulo y un par de marcadores</translation>
+    </message>
+    <message>
+        <source>both a marker and a point were given for the origin</source>
+        <translation>para el origen se dieron un marcador y un punto</translation>
+    </message>
+    <message>
+        <source>unit &apos;%1&apos;</source>
+        <translation>unidad &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is not known</source>
+        <translation>no se conoce</translation>
+    </message>
+    <message>
+        <source>use mm, cm, m or inch</source>
+        <translation>use mm, cm, m o inch</translation>
+    </message>
+    <message>
+        <source>a length factor of %1 makes no floor</source>
+        <translation>un factor de longitud de %1 no da un suelo</translation>
+    </message>
+    <message>
+        <source>give a number above 0</source>
+        <translation>dé un número mayor que 0</translation>
+    </message>
+    <message>
+        <source>the origin or the angle is not a finite number</source>
+        <translation>el origen o el ángulo no es un número finito</translation>
+    </message>
+    <message>
+        <source>give plain numbers</source>
+        <translation>dé números corrientes</translation>
+    </message>
+    <message>
+        <source>check the unit of the layout</source>
+        <translation>compruebe la unidad del plano</translation>
+    </message>
+    <message>
+        <source>it is given in mm</source>
+        <translation>se da en mm</translation>
+    </message>
+    <message>
+        <source>no homography</source>
+        <translation>sin homografía</translation>
+    </message>
+    <message>
+        <source>four points are needed, %1 given</source>
+        <translation>hacen falta cuatro puntos, se dieron %1</translation>
+    </message>
+    <message>
+        <source>add points</source>
+        <translation>añada puntos</translation>
+    </message>
+    <message>
+        <source>a coordinate of %1 is not a finite number</source>
+        <translation>una coordenada de %1 no es un número finito</translation>
+    </message>
+    <message>
+        <source>%1 lie at one place</source>
+        <translation>%1 están en un mismo lugar</translation>
+    </message>
+    <message>
+        <source>%1 lie at one place in the picture</source>
+        <translation>%1 están en un mismo lugar de la imagen</translation>
+    </message>
+    <message>
+        <source>%1 lie on one line</source>
+        <translation>%1 están en una línea</translation>
+    </message>
+    <message>
+        <source>%1 lie on one line in the picture</source>
+        <translation>%1 están en una línea de la imagen</translation>
+    </message>
+    <message>
+        <source>use four points of which no three are in line</source>
+        <translation>use cuatro puntos de los que no haya tres en línea</translation>
+    </message>
+    <message>
+        <source>%1 would lie beyond the horizon</source>
+        <translation>%1 estaría más allá del horizonte</translation>
+    </message>
+    <message>
+        <source>the order of the points crosses over like a bow tie</source>
+        <translation>el orden de los puntos se cruza como una pajarita</translation>
+    </message>
+    <message>
+        <source>check which point is which</source>
+        <translation>compruebe qué punto es cuál</translation>
+    </message>
+    <message>
+        <source>the points do not determine it</source>
+        <translation>los puntos no la determinan</translation>
+    </message>
+    <message>
+        <source>spread the points</source>
+        <translation>separe los puntos</translation>
+    </message>
+    <message>
+        <source>the chain has no links</source>
+        <translation>la cadena no tiene eslabones</translation>
+    </message>
+    <message>
+        <source>give at least one</source>
+        <translation>dé al menos uno</translation>
+    </message>
+    <message>
+        <source>link %1 of %2 of the chain is singular</source>
+        <translation>el eslabón %1 de %2 de la cadena es singular</translation>
+    </message>
+    <message>
+        <source>use four points in it of which no three are in line</source>
+        <translation>use en él cuatro puntos de los que no haya tres en línea</translation>
+    </message>
+    <message>
+        <source>the picture size %1 is not positive</source>
+        <translation>el tamaño de imagen %1 no es positivo</translation>
+    </message>
+    <message>
+        <source>one of the values is not a finite number</source>
+        <translation>uno de los valores no es un número finito</translation>
+    </message>
+    <message>
+        <source>the focal length %1 px is not positive</source>
+        <translation>la distancia focal %1 px no es positiva</translation>
+    </message>
+    <message>
+        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <translation>%1 coeficientes de distorsión no corresponden a este modelo de lente</translation>
+    </message>
+    <message>
+        <source>the covariance has the wrong size</source>
+        <translation>la covarianza tiene un tamaño incorrecto</translation>
+    </message>
+    <message>
+        <source>no picture could be read</source>
+        <translation>no se pudo leer ninguna imagen</translation>
+    </message>
+    <message>
+        <source>calibration picture &apos;%1&apos;</source>
+        <translation>imagen de calibración &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>intrinsics of camera &apos;%1&apos;</source>
+        <translation>parámetros intrínsecos de la cámara &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>run odograph calibrate, or odograph intrinsics import</source>
+        <translation>calíbrela, o importe sus parámetros intrínsecos</translation>
+    </message>
+    <message>
+        <source>markers for camera &apos;%1&apos;</source>
+        <translation>marcadores para la cámara &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <translation>dé --pixels pixels.csv, --image picture.png o --video clip.mp4</translation>
+    </message>
+    <message>
+        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
+        <translation>calíbrela, importe sus parámetros intrínsecos, o dé además --image o --video</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <translation>registro de la cámara &apos;%1&apos; con la lente vigente</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; has none of that number</source>
+        <translation>la cámara &apos;%1&apos; no tiene ninguna con ese número</translation>
+    </message>
+    <message>
+        <source>see its revisions for those there are</source>
+        <translation>vea en sus revisiones las que hay</translation>
+    </message>
+    <message>
+        <source>calibration %1</source>
+        <translation>calibración %1</translation>
+    </message>
+    <message>
+        <source>registration %1</source>
+        <translation>registro %1</translation>
+    </message>
+    <message>
+        <source>one view saw the robot in fewer than %1 pictures</source>
+        <translation>una vista vio el robot en menos de %1 imágenes</translation>
+    </message>
+    <message>
+        <source>the views hardly ever saw the robot at the same time</source>
+        <translation>las vistas casi nunca vieron el robot a la vez</translation>
+    </message>
+    <message>
+        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
+        <translation>el robot estuvo quieto o fue recto a velocidad constante, así que cualquier desfase encaja</translation>
+    </message>
+    <message>
+        <source>the views&apos; tracks do not resemble one another</source>
+        <translation>las trazas de las vistas no se parecen entre sí</translation>
+    </message>
+    <message>
+        <source>the views&apos; tracks do not coincide at any offset looked at</source>
+        <translation>las trazas de las vistas no coinciden con ningún desfase examinado</translation>
+    </message>
+    <message>
+        <source>the motion repeats itself</source>
+        <translation>el movimiento se repite</translation>
+    </message>
+    <message>
+        <source>offsets of %1 s and %2 s fit alike</source>
+        <translation>desfases de %1 s y %2 s encajan por igual</translation>
+    </message>
+    <message>
+        <source>neither view shows a flash of light</source>
+        <translation>ninguna vista muestra un destello de luz</translation>
+    </message>
+    <message>
+        <source>only one of the views shows a flash of light</source>
+        <translation>solo una de las vistas muestra un destello de luz</translation>
+    </message>
+    <message>
+        <source>the light flickers</source>
+        <translation>la luz parpadea</translation>
+    </message>
+    <message>
+        <source>the flashes of light in the views do not belong together</source>
+        <translation>los destellos de luz de las vistas no se corresponden</translation>
+    </message>
+    <message>
+        <source>the flashes of light fit alike at offsets of %1 s and %2 s</source>
+        <translation>los destellos de luz encajan por igual con desfases de %1 s y %2 s</translation>
+    </message>
+    <message>
+        <source>%1, and neither view shows a flash of light</source>
+        <translation>%1, y ninguna vista muestra un destello de luz</translation>
+    </message>
+    <message>
+        <source>%1, and only one of the views shows a flash of light</source>
+        <translation>%1, y solo una de las vistas muestra un destello de luz</translation>
+    </message>
+    <message>
+        <source>%1, and the light flickers</source>
+        <translation>%1, y la luz parpadea</translation>
+    </message>
+    <message>
+        <source>%1, and the flashes of light in the views do not belong together</source>
+        <translation>%1, y los destellos de luz de las vistas no se corresponden</translation>
+    </message>
+    <message>
+        <source>%1, and the flashes of light fit alike at offsets of %2 s and %3 s</source>
+        <translation>%1, y los destellos de luz encajan por igual con desfases de %2 s y %3 s</translation>
+    </message>
+    <message>
+        <source>%1, so it is taken as begun together</source>
+        <translation>%1, así que se toma como iniciada a la vez</translation>
+    </message>
+    <message>
+        <source>fit of %1</source>
+        <translation>ajuste (%1)</translation>
+    </message>
+    <message>
+        <source>a constant</source>
+        <translation>una constante</translation>
+    </message>
+    <message>
+        <source>a straight line</source>
+        <translation>una recta</translation>
+    </message>
+    <message>
+        <source>a parabola</source>
+        <translation>una parábola</translation>
+    </message>
+    <message>
+        <source>%1 point is too few for it</source>
+        <translation>%1 punto es muy poco para ello</translation>
+    </message>
+    <message>
+        <source>the robot does not move in %1</source>
+        <translation>el robot no se mueve en %1</translation>
+    </message>
+    <message>
+        <source>the robot hardly moves in %1</source>
+        <translation>el robot apenas se mueve en %1</translation>
+    </message>
+    <message>
+        <source>choose a run with motion</source>
+        <translation>elija un recorrido con movimiento</translation>
+    </message>
+    <message>
+        <source>%1 drives the way in the other direction than %2</source>
+        <translation>%1 hace el camino en sentido contrario a %2</translation>
+    </message>
+    <message>
+        <source>choose runs in the same direction</source>
+        <translation>elija recorridos en el mismo sentido</translation>
+    </message>
+    <message>
+        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
+        <translation>%1 no tiene ningún tramo de camino en común con la trayectoria de la tarea</translation>
+    </message>
+    <message>
+        <source>%1 has no stretch of the way in common with %2</source>
+        <translation>%1 no tiene ningún tramo de camino en común con %2</translation>
+    </message>
+    <message>
+        <source>choose runs of the same task</source>
+        <translation>elija recorridos de la misma tarea</translation>
+    </message>
+    <message>
+        <source>%1 does not pass a start gate</source>
+        <translation>%1 no pasa por ninguna puerta de salida</translation>
+    </message>
+    <message>
+        <source>align by motion onset or distance</source>
+        <translation>alinee por inicio del movimiento o por distancia</translation>
+    </message>
+    <message>
+        <source>the robot of %1 drives already when it is first seen</source>
+        <translation>el robot de %1 ya está en marcha cuando se le ve por primera vez</translation>
+    </message>
+    <message>
+        <source>align by distance</source>
+        <translation>alinee por distancia</translation>
+    </message>
+    <message>
+        <source>a moment of each run is needed to align them by hand</source>
+        <translation>para alinearlos a mano hace falta un momento de cada recorrido</translation>
+    </message>
+    <message>
+        <source>tell one for each</source>
+        <translation>indique uno para cada uno</translation>
+    </message>
+    <message>
+        <source>the moment told for %1 lies outside of it</source>
+        <translation>el momento indicado para %1 queda fuera de él</translation>
+    </message>
+    <message>
+        <source>tell one between its first and last frame</source>
+        <translation>indique uno entre su primer y su último fotograma</translation>
+    </message>
+    <message>
+        <source>%1 was not seen at the place to align by</source>
+        <translation>%1 no se vio en el lugar por el que alinear</translation>
+    </message>
+    <message>
+        <source>choose a place that both runs pass</source>
+        <translation>elija un lugar por el que pasen ambos recorridos</translation>
+    </message>
+    <message>
+        <source>there is no such template</source>
+        <translation>no existe esa plantilla</translation>
+    </message>
+    <message>
+        <source>template &apos;%1&apos;</source>
+        <translation>plantilla &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>rule &apos;%1&apos;</source>
+        <translation>regla &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>use stay_inside or stay_outside</source>
+        <translation>use stay_inside o stay_outside</translation>
+    </message>
+    <message>
+        <source>smoother %1</source>
+        <translation>suavizador %1</translation>
+    </message>
+    <message>
+        <source>there is none of that name</source>
+        <translation>no hay ninguno con ese nombre</translation>
+    </message>
+    <message>
+        <source>use rts, savgol, tracker or none</source>
+        <translation>use rts, savgol, tracker o none</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <translation>el robot &apos;%1&apos; no fue rastreado en él, pero sí %2</translation>
+    </message>
+    <message>
+        <source>track it, or choose another</source>
+        <translation>rastréelo, o elija otro</translation>
+    </message>
+    <message>
+        <source>track it, or choose another with --robot</source>
+        <translation>rastréelo, o elija otro con --robot</translation>
+    </message>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
+        <translation>ninguna de sus trazas se llama &apos;%1&apos;; tiene %2</translation>
+    </message>
+    <message>
+        <source>run odograph track first</source>
+        <translation>rastree antes</translation>
+    </message>
+    <message>
+        <source>run odograph track without --again first</source>
+        <translation>rastree antes sin --again</translation>
+    </message>
+    <message>
+        <source>analyse them anew with</source>
+        <translation>analícelas de nuevo con</translation>
+    </message>
+    <message>
+        <source>choose one with --robot</source>
+        <translation>elija uno con --robot</translation>
+    </message>
+    <message>
+        <source>frame %1 of trial &apos;%2&apos;</source>
+        <translation>fotograma %1 del ensayo &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>%1 s of trial &apos;%2&apos;</source>
+        <translation>%1 s del ensayo &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the analysis has no sample</source>
+        <translation>el análisis no tiene ninguna muestra</translation>
+    </message>
+    <message>
+        <source>track the trial again</source>
+        <translation>rastree de nuevo el ensayo</translation>
+    </message>
+    <message>
+        <source>choose a time from %1 s to %2 s</source>
+        <translation>elija un tiempo de %1 s a %2 s</translation>
+    </message>
+    <message>
+        <source>choose a frame with a measurement</source>
+        <translation>elija un fotograma con una medición</translation>
+    </message>
+    <message>
+        <source>nothing was said by hand there</source>
+        <translation>ahí no se dijo nada a mano</translation>
+    </message>
+    <message>
+        <source>see the flags by_hand in odograph export</source>
+        <translation>vea las marcas by_hand en odograph export</translation>
+    </message>
+    <message>
+        <source>tracking</source>
+        <translation>rastreo</translation>
+    </message>
+    <message>
+        <source>add one with</source>
+        <translation>añada uno con</translation>
+    </message>
+    <message>
+        <source>cannot render %1</source>
+        <translation>no se puede generar %1</translation>
+    </message>
+    <message>
+        <source>rendering %1</source>
+        <translation>generación de %1</translation>
+    </message>
+    <message>
+        <source>camera %1 takes no frame while the scene lasts</source>
+        <translation>la cámara %1 no toma ningún fotograma mientras dura la escena</translation>
+    </message>
+    <message>
+        <source>give the scene a longer duration or start the camera earlier</source>
+        <translation>dé a la escena más duración o inicie antes la cámara</translation>
+    </message>
+    <message>
+        <source>a picture cannot be coded</source>
+        <translation>no se puede codificar una imagen</translation>
+    </message>
+    <message>
+        <source>JPEG does not have its layout of colours</source>
+        <translation>JPEG no tiene su disposición de colores</translation>
+    </message>
+    <message>
+        <source>let the camera give another format</source>
+        <translation>haga que la cámara dé otro formato</translation>
+    </message>
+    <message>
+        <source>cannot decode all of a frame</source>
+        <translation>no se puede decodificar un fotograma entero</translation>
+    </message>
+    <message>
+        <source>its sound part is used</source>
+        <translation>se usa la parte intacta</translation>
+    </message>
+    <message>
+        <source>its time scale was not found where the muxer should have put it</source>
+        <translation>no se halló su escala de tiempo donde el multiplexor debía ponerla</translation>
+    </message>
+    <message>
+        <source>report this as a bug</source>
+        <translation>comuníquelo como un error</translation>
+    </message>
+    <message>
+        <source>its header could not be rewritten</source>
+        <translation>no se pudo reescribir su cabecera</translation>
+    </message>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>compruebe que hay espacio en el disco</translation>
+    </message>
+    <message>
+        <source>a packet there is damaged</source>
+        <translation>un paquete ahí está dañado</translation>
+    </message>
+    <message>
+        <source>its header promises %1</source>
+        <translation>su cabecera promete %1</translation>
+    </message>
+    <message>
+        <source>not one whole frame is in it</source>
+        <translation>no contiene ni un fotograma entero</translation>
+    </message>
+    <message>
+        <source>its time stamps span %1</source>
+        <translation>sus marcas de tiempo abarcan %1</translation>
+    </message>
+    <message>
+        <source>it says that it has %1 pixels</source>
+        <translation>dice que tiene %1 píxeles</translation>
+    </message>
+    <message>
+        <source>more than 100 megapixels are not read</source>
+        <translation>no se leen más de 100 megapíxeles</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>imagen</translation>
+    </message>
+    <message>
+        <source>picture &apos;%1&apos;</source>
+        <translation>imagen &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it could not be packed</source>
+        <translation>no se pudo comprimir</translation>
+    </message>
+    <message>
+        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
+        <translation>compruebe la carpeta, el espacio libre, y que el nombre termina en .png o .jpg</translation>
+    </message>
+    <message>
+        <source>it could not be written</source>
+        <translation>no se pudo escribir</translation>
+    </message>
+    <message>
+        <source>its format is not known</source>
+        <translation>su formato no se conoce</translation>
+    </message>
+    <message>
+        <source>the size of its pictures could not be found out</source>
+        <translation>no se pudo averiguar el tamaño de sus imágenes</translation>
+    </message>
+    <message>
+        <source>its pixel format %1 is not read</source>
+        <translation>su formato de píxel %1 no se lee</translation>
+    </message>
+    <message>
+        <source>its pixel format (unknown) is not read</source>
+        <translation>su formato de píxel (desconocido) no se lee</translation>
+    </message>
+    <message>
+        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
+        <translation>conviértalo a YUV de 8 bits, p. ej. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
+    </message>
+    <message>
+        <source>frames of this size or chroma format cannot be encoded</source>
+        <translation>no se pueden codificar fotogramas de este tamaño o formato de croma</translation>
+    </message>
+    <message>
+        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
+        <translation>use 4:2:0, 4:2:2 o 4:4:4</translation>
+    </message>
+    <message>
+        <source>install Debian&apos;s libavcodec with libx264</source>
+        <translation>instale el libavcodec de Debian con libx264</translation>
+    </message>
+    <message>
+        <source>the chroma siting could not be set (%1)</source>
+        <translation>no se pudo fijar la posición del croma (%1)</translation>
+    </message>
+    <message>
+        <source>install Debian&apos;s libavcodec</source>
+        <translation>instale el libavcodec de Debian</translation>
+    </message>
+    <message>
+        <source>FFV1 does not go into MP4</source>
+        <translation>FFV1 no cabe en MP4</translation>
+    </message>
+    <message>
+        <source>use the ending .mkv</source>
+        <translation>use la terminación .mkv</translation>
+    </message>
+    <message>
+        <source>its frame rate is not positive</source>
+        <translation>su frecuencia de fotogramas no es positiva</translation>
+    </message>
+    <message>
+        <source>give the frames per second, e.g. 30</source>
+        <translation>dé los fotogramas por segundo, p. ej. 30</translation>
+    </message>
+    <message>
+        <source>start the video again</source>
+        <translation>empiece de nuevo el video</translation>
+    </message>
+    <message>
+        <source>its format differs from the video&apos;s</source>
+        <translation>su formato difiere del del video</translation>
+    </message>
+    <message>
+        <source>write one format to a file</source>
+        <translation>escriba un solo formato en un archivo</translation>
+    </message>
+    <message>
+        <source>its time is not after the frame&apos;s before it</source>
+        <translation>su tiempo no es posterior al del fotograma anterior</translation>
+    </message>
+    <message>
+        <source>write the frames in order, at least a microsecond apart</source>
+        <translation>escriba los fotogramas en orden, con al menos un microsegundo entre ellos</translation>
+    </message>
+    <message>
+        <source>it is finished</source>
+        <translation>está terminado</translation>
+    </message>
+    <message>
+        <source>start it again</source>
+        <translation>empiécelo de nuevo</translation>
+    </message>
+    <message>
+        <source>no frame was written to it</source>
+        <translation>no se escribió ningún fotograma en él</translation>
+    </message>
+    <message>
+        <source>write at least one</source>
+        <translation>escriba al menos uno</translation>
+    </message>
+    <message>
+        <source>give one view or more, like --video A=a.mp4</source>
+        <translation>dé una vista o más, como --video A=a.mp4</translation>
+    </message>
+    <message>
+        <source>%1 views were given and the offsets of %2</source>
+        <translation>se dieron %1 vistas y los desfases de %2</translation>
+    </message>
+    <message>
+        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
+        <translation>dé un desfase por cada vista salvo la primera, como --sync 0.1,0.2, o use --sync auto</translation>
+    </message>
+    <message>
+        <source>frame %1 of &apos;%2&apos;</source>
+        <translation>fotograma %1 de &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>choose one from %1 to %2</source>
+        <translation>elija uno de %1 a %2</translation>
+    </message>
+    <message>
+        <source>its only one is frame 0</source>
+        <translation>el único es el fotograma 0</translation>
+    </message>
+    <message>
+        <source>there is no such role</source>
+        <translation>no existe ese papel</translation>
+    </message>
+    <message>
+        <source>role &apos;%1&apos;</source>
+        <translation>papel &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>from a flash of light, to %1 ms only, for %2</source>
+        <translation>por un destello de luz, solo a %1 ms, pues %2</translation>
+    </message>
+    <message>
+        <source>%1 frames left out</source>
+        <translation>%1 fotogramas omitidos</translation>
+    </message>
+    <message>
+        <source>their time stamps repeat the frame before</source>
+        <translation>sus marcas de tiempo repiten la del fotograma anterior</translation>
+    </message>
+    <message>
+        <source>ends early at %1</source>
+        <translation>termina antes de tiempo en %1</translation>
+    </message>
+    <message>
+        <source>the file has no time stamps</source>
+        <translation>el archivo no tiene marcas de tiempo</translation>
+    </message>
+    <message>
+        <source>an even %1 frames/s is assumed</source>
+        <translation>se suponen %1 fotogramas/s uniformes</translation>
+    </message>
+    <message>
+        <source>Simulated camera %1</source>
+        <translation>Cámara simulada %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 frames/s</source>
+        <translation>%1 a %2 fotogramas/s</translation>
+    </message>
+    <message>
+        <source>check that all lines are of one run</source>
+        <translation>compruebe que todas las líneas son de un mismo recorrido</translation>
+    </message>
+    <message>
+        <source>the file has more than four million places</source>
+        <translation>el archivo tiene más de cuatro millones de lugares</translation>
+    </message>
+    <message>
+        <source>it sends no pictures</source>
+        <translation>no envía imágenes</translation>
+    </message>
+    <message>
+        <source>check its cable</source>
+        <translation>revise su cable</translation>
+    </message>
+    <message>
+        <source>it is taken up again by itself</source>
+        <translation>se retoma por sí sola</translation>
+    </message>
+    <message>
+        <source>it has been away</source>
+        <translation>ha estado ausente</translation>
+    </message>
+    <message>
+        <source>wait: it is taken up again</source>
+        <translation>espere: se retoma</translation>
+    </message>
+    <message>
+        <source>its pictures come incomplete</source>
+        <translation>sus imágenes llegan incompletas</translation>
+    </message>
+    <message>
+        <source>check its cable and the network</source>
+        <translation>revise su cable y la red</translation>
+    </message>
+    <message>
+        <source>ask for a smaller size or rate</source>
+        <translation>pida un tamaño o una frecuencia menor</translation>
+    </message>
+    <message>
+        <source>it answers, but sends no pictures</source>
+        <translation>responde, pero no envía imágenes</translation>
+    </message>
+    <message>
+        <source>check its trigger and this computer&apos;s firewall</source>
+        <translation>revise su disparador y el cortafuegos de esta computadora</translation>
+    </message>
+    <message>
+        <source>it failed (%1)</source>
+        <translation>falló (%1)</translation>
+    </message>
+    <message>
+        <source>unplug it and plug it in again if that lasts</source>
+        <translation>desconéctela y conéctela de nuevo si eso persiste</translation>
+    </message>
+    <message>
+        <source>no picture has come for %1</source>
+        <translation>no ha llegado ninguna imagen en %1</translation>
+    </message>
+    <message>
+        <source>look at its cable</source>
+        <translation>revise su cable</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again if it stays so</source>
+        <translation>desconéctela y conéctela de nuevo si sigue así</translation>
+    </message>
+    <message>
+        <source>its disk has only %1 MB left, of which %2 are kept free</source>
+        <translation>a su disco solo le quedan %1 MB, de los que %2 se mantienen libres</translation>
+    </message>
+    <message>
+        <source>the disk of %1</source>
+        <translation>el disco de %1</translation>
+    </message>
+    <message>
+        <source>it is too slow</source>
+        <translation>es demasiado lento</translation>
+    </message>
+    <message>
+        <source>a picture has waited %1 s for it, and %2 % of the room to wait in is taken</source>
+        <translation>una imagen ha esperado %1 s por él, y está ocupado el %2 % del espacio de espera</translation>
+    </message>
+    <message>
+        <source>nothing is lost yet</source>
+        <translation>aún no se ha perdido nada</translation>
+    </message>
+    <message>
+        <source>end what else writes to it</source>
+        <translation>termine lo que más escriba en él</translation>
+    </message>
+    <message>
+        <source>pictures are being lost</source>
+        <translation>se están perdiendo imágenes</translation>
+    </message>
+    <message>
+        <source>record to another disk, or fewer cameras</source>
+        <translation>grabe en otro disco, o con menos cámaras</translation>
+    </message>
+    <message>
+        <source>Exposure and gain</source>
+        <translation>Exposición y ganancia</translation>
+    </message>
+    <message>
+        <source>line %1 has no team</source>
+        <translation>la línea %1 no tiene equipo</translation>
+    </message>
+    <message>
+        <source>line %1 has no class for team &apos;%2&apos;</source>
+        <translation>la línea %1 no tiene clase para el equipo &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
+        <translation>la línea %1 nombra otra vez el equipo &apos;%2&apos;, como la línea %3</translation>
+    </message>
+    <message>
+        <source>and %1 lines more</source>
+        <translation>y %1 líneas más</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>línea %1</translation>
+    </message>
+    <message>
+        <source>positions to %1 mm, as the file says</source>
+        <translation>posiciones a %1 mm, según el archivo</translation>
+    </message>
+    <message>
+        <source>positions to %1 mm, as estimated from them</source>
+        <translation>posiciones a %1 mm, estimado a partir de ellas</translation>
+    </message>
+    <message>
+        <source>the file&apos;s track &apos;%1&apos;</source>
+        <translation>traza &apos;%1&apos; del archivo</translation>
+    </message>
+    <message>
+        <source>its times count from %1 s</source>
+        <translation>sus tiempos cuentan desde %1 s</translation>
+    </message>
+    <message>
+        <source>a value is too large to be stored</source>
+        <translation>un valor es demasiado grande para guardarlo</translation>
+    </message>
+    <message>
+        <source>split the recording into shorter ones</source>
+        <translation>divida la grabación en otras más cortas</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>falta %1</translation>
+    </message>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>devuelva el archivo a su lugar y abra de nuevo el proyecto</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor</source>
+        <translation>la cámara &apos;%1&apos; no está registrada respecto al suelo</translation>
+    </message>
+    <message>
+        <source>glue the board onto something stiff</source>
+        <translation>pegue el tablero sobre algo rígido</translation>
+    </message>
+    <message>
+        <source>its corners do not lie as on a flat board</source>
+        <translation>sus esquinas no están como en un tablero plano</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <translation>el punto %1 está fuera de la imagen de la cámara por registrar (%2)</translation>
+    </message>
+    <message>
+        <source>its numbers look like %1, then it would stand %2 m above the floor</source>
+        <translation>sus números parecen %1, y entonces estaría a %2 m sobre el suelo</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>thousandths of a mm</source>
+        <translation>milésimas de mm</translation>
+    </message>
+    <message>
+        <source>tenths of a mm</source>
+        <translation>décimas de mm</translation>
+    </message>
+    <message>
+        <source>with %1 and %2 exchanged they fit to %3 px</source>
+        <translation>con %1 y %2 intercambiados encajan a %3 px</translation>
+    </message>
+    <message>
+        <source>%1 % of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <translation>el %1 % de lo medido supera los límites de la tarea &apos;%2&apos;, por lo que se omitieron</translation>
+    </message>
+    <message>
+        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <translation>casi todo lo medido supera los límites de la tarea &apos;%1&apos;, por lo que se omitieron</translation>
+    </message>
+    <message>
+        <source>give the task the limits of its fastest robot</source>
+        <translation>dé a la tarea los límites de su robot más rápido</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

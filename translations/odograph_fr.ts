@@ -4211,6 +4211,1874 @@
         <source>by hand</source>
         <translation>à la main</translation>
     </message>
+    <message>
+        <source>it says neither an address nor a serial number</source>
+        <translation>elle ne donne ni adresse ni numéro de série</translation>
+    </message>
+    <message>
+        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
+        <translation>donnez-en une comme aravis:192.168.1.20 ou aravis:SERIAL</translation>
+    </message>
+    <message>
+        <source>odograph cameras lists them</source>
+        <translation>odograph cameras en donne la liste</translation>
+    </message>
+    <message>
+        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
+        <translation>prenez rate, exposure_ms, gain, format, size, trigger=software, packet_size ou packet_delay_us, comme dans&#xa0;?rate=30&amp;size=640x480</translation>
+    </message>
+    <message>
+        <source>set it to something between</source>
+        <translation>réglez sur une valeur entre les deux</translation>
+    </message>
+    <message>
+        <source>set it to something else</source>
+        <translation>réglez sur autre chose</translation>
+    </message>
+    <message>
+        <source>it does not take this for %1 (%2)</source>
+        <translation>elle n’accepte pas cela pour %1 (%2)</translation>
+    </message>
+    <message>
+        <source>it does not take this size (%1)</source>
+        <translation>elle n’accepte pas cette taille (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this rate (%1)</source>
+        <translation>elle n’accepte pas cette cadence (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this exposure (%1)</source>
+        <translation>elle n’accepte pas cette pose (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this gain (%1)</source>
+        <translation>elle n’accepte pas ce gain (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this packet size (%1)</source>
+        <translation>elle n’accepte pas cette taille de paquet (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this packet delay (%1)</source>
+        <translation>elle n’accepte pas ce délai de paquet (%1)</translation>
+    </message>
+    <message>
+        <source>its pictures have %1 pixels at most</source>
+        <translation>ses images ont %1 pixels au plus</translation>
+    </message>
+    <message>
+        <source>ask it for a size within that</source>
+        <translation>demandez une taille qui y tient</translation>
+    </message>
+    <message>
+        <source>it has no format %1 (%2)</source>
+        <translation>elle n’a pas le format %1 (%2)</translation>
+    </message>
+    <message>
+        <source>it has no pixel format that is understood</source>
+        <translation>elle n’a aucun format de pixel compris</translation>
+    </message>
+    <message>
+        <source>take a camera that has one of %1</source>
+        <translation>prenez une caméra qui en a un parmi %1</translation>
+    </message>
+    <message>
+        <source>it has no software trigger (%1)</source>
+        <translation>elle n’a pas de déclenchement logiciel (%1)</translation>
+    </message>
+    <message>
+        <source>it does not tell its pixel format (%1)</source>
+        <translation>elle ne dit pas son format de pixel (%1)</translation>
+    </message>
+    <message>
+        <source>its pixel format is not understood</source>
+        <translation>son format de pixel n’est pas compris</translation>
+    </message>
+    <message>
+        <source>ask it for one of %1</source>
+        <translation>demandez-en un parmi %1</translation>
+    </message>
+    <message>
+        <source>it does not tell its size (%1)</source>
+        <translation>elle ne dit pas sa taille (%1)</translation>
+    </message>
+    <message>
+        <source>its pictures have no size</source>
+        <translation>ses images n’ont pas de taille</translation>
+    </message>
+    <message>
+        <source>set its width and height</source>
+        <translation>réglez sa largeur et sa hauteur</translation>
+    </message>
+    <message>
+        <source>it does not tell how large its pictures are (%1)</source>
+        <translation>elle ne dit pas quelle taille ont ses images (%1)</translation>
+    </message>
+    <message>
+        <source>the system keeps only %1 kB of the network&apos;s packets</source>
+        <translation>le système ne garde que %1 ko des paquets du réseau</translation>
+    </message>
+    <message>
+        <source>there is no simulated camera %1</source>
+        <translation>il n’y a pas de caméra simulée %1</translation>
+    </message>
+    <message>
+        <source>take sim:A or sim:B</source>
+        <translation>prenez sim:A ou sim:B</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>l’image</translation>
+    </message>
+    <message>
+        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
+        <translation>écrivez par exemple v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</translation>
+    </message>
+    <message>
+        <source>all its pictures come damaged</source>
+        <translation>toutes ses images arrivent endommagées</translation>
+    </message>
+    <message>
+        <source>try another cable or port, or ask for fewer or smaller pictures</source>
+        <translation>essayez un autre câble ou port, ou demandez moins d’images ou de plus petites</translation>
+    </message>
+    <message>
+        <source>it is there but sends no pictures</source>
+        <translation>elle est là mais n’envoie pas d’images</translation>
+    </message>
+    <message>
+        <source>look at its cable, or plug it in again if that lasts</source>
+        <translation>regardez son câble, ou rebranchez-la si cela dure</translation>
+    </message>
+    <message>
+        <source>no camera gave a picture</source>
+        <translation>aucune caméra n’a donné d’image</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
+        <translation>la caméra &apos;%1&apos; ou son adresse &apos;%2&apos; a été donnée deux fois</translation>
+    </message>
+    <message>
+        <source>give one or more, like --camera A=sim:A</source>
+        <translation>donnez-en une ou plus, comme --camera A=sim:A</translation>
+    </message>
+    <message>
+        <source>it would take no time, or more than a day</source>
+        <translation>il ne durerait pas, ou plus d’un jour</translation>
+    </message>
+    <message>
+        <source>give the seconds, like 10</source>
+        <translation>donnez les secondes, comme 10</translation>
+    </message>
+    <message>
+        <source>what is kept from before is no time, or more than 10 s</source>
+        <translation>ce qui est gardé d’avant n’est pas une durée, ou dépasse 10 s</translation>
+    </message>
+    <message>
+        <source>give a pre-roll of 0 to 10 seconds</source>
+        <translation>donnez un pré-enregistrement de 0 à 10 secondes</translation>
+    </message>
+    <message>
+        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
+        <translation>aucune de ses caméras n’est localisée par rapport au sol, il n’y a donc pas de positions en direct à envoyer</translation>
+    </message>
+    <message>
+        <source>run odograph register for one of them, or leave --ssl-vision out</source>
+        <translation>localisez-en une, ou omettez --ssl-vision</translation>
+    </message>
+    <message>
+        <source>interface &apos;%1&apos; of live positions</source>
+        <translation>interface &apos;%1&apos; des positions en direct</translation>
+    </message>
+    <message>
+        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <translation>choisissez-en une que `ip link` nomme, ou lo pour rester sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>this machine gives no socket</source>
+        <translation>cet ordinateur ne donne pas de socket</translation>
+    </message>
+    <message>
+        <source>completing the recordings</source>
+        <translation>compléter les enregistrements</translation>
+    </message>
+    <message>
+        <source>write the task as odograph task list --json shows one</source>
+        <translation>écrivez l’épreuve comme odograph task list --json en montre une</translation>
+    </message>
+    <message>
+        <source>use a calibration file as ROS or OpenCV writes it</source>
+        <translation>utilisez un fichier d’étalonnage tel que ROS ou OpenCV l’écrit</translation>
+    </message>
+    <message>
+        <source>the entry &apos;%1&apos; is missing</source>
+        <translation>l’entrée &apos;%1&apos; manque</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>&apos;%1&apos; n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
+        <translation>&apos;%1&apos; n’est pas un nombre entier de %2 à %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
+        <translation>&apos;%1&apos; a %2 nombres au lieu de %3 × %4</translation>
+    </message>
+    <message>
+        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
+        <translation>&apos;camera_matrix&apos; n’est pas une matrice 3 × 3</translation>
+    </message>
+    <message>
+        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
+        <translation>&apos;camera_matrix&apos; n’est pas de la forme fx 0 cx, 0 fy cy, 0 0 1</translation>
+    </message>
+    <message>
+        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
+        <translation>&apos;distortion_coefficients&apos; n’est ni une ligne ni une colonne</translation>
+    </message>
+    <message>
+        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
+        <translation>le modèle d’objectif &apos;%1&apos; n’est pas connu (plumb_bob, rational_polynomial, equidistant le sont)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is left there from before</source>
+        <translation>&apos;%1&apos; est resté là d’avant</translation>
+    </message>
+    <message>
+        <source>the file holds no task</source>
+        <translation>le fichier ne contient pas d’épreuve</translation>
+    </message>
+    <message>
+        <source>an object in braces is expected here</source>
+        <translation>un objet entre accolades est attendu ici</translation>
+    </message>
+    <message>
+        <source>write one with %1</source>
+        <translation>écrivez-en un avec %1</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is not known</source>
+        <translation>la clé &apos;%1&apos; n’est pas connue</translation>
+    </message>
+    <message>
+        <source>use %1</source>
+        <translation>utilisez %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not above zero</source>
+        <translation>&apos;%1&apos; n’est pas supérieur à zéro</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
+        <translation>&apos;%1&apos; n’est pas un point [x, y] en mm</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a list in brackets</source>
+        <translation>&apos;%1&apos; n’est pas une liste entre crochets</translation>
+    </message>
+    <message>
+        <source>the reference path is given by nothing</source>
+        <translation>le tracé de référence n’est donné par rien</translation>
+    </message>
+    <message>
+        <source>the reference path is given twice</source>
+        <translation>le tracé de référence est donné deux fois</translation>
+    </message>
+    <message>
+        <source>give one of points_mm, circle, figure_eight or slalom</source>
+        <translation>donnez points_mm, circle, figure_eight ou slalom</translation>
+    </message>
+    <message>
+        <source>&apos;closed&apos; is neither true nor false</source>
+        <translation>&apos;closed&apos; n’est ni true ni false</translation>
+    </message>
+    <message>
+        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
+        <translation>&apos;poles&apos; n’est pas un nombre entier de 1 à 100</translation>
+    </message>
+    <message>
+        <source>the slalom ends where it starts</source>
+        <translation>le slalom finit où il commence</translation>
+    </message>
+    <message>
+        <source>the zone is given twice</source>
+        <translation>la zone est donnée deux fois</translation>
+    </message>
+    <message>
+        <source>the zone is given by nothing</source>
+        <translation>la zone n’est donnée par rien</translation>
+    </message>
+    <message>
+        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
+        <translation>donnez corners_mm, tout autour, ou deux coins opposés avec rectangle_mm</translation>
+    </message>
+    <message>
+        <source>&apos;rectangle_mm&apos; is not two corners</source>
+        <translation>&apos;rectangle_mm&apos; n’est pas deux coins</translation>
+    </message>
+    <message>
+        <source>give two opposite corners: [[x, y], [x, y]]</source>
+        <translation>donnez deux coins opposés&#xa0;: [[x, y], [x, y]]</translation>
+    </message>
+    <message>
+        <source>style &apos;%1&apos; of CSV</source>
+        <translation>style &apos;%1&apos; de CSV</translation>
+    </message>
+    <message>
+        <source>there is no such style</source>
+        <translation>ce style n’existe pas</translation>
+    </message>
+    <message>
+        <source>choose analysis, international or continental</source>
+        <translation>choisissez analysis, international ou continental</translation>
+    </message>
+    <message>
+        <source>write it with digits, like 12.5, or leave the place blank</source>
+        <translation>écrivez-le avec des chiffres, comme 12.5, ou laissez la place vide</translation>
+    </message>
+    <message>
+        <source>write it with digits, like 12.5</source>
+        <translation>écrivez-le avec des chiffres, comme 12.5</translation>
+    </message>
+    <message>
+        <source>its time is that of the line before</source>
+        <translation>son temps est celui de la ligne précédente</translation>
+    </message>
+    <message>
+        <source>its time is before that of the line before</source>
+        <translation>son temps précède celui de la ligne précédente</translation>
+    </message>
+    <message>
+        <source>put the lines in the order of time, each time once</source>
+        <translation>mettez les lignes dans l’ordre du temps, chaque temps une fois</translation>
+    </message>
+    <message>
+        <source>it is more than a week after the first line</source>
+        <translation>c’est plus d’une semaine après la première ligne</translation>
+    </message>
+    <message>
+        <source>check the unit of the times, and that all lines are of one run</source>
+        <translation>vérifiez l’unité des temps, et que toutes les lignes sont d’un même passage</translation>
+    </message>
+    <message>
+        <source>its place is more than 100 km away</source>
+        <translation>sa place est à plus de 100 km</translation>
+    </message>
+    <message>
+        <source>check the unit of the places: m, cm or mm</source>
+        <translation>vérifiez l’unité des places&#xa0;: m, cm ou mm</translation>
+    </message>
+    <message>
+        <source>the track has %1 position</source>
+        <translation>la trajectoire a %1 position</translation>
+    </message>
+    <message>
+        <source>the track has %1 positions</source>
+        <translation>la trajectoire a %1 positions</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos; has %2 position</source>
+        <translation>la trajectoire &apos;%1&apos; a %2 position</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos; has %2 positions</source>
+        <translation>la trajectoire &apos;%1&apos; a %2 positions</translation>
+    </message>
+    <message>
+        <source>choose a file with three positions or more</source>
+        <translation>choisissez un fichier avec trois positions ou plus</translation>
+    </message>
+    <message>
+        <source>choose a track with more positions</source>
+        <translation>choisissez une trajectoire avec plus de positions</translation>
+    </message>
+    <message>
+        <source>none of its tracks has a position</source>
+        <translation>aucune de ses trajectoires n’a de position</translation>
+    </message>
+    <message>
+        <source>it has %1 entry instead of the 8 of TUM</source>
+        <translation>il y a %1 entrée au lieu des 8 de TUM</translation>
+    </message>
+    <message>
+        <source>it has %1 entries instead of the 8 of TUM</source>
+        <translation>il y a %1 entrées au lieu des 8 de TUM</translation>
+    </message>
+    <message>
+        <source>write %1, or begin the file with the line %2</source>
+        <translation>écrivez %1, ou commencez le fichier par la ligne %2</translation>
+    </message>
+    <message>
+        <source>begin the file with the line %1, or write lines of %2</source>
+        <translation>commencez le fichier par la ligne %1, ou écrivez des lignes de %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a time in seconds</source>
+        <translation>&apos;%1&apos; n’est pas un temps en secondes</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a time</source>
+        <translation>&apos;%1&apos; n’est pas un temps</translation>
+    </message>
+    <message>
+        <source>one of its two places is blank</source>
+        <translation>une de ses deux places est vide</translation>
+    </message>
+    <message>
+        <source>one of its two errors is blank</source>
+        <translation>une de ses deux erreurs est vide</translation>
+    </message>
+    <message>
+        <source>fill in both or none</source>
+        <translation>remplissez les deux ou aucun</translation>
+    </message>
+    <message>
+        <source>it has %1 cell where the header has %2</source>
+        <translation>il y a %1 cellule où l’en-tête en a %2</translation>
+    </message>
+    <message>
+        <source>it has %1 cells where the header has %2</source>
+        <translation>il y a %1 cellules où l’en-tête en a %2</translation>
+    </message>
+    <message>
+        <source>give each line as many cells as the header</source>
+        <translation>donnez à chaque ligne autant de cellules qu’à l’en-tête</translation>
+    </message>
+    <message>
+        <source>it has no header with a time, x and y, and is no TUM either</source>
+        <translation>il n’a pas d’en-tête avec un temps, x et y, et n’est pas non plus du TUM</translation>
+    </message>
+    <message>
+        <source>the indentation does not fit</source>
+        <translation>l’indentation ne convient pas</translation>
+    </message>
+    <message>
+        <source>the line is indented with a tab</source>
+        <translation>la ligne est indentée par une tabulation</translation>
+    </message>
+    <message>
+        <source>it holds more than one document</source>
+        <translation>il contient plus d’un document</translation>
+    </message>
+    <message>
+        <source>it is nested more than %1 deep</source>
+        <translation>l’imbrication dépasse %1 niveaux</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 values</source>
+        <translation>il contient plus de %1 valeurs</translation>
+    </message>
+    <message>
+        <source>the line has no &quot;key: value&quot;</source>
+        <translation>la ligne n’a pas de &quot;key: value&quot;</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is there twice</source>
+        <translation>la clé &apos;%1&apos; y est deux fois</translation>
+    </message>
+    <message>
+        <source>something follows the closing bracket</source>
+        <translation>quelque chose suit le crochet fermant</translation>
+    </message>
+    <message>
+        <source>anchors, aliases and blocks of text are not understood</source>
+        <translation>les ancres, alias et blocs de texte ne sont pas compris</translation>
+    </message>
+    <message>
+        <source>a quoted text does not end in its line</source>
+        <translation>un texte entre guillemets ne finit pas sur sa ligne</translation>
+    </message>
+    <message>
+        <source>a bracket is not closed</source>
+        <translation>un crochet n’est pas fermé</translation>
+    </message>
+    <message>
+        <source>a comma or a closing bracket is missing</source>
+        <translation>il manque une virgule ou un crochet fermant</translation>
+    </message>
+    <message>
+        <source>a colon is missing after &apos;%1&apos;</source>
+        <translation>il manque un deux-points après &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>il manque une valeur</translation>
+    </message>
+    <message>
+        <source>the archive library refused</source>
+        <translation>la bibliothèque d’archives a refusé</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>présents&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>give one or more, like --track R=run.csv</source>
+        <translation>donnez-en une ou plus, comme --track R=run.csv</translation>
+    </message>
+    <message>
+        <source>number &apos;%1&apos;</source>
+        <translation>nombre &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>colour &apos;%1&apos;</source>
+        <translation>couleur &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>marqueur</translation>
+    </message>
+    <message>
+        <source>member</source>
+        <translation>membre</translation>
+    </message>
+    <message>
+        <source>pseudonym</source>
+        <translation>pseudonyme</translation>
+    </message>
+    <message>
+        <source>track</source>
+        <translation>trajectoire</translation>
+    </message>
+    <message>
+        <source>gate</source>
+        <translation>porte</translation>
+    </message>
+    <message>
+        <source>zone</source>
+        <translation>zone</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>grandeur</translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation>étiquette</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>étalonnage</translation>
+    </message>
+    <message>
+        <source>registration</source>
+        <translation>localisation</translation>
+    </message>
+    <message>
+        <source>lens</source>
+        <translation>objectif</translation>
+    </message>
+    <message>
+        <source>title of the project</source>
+        <translation>titre du projet</translation>
+    </message>
+    <message>
+        <source>address of a camera</source>
+        <translation>adresse d’une caméra</translation>
+    </message>
+    <message>
+        <source>origin of a calibration</source>
+        <translation>origine d’un étalonnage</translation>
+    </message>
+    <message>
+        <source>reading of a track</source>
+        <translation>lecture d’une trajectoire</translation>
+    </message>
+    <message>
+        <source>words of a change</source>
+        <translation>libellé d’une modification</translation>
+    </message>
+    <message>
+        <source>notes of a trial</source>
+        <translation>notes d’un essai</translation>
+    </message>
+    <message>
+        <source>path of a recording</source>
+        <translation>chemin d’un enregistrement</translation>
+    </message>
+    <message>
+        <source>path of a registration&apos;s picture</source>
+        <translation>chemin de la photo d’une localisation</translation>
+    </message>
+    <message>
+        <source>path of a calibration picture</source>
+        <translation>chemin d’une photo d’étalonnage</translation>
+    </message>
+    <message>
+        <source>name of a calibration picture</source>
+        <translation>nom d’une photo d’étalonnage</translation>
+    </message>
+    <message>
+        <source>samples and profile differ in length</source>
+        <translation>échantillons et profil n’ont pas la même longueur</translation>
+    </message>
+    <message>
+        <source>it has more than %1 samples</source>
+        <translation>il y a plus de %1 échantillons</translation>
+    </message>
+    <message>
+        <source>views and registrations differ in number</source>
+        <translation>vues et localisations ne sont pas en même nombre</translation>
+    </message>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>grandeur &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is not a finite number</source>
+        <translation>ce n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>analysis %1 of the project</source>
+        <translation>analyse %1 du projet</translation>
+    </message>
+    <message>
+        <source>its series are missing</source>
+        <translation>ses séries manquent</translation>
+    </message>
+    <message>
+        <source>a spike refers to a sample that is not there</source>
+        <translation>un pic aberrant renvoie à un échantillon absent</translation>
+    </message>
+    <message>
+        <source>its stored series is not of the expected kind</source>
+        <translation>sa série enregistrée n’est pas du genre attendu</translation>
+    </message>
+    <message>
+        <source>its stored series has the unknown layout %1</source>
+        <translation>sa série enregistrée a la disposition inconnue %1</translation>
+    </message>
+    <message>
+        <source>its stored series announces %1 rows but holds %2 bytes</source>
+        <translation>sa série enregistrée annonce %1 lignes mais contient %2 octets</translation>
+    </message>
+    <message>
+        <source>a value to be stored is not a finite number</source>
+        <translation>une valeur à enregistrer n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>check the input that it was computed from</source>
+        <translation>vérifiez les données dont elle a été calculée</translation>
+    </message>
+    <message>
+        <source>lens %1 of the project</source>
+        <translation>objectif %1 du projet</translation>
+    </message>
+    <message>
+        <source>registration %1 of the project</source>
+        <translation>localisation %1 du projet</translation>
+    </message>
+    <message>
+        <source>it has no %1 with the number %2</source>
+        <translation>absent sous le numéro %2&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>restore the project from a backup copy</source>
+        <translation>restaurez le projet d’une copie de sauvegarde</translation>
+    </message>
+    <message>
+        <source>it has no file</source>
+        <translation>il n’a pas de fichier</translation>
+    </message>
+    <message>
+        <source>name the video&apos;s file</source>
+        <translation>nommez le fichier de la vidéo</translation>
+    </message>
+    <message>
+        <source>its relative path leaves the project&apos;s folder</source>
+        <translation>son chemin relatif sort du dossier du projet</translation>
+    </message>
+    <message>
+        <source>copy the file beside the project</source>
+        <translation>copiez le fichier à côté du projet</translation>
+    </message>
+    <message>
+        <source>its stored covariance is not a 6 by 6 matrix</source>
+        <translation>sa covariance enregistrée n’est pas une matrice 6 × 6</translation>
+    </message>
+    <message>
+        <source>its stored matrix of %1 numbers is not square</source>
+        <translation>sa matrice enregistrée de %1 nombres n’est pas carrée</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos;</source>
+        <translation>trajectoire &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a position or its covariance is no number</source>
+        <translation>une position ou sa covariance n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>truth of a trial</source>
+        <translation>vérité d’un essai</translation>
+    </message>
+    <message>
+        <source>its series differ in length</source>
+        <translation>ses séries n’ont pas la même longueur</translation>
+    </message>
+    <message>
+        <source>give position, velocity and acceleration for each time</source>
+        <translation>donnez position, vitesse et accélération pour chaque temps</translation>
+    </message>
+    <message>
+        <source>its stored setting &apos;%1&apos; is unknown</source>
+        <translation>son réglage enregistré &apos;%1&apos; est inconnu</translation>
+    </message>
+    <message>
+        <source>its reference path ends within a point</source>
+        <translation>son tracé de référence s’arrête au milieu d’un point</translation>
+    </message>
+    <message>
+        <source>its zone &apos;%1&apos; ends within a point</source>
+        <translation>sa zone &apos;%1&apos; s’arrête au milieu d’un point</translation>
+    </message>
+    <message>
+        <source>raw times of recording %1</source>
+        <translation>temps bruts de l’enregistrement %1</translation>
+    </message>
+    <message>
+        <source>its recording has ended, and is kept</source>
+        <translation>son enregistrement est terminé, et gardé</translation>
+    </message>
+    <message>
+        <source>leave it</source>
+        <translation>laissez-le</translation>
+    </message>
+    <message>
+        <source>look for lost videos</source>
+        <translation>chercher les vidéos perdues</translation>
+    </message>
+    <message>
+        <source>demo</source>
+        <translation>démo</translation>
+    </message>
+    <message>
+        <source>the planned camera</source>
+        <translation>la caméra prévue</translation>
+    </message>
+    <message>
+        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <translation>de là, elle verrait %1 des marqueurs du plan (%2), il en faut quatre</translation>
+    </message>
+    <message>
+        <source>move it back or up, or choose a wider lens</source>
+        <translation>reculez-la ou montez-la, ou choisissez un objectif plus large</translation>
+    </message>
+    <message>
+        <source>the markers that it would see do not hold it</source>
+        <translation>les marqueurs qu’elle verrait ne fixent pas sa position</translation>
+    </message>
+    <message>
+        <source>it cannot stand %1 m above the floor</source>
+        <translation>elle ne peut pas être à %1 m au-dessus du sol</translation>
+    </message>
+    <message>
+        <source>give a height of 0.05 m to 100 m</source>
+        <translation>donnez une hauteur de 0.05 m à 100 m</translation>
+    </message>
+    <message>
+        <source>it cannot stand %1 m away</source>
+        <translation>elle ne peut pas être à %1 m de distance</translation>
+    </message>
+    <message>
+        <source>give a distance of 0 m to 1000 m</source>
+        <translation>donnez une distance de 0 m à 1000 m</translation>
+    </message>
+    <message>
+        <source>its field of view is %1°</source>
+        <translation>son champ de vision est de %1°</translation>
+    </message>
+    <message>
+        <source>give 2° to 150°, and the size of its pictures</source>
+        <translation>donnez de 2° à 150°, et la taille de ses images</translation>
+    </message>
+    <message>
+        <source>the best place for a camera</source>
+        <translation>la meilleure place pour une caméra</translation>
+    </message>
+    <message>
+        <source>the layout has %1 markers, four are needed</source>
+        <translation>le plan a %1 marqueurs, il en faut quatre</translation>
+    </message>
+    <message>
+        <source>make a layout of four markers or more</source>
+        <translation>faites un plan de quatre marqueurs ou plus</translation>
+    </message>
+    <message>
+        <source>from nowhere within %1 m beyond the markers would it see four of them at the height and with the lens given</source>
+        <translation>à moins de %1 m des marqueurs, nulle part elle n’en verrait quatre à cette hauteur et avec cet objectif</translation>
+    </message>
+    <message>
+        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <translation>placez-la plus haut ou plus loin, ou choisissez un objectif plus large</translation>
+    </message>
+    <message>
+        <source>the board is seen too obliquely, at %1 degrees</source>
+        <translation>la mire est vue trop en biais, à %1 degrés</translation>
+    </message>
+    <message>
+        <source>tilt it by 30 to 45 degrees</source>
+        <translation>inclinez-la de 30 à 45 degrés</translation>
+    </message>
+    <message>
+        <source>the board is too small</source>
+        <translation>la mire est trop petite</translation>
+    </message>
+    <message>
+        <source>it fills %1 % of the picture</source>
+        <translation>elle remplit %1&#xa0;% de l’image</translation>
+    </message>
+    <message>
+        <source>hold it closer to the camera</source>
+        <translation>tenez-la plus près de la caméra</translation>
+    </message>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>elle fait %1×%2, la première photo %3×%4</translation>
+    </message>
+    <message>
+        <source>use pictures of one camera at one resolution</source>
+        <translation>utilisez des photos d’une même caméra à une même résolution</translation>
+    </message>
+    <message>
+        <source>the corners do not lie as on a flat board</source>
+        <translation>les coins ne sont pas placés comme sur une mire plane</translation>
+    </message>
+    <message>
+        <source>glue the board onto something stiff and flat</source>
+        <translation>collez la mire sur un support rigide et plat</translation>
+    </message>
+    <message>
+        <source>the board stands as in %1 already</source>
+        <translation>la mire est placée comme déjà dans %1</translation>
+    </message>
+    <message>
+        <source>the board stands as in a picture already taken</source>
+        <translation>la mire est placée comme dans une photo déjà prise</translation>
+    </message>
+    <message>
+        <source>move it elsewhere, turn it or tilt it</source>
+        <translation>déplacez-la, tournez-la ou inclinez-la</translation>
+    </message>
+    <message>
+        <source>the board is not sharp</source>
+        <translation>la mire n’est pas nette</translation>
+    </message>
+    <message>
+        <source>focus the camera, or give more light</source>
+        <translation>faites la mise au point, ou donnez plus de lumière</translation>
+    </message>
+    <message>
+        <source>the pictures ask for two focal lengths</source>
+        <translation>les photos demandent deux distances focales</translation>
+    </message>
+    <message>
+        <source>%1 for about %2 px, %3 (such as %4) for about %5 px</source>
+        <translation>%1 environ %2 px, %3 (dont %4) environ %5 px</translation>
+    </message>
+    <message>
+        <source>it has %1 corners of the board, six are needed</source>
+        <translation>elle a %1 coins de la mire, il en faut six</translation>
+    </message>
+    <message>
+        <source>show more of it</source>
+        <translation>montrez-en davantage</translation>
+    </message>
+    <message>
+        <source>a corner of it is not a number</source>
+        <translation>un de ses coins n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>let the board be found in it again</source>
+        <translation>faites-y rechercher la mire à nouveau</translation>
+    </message>
+    <message>
+        <source>too few pictures to compare it with others</source>
+        <translation>trop peu de photos pour le comparer à d’autres</translation>
+    </message>
+    <message>
+        <source>name one like DICT_6X6_250, or leave it out</source>
+        <translation>nommez-en un comme DICT_6X6_250, ou omettez-le</translation>
+    </message>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <translation>les marqueurs lus ne sont pas placés comme sur une mire ChArUco</translation>
+    </message>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <translation>les marqueurs lus ne sont pas placés comme sur une mire ChArUco de %1 coins intérieurs</translation>
+    </message>
+    <message>
+        <source>the pixel of point %1 is not a finite number</source>
+        <translation>le pixel du point %1 n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>the pixel of marker %1 is not a finite number</source>
+        <translation>le pixel du marqueur %1 n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>the place of marker %1 is not a finite number</source>
+        <translation>la place du marqueur %1 n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <translation>le point %1 est hors de l’image de %2 (%3)</translation>
+    </message>
+    <message>
+        <source>check which columns belong to which camera</source>
+        <translation>vérifiez quelles colonnes vont avec quelle caméra</translation>
+    </message>
+    <message>
+        <source>this camera</source>
+        <translation>cette caméra</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is there twice</source>
+        <translation>la caméra &apos;%1&apos; y est deux fois</translation>
+    </message>
+    <message>
+        <source>name each camera once</source>
+        <translation>nommez chaque caméra une fois</translation>
+    </message>
+    <message>
+        <source>the σ of the tape measure is not above 0</source>
+        <translation>le σ du mètre ruban n’est pas supérieur à 0</translation>
+    </message>
+    <message>
+        <source>give some 2 mm</source>
+        <translation>donnez environ 2 mm</translation>
+    </message>
+    <message>
+        <source>no pose</source>
+        <translation>pas de pose</translation>
+    </message>
+    <message>
+        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <translation>%1 est là où l’objectif de cette caméra ne peut pas l’avoir mis</translation>
+    </message>
+    <message>
+        <source>check its pixel and the camera&apos;s intrinsics</source>
+        <translation>vérifiez son pixel et les paramètres intrinsèques de la caméra</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor, not along a line</source>
+        <translation>répartissez les points sur le sol, pas le long d’une ligne</translation>
+    </message>
+    <message>
+        <source>both an angle and a pair of markers were given for X</source>
+        <translation>un angle et une paire de marqueurs ont été donnés pour X</translation>
+    </message>
+    <message>
+        <source>both a marker and a point were given for the origin</source>
+        <translation>un marqueur et un point ont été donnés pour l’origine</translation>
+    </message>
+    <message>
+        <source>unit &apos;%1&apos;</source>
+        <translation>unité &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is not known</source>
+        <translation>ce n’est pas connu</translation>
+    </message>
+    <message>
+        <source>use mm, cm, m or inch</source>
+        <translation>utilisez mm, cm, m ou inch</translation>
+    </message>
+    <message>
+        <source>a length factor of %1 makes no floor</source>
+        <translation>un facteur de longueur de %1 ne donne pas de sol</translation>
+    </message>
+    <message>
+        <source>give a number above 0</source>
+        <translation>donnez un nombre supérieur à 0</translation>
+    </message>
+    <message>
+        <source>the origin or the angle is not a finite number</source>
+        <translation>l’origine ou l’angle n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>give plain numbers</source>
+        <translation>donnez des nombres ordinaires</translation>
+    </message>
+    <message>
+        <source>check the unit of the layout</source>
+        <translation>vérifiez l’unité du plan</translation>
+    </message>
+    <message>
+        <source>it is given in mm</source>
+        <translation>il est donné en mm</translation>
+    </message>
+    <message>
+        <source>no homography</source>
+        <translation>pas d’homographie</translation>
+    </message>
+    <message>
+        <source>four points are needed, %1 given</source>
+        <translation>il faut quatre points, %1 donnés</translation>
+    </message>
+    <message>
+        <source>add points</source>
+        <translation>ajoutez des points</translation>
+    </message>
+    <message>
+        <source>a coordinate of %1 is not a finite number</source>
+        <translation>une coordonnée de %1 n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>%1 lie at one place</source>
+        <translation>%1 sont au même endroit</translation>
+    </message>
+    <message>
+        <source>%1 lie at one place in the picture</source>
+        <translation>%1 sont au même endroit de l’image</translation>
+    </message>
+    <message>
+        <source>%1 lie on one line</source>
+        <translation>%1 sont alignés</translation>
+    </message>
+    <message>
+        <source>%1 lie on one line in the picture</source>
+        <translation>%1 sont alignés dans l’image</translation>
+    </message>
+    <message>
+        <source>use four points of which no three are in line</source>
+        <translation>utilisez quatre points dont trois ne sont jamais alignés</translation>
+    </message>
+    <message>
+        <source>%1 would lie beyond the horizon</source>
+        <translation>%1 serait au-delà de l’horizon</translation>
+    </message>
+    <message>
+        <source>the order of the points crosses over like a bow tie</source>
+        <translation>l’ordre des points se croise comme un nœud papillon</translation>
+    </message>
+    <message>
+        <source>check which point is which</source>
+        <translation>vérifiez quel point est lequel</translation>
+    </message>
+    <message>
+        <source>the points do not determine it</source>
+        <translation>les points ne la déterminent pas</translation>
+    </message>
+    <message>
+        <source>spread the points</source>
+        <translation>écartez les points</translation>
+    </message>
+    <message>
+        <source>the chain has no links</source>
+        <translation>la chaîne n’a pas de maillons</translation>
+    </message>
+    <message>
+        <source>give at least one</source>
+        <translation>donnez-en au moins un</translation>
+    </message>
+    <message>
+        <source>link %1 of %2 of the chain is singular</source>
+        <translation>le maillon %1 sur %2 de la chaîne est singulier</translation>
+    </message>
+    <message>
+        <source>use four points in it of which no three are in line</source>
+        <translation>utilisez-y quatre points dont trois ne sont jamais alignés</translation>
+    </message>
+    <message>
+        <source>the picture size %1 is not positive</source>
+        <translation>la taille d’image %1 n’est pas positive</translation>
+    </message>
+    <message>
+        <source>one of the values is not a finite number</source>
+        <translation>une des valeurs n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>the focal length %1 px is not positive</source>
+        <translation>la distance focale %1 px n’est pas positive</translation>
+    </message>
+    <message>
+        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <translation>%1 coefficients de distorsion ne vont pas avec ce modèle d’objectif</translation>
+    </message>
+    <message>
+        <source>the covariance has the wrong size</source>
+        <translation>la covariance n’a pas la bonne taille</translation>
+    </message>
+    <message>
+        <source>no picture could be read</source>
+        <translation>aucune photo n’a pu être lue</translation>
+    </message>
+    <message>
+        <source>calibration picture &apos;%1&apos;</source>
+        <translation>photo d’étalonnage &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>intrinsics of camera &apos;%1&apos;</source>
+        <translation>paramètres intrinsèques de la caméra &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>run odograph calibrate, or odograph intrinsics import</source>
+        <translation>étalonnez-la, ou importez ses paramètres intrinsèques</translation>
+    </message>
+    <message>
+        <source>markers for camera &apos;%1&apos;</source>
+        <translation>marqueurs pour la caméra &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <translation>donnez --pixels pixels.csv, --image picture.png ou --video clip.mp4</translation>
+    </message>
+    <message>
+        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
+        <translation>étalonnez-la, importez ses paramètres intrinsèques, ou donnez aussi --image ou --video</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <translation>localisation de la caméra &apos;%1&apos; avec l’objectif en vigueur</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; has none of that number</source>
+        <translation>la caméra &apos;%1&apos; n’en a pas de ce numéro</translation>
+    </message>
+    <message>
+        <source>see its revisions for those there are</source>
+        <translation>voyez dans ses révisions celles qui existent</translation>
+    </message>
+    <message>
+        <source>calibration %1</source>
+        <translation>étalonnage %1</translation>
+    </message>
+    <message>
+        <source>registration %1</source>
+        <translation>localisation %1</translation>
+    </message>
+    <message>
+        <source>one view saw the robot in fewer than %1 pictures</source>
+        <translation>une vue a vu le robot dans moins de %1 images</translation>
+    </message>
+    <message>
+        <source>the views hardly ever saw the robot at the same time</source>
+        <translation>les vues n’ont presque jamais vu le robot en même temps</translation>
+    </message>
+    <message>
+        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
+        <translation>le robot était immobile ou allait droit à vitesse constante, si bien que tout décalage convient</translation>
+    </message>
+    <message>
+        <source>the views&apos; tracks do not resemble one another</source>
+        <translation>les trajectoires des vues ne se ressemblent pas</translation>
+    </message>
+    <message>
+        <source>the views&apos; tracks do not coincide at any offset looked at</source>
+        <translation>les trajectoires des vues ne coïncident à aucun décalage examiné</translation>
+    </message>
+    <message>
+        <source>the motion repeats itself</source>
+        <translation>le mouvement se répète</translation>
+    </message>
+    <message>
+        <source>offsets of %1 s and %2 s fit alike</source>
+        <translation>des décalages de %1 s et %2 s conviennent autant</translation>
+    </message>
+    <message>
+        <source>neither view shows a flash of light</source>
+        <translation>aucune des vues ne montre d’éclair de lumière</translation>
+    </message>
+    <message>
+        <source>only one of the views shows a flash of light</source>
+        <translation>une seule des vues montre un éclair de lumière</translation>
+    </message>
+    <message>
+        <source>the light flickers</source>
+        <translation>la lumière scintille</translation>
+    </message>
+    <message>
+        <source>the flashes of light in the views do not belong together</source>
+        <translation>les éclairs de lumière des vues ne se correspondent pas</translation>
+    </message>
+    <message>
+        <source>the flashes of light fit alike at offsets of %1 s and %2 s</source>
+        <translation>les éclairs de lumière conviennent autant à des décalages de %1 s et %2 s</translation>
+    </message>
+    <message>
+        <source>%1, and neither view shows a flash of light</source>
+        <translation>%1, et aucune des vues ne montre d’éclair de lumière</translation>
+    </message>
+    <message>
+        <source>%1, and only one of the views shows a flash of light</source>
+        <translation>%1, et une seule des vues montre un éclair de lumière</translation>
+    </message>
+    <message>
+        <source>%1, and the light flickers</source>
+        <translation>%1, et la lumière scintille</translation>
+    </message>
+    <message>
+        <source>%1, and the flashes of light in the views do not belong together</source>
+        <translation>%1, et les éclairs de lumière des vues ne se correspondent pas</translation>
+    </message>
+    <message>
+        <source>%1, and the flashes of light fit alike at offsets of %2 s and %3 s</source>
+        <translation>%1, et les éclairs de lumière conviennent autant à des décalages de %2 s et %3 s</translation>
+    </message>
+    <message>
+        <source>%1, so it is taken as begun together</source>
+        <translation>%1, elle est donc prise comme commencée en même temps</translation>
+    </message>
+    <message>
+        <source>fit of %1</source>
+        <translation>ajustement (%1)</translation>
+    </message>
+    <message>
+        <source>a constant</source>
+        <translation>une constante</translation>
+    </message>
+    <message>
+        <source>a straight line</source>
+        <translation>une droite</translation>
+    </message>
+    <message>
+        <source>a parabola</source>
+        <translation>une parabole</translation>
+    </message>
+    <message>
+        <source>%1 point is too few for it</source>
+        <translation>%1 point est trop peu pour cela</translation>
+    </message>
+    <message>
+        <source>the robot does not move in %1</source>
+        <translation>le robot ne bouge pas dans %1</translation>
+    </message>
+    <message>
+        <source>the robot hardly moves in %1</source>
+        <translation>le robot bouge à peine dans %1</translation>
+    </message>
+    <message>
+        <source>choose a run with motion</source>
+        <translation>choisissez un passage avec du mouvement</translation>
+    </message>
+    <message>
+        <source>%1 drives the way in the other direction than %2</source>
+        <translation>%1 fait le trajet dans l’autre sens que %2</translation>
+    </message>
+    <message>
+        <source>choose runs in the same direction</source>
+        <translation>choisissez des passages dans le même sens</translation>
+    </message>
+    <message>
+        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
+        <translation>%1 n’a aucune portion de trajet commune avec le tracé de l’épreuve</translation>
+    </message>
+    <message>
+        <source>%1 has no stretch of the way in common with %2</source>
+        <translation>%1 n’a aucune portion de trajet commune avec %2</translation>
+    </message>
+    <message>
+        <source>choose runs of the same task</source>
+        <translation>choisissez des passages de la même épreuve</translation>
+    </message>
+    <message>
+        <source>%1 does not pass a start gate</source>
+        <translation>%1 ne franchit pas de porte de départ</translation>
+    </message>
+    <message>
+        <source>align by motion onset or distance</source>
+        <translation>alignez sur le début du mouvement ou la distance</translation>
+    </message>
+    <message>
+        <source>the robot of %1 drives already when it is first seen</source>
+        <translation>le robot de %1 roule déjà quand il est vu pour la première fois</translation>
+    </message>
+    <message>
+        <source>align by distance</source>
+        <translation>alignez sur la distance</translation>
+    </message>
+    <message>
+        <source>a moment of each run is needed to align them by hand</source>
+        <translation>pour les aligner à la main, il faut un instant de chaque passage</translation>
+    </message>
+    <message>
+        <source>tell one for each</source>
+        <translation>donnez-en un pour chacun</translation>
+    </message>
+    <message>
+        <source>the moment told for %1 lies outside of it</source>
+        <translation>l’instant donné pour %1 est en dehors</translation>
+    </message>
+    <message>
+        <source>tell one between its first and last frame</source>
+        <translation>donnez-en un entre sa première et sa dernière image</translation>
+    </message>
+    <message>
+        <source>%1 was not seen at the place to align by</source>
+        <translation>%1 n’a pas été vu à l’endroit de l’alignement</translation>
+    </message>
+    <message>
+        <source>choose a place that both runs pass</source>
+        <translation>choisissez un endroit par où passent les deux passages</translation>
+    </message>
+    <message>
+        <source>there is no such template</source>
+        <translation>ce modèle n’existe pas</translation>
+    </message>
+    <message>
+        <source>template &apos;%1&apos;</source>
+        <translation>modèle &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>rule &apos;%1&apos;</source>
+        <translation>règle &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>use stay_inside or stay_outside</source>
+        <translation>utilisez stay_inside ou stay_outside</translation>
+    </message>
+    <message>
+        <source>smoother %1</source>
+        <translation>lissage %1</translation>
+    </message>
+    <message>
+        <source>there is none of that name</source>
+        <translation>il n’y en a pas de ce nom</translation>
+    </message>
+    <message>
+        <source>use rts, savgol, tracker or none</source>
+        <translation>utilisez rts, savgol, tracker ou none</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <translation>le robot &apos;%1&apos; n’y a pas été suivi, mais %2 l’a été</translation>
+    </message>
+    <message>
+        <source>track it, or choose another</source>
+        <translation>suivez-le, ou choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>track it, or choose another with --robot</source>
+        <translation>suivez-le, ou choisissez-en un autre avec --robot</translation>
+    </message>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
+        <translation>aucune de ses trajectoires ne s’appelle &apos;%1&apos;&#xa0;; présentes&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>run odograph track first</source>
+        <translation>faites d’abord le suivi</translation>
+    </message>
+    <message>
+        <source>run odograph track without --again first</source>
+        <translation>faites d’abord le suivi sans --again</translation>
+    </message>
+    <message>
+        <source>analyse them anew with</source>
+        <translation>analysez-les à nouveau avec</translation>
+    </message>
+    <message>
+        <source>choose one with --robot</source>
+        <translation>choisissez-en un avec --robot</translation>
+    </message>
+    <message>
+        <source>frame %1 of trial &apos;%2&apos;</source>
+        <translation>image %1 de l’essai &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>%1 s of trial &apos;%2&apos;</source>
+        <translation>%1 s de l’essai &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the analysis has no sample</source>
+        <translation>l’analyse n’a aucun échantillon</translation>
+    </message>
+    <message>
+        <source>track the trial again</source>
+        <translation>suivez l’essai à nouveau</translation>
+    </message>
+    <message>
+        <source>choose a time from %1 s to %2 s</source>
+        <translation>choisissez un temps de %1 s à %2 s</translation>
+    </message>
+    <message>
+        <source>choose a frame with a measurement</source>
+        <translation>choisissez une image avec une mesure</translation>
+    </message>
+    <message>
+        <source>nothing was said by hand there</source>
+        <translation>rien n’y a été dit à la main</translation>
+    </message>
+    <message>
+        <source>see the flags by_hand in odograph export</source>
+        <translation>voyez les marques by_hand dans odograph export</translation>
+    </message>
+    <message>
+        <source>tracking</source>
+        <translation>suivi</translation>
+    </message>
+    <message>
+        <source>add one with</source>
+        <translation>ajoutez-en un avec</translation>
+    </message>
+    <message>
+        <source>cannot render %1</source>
+        <translation>impossible de calculer %1</translation>
+    </message>
+    <message>
+        <source>rendering %1</source>
+        <translation>calcul de %1</translation>
+    </message>
+    <message>
+        <source>camera %1 takes no frame while the scene lasts</source>
+        <translation>la caméra %1 ne prend aucune image tant que dure la scène</translation>
+    </message>
+    <message>
+        <source>give the scene a longer duration or start the camera earlier</source>
+        <translation>donnez à la scène une durée plus longue ou démarrez la caméra plus tôt</translation>
+    </message>
+    <message>
+        <source>a picture cannot be coded</source>
+        <translation>une image ne peut pas être codée</translation>
+    </message>
+    <message>
+        <source>JPEG does not have its layout of colours</source>
+        <translation>JPEG n’a pas sa disposition de couleurs</translation>
+    </message>
+    <message>
+        <source>let the camera give another format</source>
+        <translation>faites donner un autre format à la caméra</translation>
+    </message>
+    <message>
+        <source>cannot decode all of a frame</source>
+        <translation>impossible de décoder toute une image</translation>
+    </message>
+    <message>
+        <source>its sound part is used</source>
+        <translation>la partie intacte est utilisée</translation>
+    </message>
+    <message>
+        <source>its time scale was not found where the muxer should have put it</source>
+        <translation>son échelle de temps n’est pas là où le multiplexeur devait la mettre</translation>
+    </message>
+    <message>
+        <source>report this as a bug</source>
+        <translation>signalez-le comme un bogue</translation>
+    </message>
+    <message>
+        <source>its header could not be rewritten</source>
+        <translation>son en-tête n’a pas pu être réécrit</translation>
+    </message>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>vérifiez qu’il y a de la place sur le disque</translation>
+    </message>
+    <message>
+        <source>a packet there is damaged</source>
+        <translation>un paquet y est endommagé</translation>
+    </message>
+    <message>
+        <source>its header promises %1</source>
+        <translation>son en-tête promet %1</translation>
+    </message>
+    <message>
+        <source>not one whole frame is in it</source>
+        <translation>il ne contient aucune image entière</translation>
+    </message>
+    <message>
+        <source>its time stamps span %1</source>
+        <translation>ses horodatages couvrent %1</translation>
+    </message>
+    <message>
+        <source>it says that it has %1 pixels</source>
+        <translation>elle dit avoir %1 pixels</translation>
+    </message>
+    <message>
+        <source>more than 100 megapixels are not read</source>
+        <translation>plus de 100 mégapixels ne sont pas lus</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>image</translation>
+    </message>
+    <message>
+        <source>picture &apos;%1&apos;</source>
+        <translation>image &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it could not be packed</source>
+        <translation>elle n’a pas pu être compressée</translation>
+    </message>
+    <message>
+        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
+        <translation>vérifiez le dossier, la place libre, et que le nom finit par .png ou .jpg</translation>
+    </message>
+    <message>
+        <source>it could not be written</source>
+        <translation>elle n’a pas pu être écrite</translation>
+    </message>
+    <message>
+        <source>its format is not known</source>
+        <translation>son format n’est pas connu</translation>
+    </message>
+    <message>
+        <source>the size of its pictures could not be found out</source>
+        <translation>la taille de ses images n’a pas pu être trouvée</translation>
+    </message>
+    <message>
+        <source>its pixel format %1 is not read</source>
+        <translation>son format de pixel %1 n’est pas lu</translation>
+    </message>
+    <message>
+        <source>its pixel format (unknown) is not read</source>
+        <translation>son format de pixel (inconnu) n’est pas lu</translation>
+    </message>
+    <message>
+        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
+        <translation>convertissez-la en YUV 8 bits, p. ex. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
+    </message>
+    <message>
+        <source>frames of this size or chroma format cannot be encoded</source>
+        <translation>les images de cette taille ou de ce format de chrominance ne peuvent pas être codées</translation>
+    </message>
+    <message>
+        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
+        <translation>utilisez 4:2:0, 4:2:2 ou 4:4:4</translation>
+    </message>
+    <message>
+        <source>install Debian&apos;s libavcodec with libx264</source>
+        <translation>installez le libavcodec de Debian avec libx264</translation>
+    </message>
+    <message>
+        <source>the chroma siting could not be set (%1)</source>
+        <translation>la position de la chrominance n’a pas pu être fixée (%1)</translation>
+    </message>
+    <message>
+        <source>install Debian&apos;s libavcodec</source>
+        <translation>installez le libavcodec de Debian</translation>
+    </message>
+    <message>
+        <source>FFV1 does not go into MP4</source>
+        <translation>FFV1 ne va pas dans du MP4</translation>
+    </message>
+    <message>
+        <source>use the ending .mkv</source>
+        <translation>utilisez l’extension .mkv</translation>
+    </message>
+    <message>
+        <source>its frame rate is not positive</source>
+        <translation>sa cadence d’images n’est pas positive</translation>
+    </message>
+    <message>
+        <source>give the frames per second, e.g. 30</source>
+        <translation>donnez les images par seconde, p. ex. 30</translation>
+    </message>
+    <message>
+        <source>start the video again</source>
+        <translation>recommencez la vidéo</translation>
+    </message>
+    <message>
+        <source>its format differs from the video&apos;s</source>
+        <translation>son format diffère de celui de la vidéo</translation>
+    </message>
+    <message>
+        <source>write one format to a file</source>
+        <translation>écrivez un seul format par fichier</translation>
+    </message>
+    <message>
+        <source>its time is not after the frame&apos;s before it</source>
+        <translation>son temps ne suit pas celui de l’image précédente</translation>
+    </message>
+    <message>
+        <source>write the frames in order, at least a microsecond apart</source>
+        <translation>écrivez les images dans l’ordre, à une microseconde au moins l’une de l’autre</translation>
+    </message>
+    <message>
+        <source>it is finished</source>
+        <translation>elle est terminée</translation>
+    </message>
+    <message>
+        <source>start it again</source>
+        <translation>recommencez-la</translation>
+    </message>
+    <message>
+        <source>no frame was written to it</source>
+        <translation>aucune image n’y a été écrite</translation>
+    </message>
+    <message>
+        <source>write at least one</source>
+        <translation>écrivez-en au moins une</translation>
+    </message>
+    <message>
+        <source>give one view or more, like --video A=a.mp4</source>
+        <translation>donnez une vue ou plus, comme --video A=a.mp4</translation>
+    </message>
+    <message>
+        <source>%1 views were given and the offsets of %2</source>
+        <translation>%1 vues ont été données, et les décalages de %2</translation>
+    </message>
+    <message>
+        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
+        <translation>donnez un décalage par vue sauf la première, comme --sync 0.1,0.2, ou utilisez --sync auto</translation>
+    </message>
+    <message>
+        <source>frame %1 of &apos;%2&apos;</source>
+        <translation>image %1 de &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>choose one from %1 to %2</source>
+        <translation>choisissez-en une de %1 à %2</translation>
+    </message>
+    <message>
+        <source>its only one is frame 0</source>
+        <translation>la seule est l’image 0</translation>
+    </message>
+    <message>
+        <source>there is no such role</source>
+        <translation>ce rôle n’existe pas</translation>
+    </message>
+    <message>
+        <source>role &apos;%1&apos;</source>
+        <translation>rôle &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>from a flash of light, to %1 ms only, for %2</source>
+        <translation>d’après un éclair de lumière, à %1 ms seulement, car %2</translation>
+    </message>
+    <message>
+        <source>%1 frames left out</source>
+        <translation>%1 images omises</translation>
+    </message>
+    <message>
+        <source>their time stamps repeat the frame before</source>
+        <translation>leurs horodatages répètent celui de l’image précédente</translation>
+    </message>
+    <message>
+        <source>ends early at %1</source>
+        <translation>finit trop tôt, à %1</translation>
+    </message>
+    <message>
+        <source>the file has no time stamps</source>
+        <translation>le fichier n’a pas d’horodatages</translation>
+    </message>
+    <message>
+        <source>an even %1 frames/s is assumed</source>
+        <translation>une cadence régulière de %1 images/s est supposée</translation>
+    </message>
+    <message>
+        <source>Simulated camera %1</source>
+        <translation>Caméra simulée %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 frames/s</source>
+        <translation>%1 à %2 images/s</translation>
+    </message>
+    <message>
+        <source>check that all lines are of one run</source>
+        <translation>vérifiez que toutes les lignes sont d’un même passage</translation>
+    </message>
+    <message>
+        <source>the file has more than four million places</source>
+        <translation>le fichier a plus de quatre millions de places</translation>
+    </message>
+    <message>
+        <source>it sends no pictures</source>
+        <translation>elle n’envoie pas d’images</translation>
+    </message>
+    <message>
+        <source>check its cable</source>
+        <translation>vérifiez son câble</translation>
+    </message>
+    <message>
+        <source>it is taken up again by itself</source>
+        <translation>elle est reprise d’elle-même</translation>
+    </message>
+    <message>
+        <source>it has been away</source>
+        <translation>elle était partie</translation>
+    </message>
+    <message>
+        <source>wait: it is taken up again</source>
+        <translation>attendez&#xa0;: elle est reprise</translation>
+    </message>
+    <message>
+        <source>its pictures come incomplete</source>
+        <translation>ses images arrivent incomplètes</translation>
+    </message>
+    <message>
+        <source>check its cable and the network</source>
+        <translation>vérifiez son câble et le réseau</translation>
+    </message>
+    <message>
+        <source>ask for a smaller size or rate</source>
+        <translation>demandez une taille ou une cadence plus faible</translation>
+    </message>
+    <message>
+        <source>it answers, but sends no pictures</source>
+        <translation>elle répond, mais n’envoie pas d’images</translation>
+    </message>
+    <message>
+        <source>check its trigger and this computer&apos;s firewall</source>
+        <translation>vérifiez son déclencheur et le pare-feu de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>it failed (%1)</source>
+        <translation>elle a échoué (%1)</translation>
+    </message>
+    <message>
+        <source>unplug it and plug it in again if that lasts</source>
+        <translation>débranchez-la et rebranchez-la si cela dure</translation>
+    </message>
+    <message>
+        <source>no picture has come for %1</source>
+        <translation>aucune image n’est venue depuis %1</translation>
+    </message>
+    <message>
+        <source>look at its cable</source>
+        <translation>regardez son câble</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again if it stays so</source>
+        <translation>débranchez-la et rebranchez-la si cela continue</translation>
+    </message>
+    <message>
+        <source>its disk has only %1 MB left, of which %2 are kept free</source>
+        <translation>son disque n’a plus que %1 Mo, dont %2 sont gardés libres</translation>
+    </message>
+    <message>
+        <source>the disk of %1</source>
+        <translation>le disque de %1</translation>
+    </message>
+    <message>
+        <source>it is too slow</source>
+        <translation>il est trop lent</translation>
+    </message>
+    <message>
+        <source>a picture has waited %1 s for it, and %2 % of the room to wait in is taken</source>
+        <translation>une image l’a attendu %1 s, et %2&#xa0;% de la place d’attente est prise</translation>
+    </message>
+    <message>
+        <source>nothing is lost yet</source>
+        <translation>rien n’est encore perdu</translation>
+    </message>
+    <message>
+        <source>end what else writes to it</source>
+        <translation>arrêtez ce qui y écrit par ailleurs</translation>
+    </message>
+    <message>
+        <source>pictures are being lost</source>
+        <translation>des images se perdent</translation>
+    </message>
+    <message>
+        <source>record to another disk, or fewer cameras</source>
+        <translation>filmez sur un autre disque, ou avec moins de caméras</translation>
+    </message>
+    <message>
+        <source>Exposure and gain</source>
+        <translation>Pose et gain</translation>
+    </message>
+    <message>
+        <source>line %1 has no team</source>
+        <translation>la ligne %1 n’a pas d’équipe</translation>
+    </message>
+    <message>
+        <source>line %1 has no class for team &apos;%2&apos;</source>
+        <translation>la ligne %1 n’a pas de classe pour l’équipe &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
+        <translation>la ligne %1 nomme encore l’équipe &apos;%2&apos;, comme la ligne %3</translation>
+    </message>
+    <message>
+        <source>and %1 lines more</source>
+        <translation>et %1 autres lignes</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>positions to %1 mm, as the file says</source>
+        <translation>positions à %1 mm, d’après le fichier</translation>
+    </message>
+    <message>
+        <source>positions to %1 mm, as estimated from them</source>
+        <translation>positions à %1 mm, estimé d’après elles</translation>
+    </message>
+    <message>
+        <source>the file&apos;s track &apos;%1&apos;</source>
+        <translation>trajectoire &apos;%1&apos; du fichier</translation>
+    </message>
+    <message>
+        <source>its times count from %1 s</source>
+        <translation>ses temps comptent à partir de %1 s</translation>
+    </message>
+    <message>
+        <source>a value is too large to be stored</source>
+        <translation>une valeur est trop grande pour être enregistrée</translation>
+    </message>
+    <message>
+        <source>split the recording into shorter ones</source>
+        <translation>divisez l’enregistrement en plus courts</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 manque</translation>
+    </message>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>remettez le fichier à sa place, et rouvrez le projet</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor</source>
+        <translation>la caméra &apos;%1&apos; n’est pas localisée par rapport au sol</translation>
+    </message>
+    <message>
+        <source>glue the board onto something stiff</source>
+        <translation>collez la mire sur un support rigide</translation>
+    </message>
+    <message>
+        <source>its corners do not lie as on a flat board</source>
+        <translation>ses coins ne sont pas placés comme sur une mire plane</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <translation>le point %1 est hors de l’image de la caméra à localiser (%2)</translation>
+    </message>
+    <message>
+        <source>its numbers look like %1, then it would stand %2 m above the floor</source>
+        <translation>ses nombres semblent être des %1, elle serait alors à %2 m au-dessus du sol</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>mètres</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pouces</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centimètres</translation>
+    </message>
+    <message>
+        <source>thousandths of a mm</source>
+        <translation>millièmes de mm</translation>
+    </message>
+    <message>
+        <source>tenths of a mm</source>
+        <translation>dixièmes de mm</translation>
+    </message>
+    <message>
+        <source>with %1 and %2 exchanged they fit to %3 px</source>
+        <translation>avec %1 et %2 échangés, ils conviennent à %3 px</translation>
+    </message>
+    <message>
+        <source>%1 % of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <translation>%1&#xa0;% des mesures dépassent les limites de l’épreuve &apos;%2&apos;, qui ont donc été ignorées</translation>
+    </message>
+    <message>
+        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <translation>presque toutes les mesures dépassent les limites de l’épreuve &apos;%1&apos;, qui ont donc été ignorées</translation>
+    </message>
+    <message>
+        <source>give the task the limits of its fastest robot</source>
+        <translation>donnez à l’épreuve les limites de son robot le plus rapide</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

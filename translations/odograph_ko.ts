@@ -4209,6 +4209,1874 @@
         <source>by hand</source>
         <translation>수동</translation>
     </message>
+    <message>
+        <source>it says neither an address nor a serial number</source>
+        <translation>주소도 일련번호도 없습니다</translation>
+    </message>
+    <message>
+        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
+        <translation>aravis:192.168.1.20이나 aravis:SERIAL처럼 주십시오</translation>
+    </message>
+    <message>
+        <source>odograph cameras lists them</source>
+        <translation>odograph cameras로 목록을 볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
+        <translation>?rate=30&amp;size=640x480처럼 rate, exposure_ms, gain, format, size, trigger=software, packet_size, packet_delay_us를 쓰십시오</translation>
+    </message>
+    <message>
+        <source>set it to something between</source>
+        <translation>그 사이의 값으로 설정하십시오</translation>
+    </message>
+    <message>
+        <source>set it to something else</source>
+        <translation>다른 값으로 설정하십시오</translation>
+    </message>
+    <message>
+        <source>it does not take this for %1 (%2)</source>
+        <translation>%1에 이 값을 받아들이지 않습니다 (%2)</translation>
+    </message>
+    <message>
+        <source>it does not take this size (%1)</source>
+        <translation>이 크기를 받아들이지 않습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this rate (%1)</source>
+        <translation>이 속도를 받아들이지 않습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this exposure (%1)</source>
+        <translation>이 노출을 받아들이지 않습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this gain (%1)</source>
+        <translation>이 게인을 받아들이지 않습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this packet size (%1)</source>
+        <translation>이 패킷 크기를 받아들이지 않습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>it does not take this packet delay (%1)</source>
+        <translation>이 패킷 지연을 받아들이지 않습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>its pictures have %1 pixels at most</source>
+        <translation>영상은 최대 %1픽셀입니다</translation>
+    </message>
+    <message>
+        <source>ask it for a size within that</source>
+        <translation>그 안의 크기를 요청하십시오</translation>
+    </message>
+    <message>
+        <source>it has no format %1 (%2)</source>
+        <translation>%1 형식이 없습니다 (%2)</translation>
+    </message>
+    <message>
+        <source>it has no pixel format that is understood</source>
+        <translation>지원되는 픽셀 형식이 없습니다</translation>
+    </message>
+    <message>
+        <source>take a camera that has one of %1</source>
+        <translation>%1 중 하나가 있는 카메라를 쓰십시오</translation>
+    </message>
+    <message>
+        <source>it has no software trigger (%1)</source>
+        <translation>소프트웨어 트리거가 없습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>it does not tell its pixel format (%1)</source>
+        <translation>픽셀 형식을 알려 주지 않습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>its pixel format is not understood</source>
+        <translation>픽셀 형식이 지원되지 않습니다</translation>
+    </message>
+    <message>
+        <source>ask it for one of %1</source>
+        <translation>%1 중 하나를 요청하십시오</translation>
+    </message>
+    <message>
+        <source>it does not tell its size (%1)</source>
+        <translation>크기를 알려 주지 않습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>its pictures have no size</source>
+        <translation>영상의 크기가 없습니다</translation>
+    </message>
+    <message>
+        <source>set its width and height</source>
+        <translation>너비와 높이를 설정하십시오</translation>
+    </message>
+    <message>
+        <source>it does not tell how large its pictures are (%1)</source>
+        <translation>영상의 크기를 알려 주지 않습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>the system keeps only %1 kB of the network&apos;s packets</source>
+        <translation>시스템이 네트워크 패킷을 %1 kB만 보관합니다</translation>
+    </message>
+    <message>
+        <source>there is no simulated camera %1</source>
+        <translation>시뮬레이션 카메라 %1이(가) 없습니다</translation>
+    </message>
+    <message>
+        <source>take sim:A or sim:B</source>
+        <translation>sim:A나 sim:B를 쓰십시오</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>사진</translation>
+    </message>
+    <message>
+        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
+        <translation>v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG처럼 쓰십시오</translation>
+    </message>
+    <message>
+        <source>all its pictures come damaged</source>
+        <translation>모든 영상이 손상되어 들어옵니다</translation>
+    </message>
+    <message>
+        <source>try another cable or port, or ask for fewer or smaller pictures</source>
+        <translation>다른 케이블이나 포트를 쓰거나, 영상의 수나 크기를 줄이십시오</translation>
+    </message>
+    <message>
+        <source>it is there but sends no pictures</source>
+        <translation>연결되어 있지만 영상을 보내지 않습니다</translation>
+    </message>
+    <message>
+        <source>look at its cable, or plug it in again if that lasts</source>
+        <translation>케이블을 살펴보고, 계속되면 다시 꽂으십시오</translation>
+    </message>
+    <message>
+        <source>no camera gave a picture</source>
+        <translation>어느 카메라도 영상을 보내지 않았습니다</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
+        <translation>카메라 &apos;%1&apos; 또는 주소 &apos;%2&apos;이(가) 두 번 주어졌습니다</translation>
+    </message>
+    <message>
+        <source>give one or more, like --camera A=sim:A</source>
+        <translation>--camera A=sim:A처럼 하나 이상 주십시오</translation>
+    </message>
+    <message>
+        <source>it would take no time, or more than a day</source>
+        <translation>길이가 0이거나 하루를 넘습니다</translation>
+    </message>
+    <message>
+        <source>give the seconds, like 10</source>
+        <translation>10처럼 초를 주십시오</translation>
+    </message>
+    <message>
+        <source>what is kept from before is no time, or more than 10 s</source>
+        <translation>미리 남겨 둘 시간이 올바르지 않거나 10 s를 넘습니다</translation>
+    </message>
+    <message>
+        <source>give a pre-roll of 0 to 10 seconds</source>
+        <translation>사전 녹화를 0초에서 10초 사이로 주십시오</translation>
+    </message>
+    <message>
+        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
+        <translation>바닥에 정합된 카메라가 없어 보낼 실시간 위치가 없습니다</translation>
+    </message>
+    <message>
+        <source>run odograph register for one of them, or leave --ssl-vision out</source>
+        <translation>그중 하나를 정합하거나 --ssl-vision을 빼십시오</translation>
+    </message>
+    <message>
+        <source>interface &apos;%1&apos; of live positions</source>
+        <translation>실시간 위치의 인터페이스 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <translation>`ip link`에 나오는 것을 고르거나, 이 컴퓨터에서만 쓰려면 lo를 고르십시오</translation>
+    </message>
+    <message>
+        <source>this machine gives no socket</source>
+        <translation>이 컴퓨터가 소켓을 내주지 않습니다</translation>
+    </message>
+    <message>
+        <source>completing the recordings</source>
+        <translation>녹화 완성</translation>
+    </message>
+    <message>
+        <source>write the task as odograph task list --json shows one</source>
+        <translation>odograph task list --json이 보이는 대로 과제를 쓰십시오</translation>
+    </message>
+    <message>
+        <source>use a calibration file as ROS or OpenCV writes it</source>
+        <translation>ROS나 OpenCV가 쓰는 형식의 보정 파일을 쓰십시오</translation>
+    </message>
+    <message>
+        <source>the entry &apos;%1&apos; is missing</source>
+        <translation>항목 &apos;%1&apos;이(가) 없습니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>&apos;%1&apos;은(는) 유한한 수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
+        <translation>&apos;%1&apos;은(는) %2에서 %3 사이의 정수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
+        <translation>&apos;%1&apos;에 수가 %3 × %4개가 아니라 %2개 있습니다</translation>
+    </message>
+    <message>
+        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
+        <translation>&apos;camera_matrix&apos;가 3 × 3 행렬이 아닙니다</translation>
+    </message>
+    <message>
+        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
+        <translation>&apos;camera_matrix&apos;가 fx 0 cx, 0 fy cy, 0 0 1 꼴이 아닙니다</translation>
+    </message>
+    <message>
+        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
+        <translation>&apos;distortion_coefficients&apos;가 행도 열도 아닙니다</translation>
+    </message>
+    <message>
+        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
+        <translation>렌즈 모델 &apos;%1&apos;을(를) 알 수 없습니다 (plumb_bob, rational_polynomial, equidistant는 압니다)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is left there from before</source>
+        <translation>&apos;%1&apos;이(가) 이전에 남겨져 있습니다</translation>
+    </message>
+    <message>
+        <source>the file holds no task</source>
+        <translation>파일에 과제가 없습니다</translation>
+    </message>
+    <message>
+        <source>an object in braces is expected here</source>
+        <translation>여기에는 중괄호로 묶은 객체가 있어야 합니다</translation>
+    </message>
+    <message>
+        <source>write one with %1</source>
+        <translation>%1(으)로 쓰십시오</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is not known</source>
+        <translation>키 &apos;%1&apos;을(를) 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>use %1</source>
+        <translation>%1을(를) 쓰십시오</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not above zero</source>
+        <translation>&apos;%1&apos;이(가) 0보다 크지 않습니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
+        <translation>&apos;%1&apos;은(는) mm 단위의 점 [x, y]가 아닙니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a list in brackets</source>
+        <translation>&apos;%1&apos;이(가) 대괄호로 묶은 목록이 아닙니다</translation>
+    </message>
+    <message>
+        <source>the reference path is given by nothing</source>
+        <translation>기준 경로가 주어지지 않았습니다</translation>
+    </message>
+    <message>
+        <source>the reference path is given twice</source>
+        <translation>기준 경로가 두 번 주어졌습니다</translation>
+    </message>
+    <message>
+        <source>give one of points_mm, circle, figure_eight or slalom</source>
+        <translation>points_mm, circle, figure_eight, slalom 중 하나를 주십시오</translation>
+    </message>
+    <message>
+        <source>&apos;closed&apos; is neither true nor false</source>
+        <translation>&apos;closed&apos;가 true도 false도 아닙니다</translation>
+    </message>
+    <message>
+        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
+        <translation>&apos;poles&apos;가 1에서 100 사이의 정수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>the slalom ends where it starts</source>
+        <translation>슬랄롬의 끝이 시작과 같은 곳입니다</translation>
+    </message>
+    <message>
+        <source>the zone is given twice</source>
+        <translation>구역이 두 번 주어졌습니다</translation>
+    </message>
+    <message>
+        <source>the zone is given by nothing</source>
+        <translation>구역이 주어지지 않았습니다</translation>
+    </message>
+    <message>
+        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
+        <translation>둘레를 따라 corners_mm를 주거나 마주 보는 두 모서리를 rectangle_mm로 주십시오</translation>
+    </message>
+    <message>
+        <source>&apos;rectangle_mm&apos; is not two corners</source>
+        <translation>&apos;rectangle_mm&apos;가 두 모서리가 아닙니다</translation>
+    </message>
+    <message>
+        <source>give two opposite corners: [[x, y], [x, y]]</source>
+        <translation>마주 보는 두 모서리를 주십시오: [[x, y], [x, y]]</translation>
+    </message>
+    <message>
+        <source>style &apos;%1&apos; of CSV</source>
+        <translation>CSV 형식 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>there is no such style</source>
+        <translation>그런 형식이 없습니다</translation>
+    </message>
+    <message>
+        <source>choose analysis, international or continental</source>
+        <translation>analysis, international, continental 중에서 고르십시오</translation>
+    </message>
+    <message>
+        <source>write it with digits, like 12.5, or leave the place blank</source>
+        <translation>12.5처럼 숫자로 쓰거나 비워 두십시오</translation>
+    </message>
+    <message>
+        <source>write it with digits, like 12.5</source>
+        <translation>12.5처럼 숫자로 쓰십시오</translation>
+    </message>
+    <message>
+        <source>its time is that of the line before</source>
+        <translation>시간이 앞 행과 같습니다</translation>
+    </message>
+    <message>
+        <source>its time is before that of the line before</source>
+        <translation>시간이 앞 행보다 이릅니다</translation>
+    </message>
+    <message>
+        <source>put the lines in the order of time, each time once</source>
+        <translation>행을 시간 순으로, 각 시간이 한 번씩만 나오게 하십시오</translation>
+    </message>
+    <message>
+        <source>it is more than a week after the first line</source>
+        <translation>첫 행보다 일주일 넘게 뒤입니다</translation>
+    </message>
+    <message>
+        <source>check the unit of the times, and that all lines are of one run</source>
+        <translation>시간의 단위와 모든 행이 한 주행의 것인지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>its place is more than 100 km away</source>
+        <translation>위치가 100 km 넘게 떨어져 있습니다</translation>
+    </message>
+    <message>
+        <source>check the unit of the places: m, cm or mm</source>
+        <translation>위치의 단위를 확인하십시오: m, cm 또는 mm</translation>
+    </message>
+    <message>
+        <source>the track has %1 position</source>
+        <translation>궤적에 위치가 %1개 있습니다</translation>
+    </message>
+    <message>
+        <source>the track has %1 positions</source>
+        <translation>궤적에 위치가 %1개 있습니다</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos; has %2 position</source>
+        <translation>궤적 &apos;%1&apos;에 위치가 %2개 있습니다</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos; has %2 positions</source>
+        <translation>궤적 &apos;%1&apos;에 위치가 %2개 있습니다</translation>
+    </message>
+    <message>
+        <source>choose a file with three positions or more</source>
+        <translation>위치가 세 개 이상인 파일을 고르십시오</translation>
+    </message>
+    <message>
+        <source>choose a track with more positions</source>
+        <translation>위치가 더 많은 궤적을 고르십시오</translation>
+    </message>
+    <message>
+        <source>none of its tracks has a position</source>
+        <translation>위치가 있는 궤적이 없습니다</translation>
+    </message>
+    <message>
+        <source>it has %1 entry instead of the 8 of TUM</source>
+        <translation>항목이 TUM의 8개가 아니라 %1개입니다</translation>
+    </message>
+    <message>
+        <source>it has %1 entries instead of the 8 of TUM</source>
+        <translation>항목이 TUM의 8개가 아니라 %1개입니다</translation>
+    </message>
+    <message>
+        <source>write %1, or begin the file with the line %2</source>
+        <translation>%1을(를) 쓰거나 파일을 %2 행으로 시작하십시오</translation>
+    </message>
+    <message>
+        <source>begin the file with the line %1, or write lines of %2</source>
+        <translation>파일을 %1 행으로 시작하거나 %2(으)로 된 행을 쓰십시오</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a time in seconds</source>
+        <translation>&apos;%1&apos;은(는) 초 단위의 시간이 아닙니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a time</source>
+        <translation>&apos;%1&apos;은(는) 시간이 아닙니다</translation>
+    </message>
+    <message>
+        <source>one of its two places is blank</source>
+        <translation>두 위치 중 하나가 비어 있습니다</translation>
+    </message>
+    <message>
+        <source>one of its two errors is blank</source>
+        <translation>두 오차 중 하나가 비어 있습니다</translation>
+    </message>
+    <message>
+        <source>fill in both or none</source>
+        <translation>둘 다 채우거나 둘 다 비우십시오</translation>
+    </message>
+    <message>
+        <source>it has %1 cell where the header has %2</source>
+        <translation>셀이 %1개인데 머리글에는 %2개입니다</translation>
+    </message>
+    <message>
+        <source>it has %1 cells where the header has %2</source>
+        <translation>셀이 %1개인데 머리글에는 %2개입니다</translation>
+    </message>
+    <message>
+        <source>give each line as many cells as the header</source>
+        <translation>각 행의 셀 수를 머리글과 같게 하십시오</translation>
+    </message>
+    <message>
+        <source>it has no header with a time, x and y, and is no TUM either</source>
+        <translation>시간, x, y가 있는 머리글이 없고 TUM도 아닙니다</translation>
+    </message>
+    <message>
+        <source>the indentation does not fit</source>
+        <translation>들여쓰기가 맞지 않습니다</translation>
+    </message>
+    <message>
+        <source>the line is indented with a tab</source>
+        <translation>행이 탭으로 들여 쓰여 있습니다</translation>
+    </message>
+    <message>
+        <source>it holds more than one document</source>
+        <translation>문서가 둘 이상 들어 있습니다</translation>
+    </message>
+    <message>
+        <source>it is nested more than %1 deep</source>
+        <translation>%1단계 넘게 중첩되어 있습니다</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 values</source>
+        <translation>값이 %1개를 넘습니다</translation>
+    </message>
+    <message>
+        <source>the line has no &quot;key: value&quot;</source>
+        <translation>행에 &quot;key: value&quot;가 없습니다</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is there twice</source>
+        <translation>키 &apos;%1&apos;이(가) 두 번 있습니다</translation>
+    </message>
+    <message>
+        <source>something follows the closing bracket</source>
+        <translation>닫는 괄호 뒤에 무언가가 있습니다</translation>
+    </message>
+    <message>
+        <source>anchors, aliases and blocks of text are not understood</source>
+        <translation>앵커, 별칭, 텍스트 블록은 지원하지 않습니다</translation>
+    </message>
+    <message>
+        <source>a quoted text does not end in its line</source>
+        <translation>따옴표로 묶은 글이 그 행에서 끝나지 않습니다</translation>
+    </message>
+    <message>
+        <source>a bracket is not closed</source>
+        <translation>괄호가 닫히지 않았습니다</translation>
+    </message>
+    <message>
+        <source>a comma or a closing bracket is missing</source>
+        <translation>쉼표나 닫는 괄호가 없습니다</translation>
+    </message>
+    <message>
+        <source>a colon is missing after &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; 뒤에 쌍점이 없습니다</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>값이 없습니다</translation>
+    </message>
+    <message>
+        <source>the archive library refused</source>
+        <translation>압축 라이브러리가 거부했습니다</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>있는 것: %1</translation>
+    </message>
+    <message>
+        <source>give one or more, like --track R=run.csv</source>
+        <translation>--track R=run.csv처럼 하나 이상 주십시오</translation>
+    </message>
+    <message>
+        <source>number &apos;%1&apos;</source>
+        <translation>수 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>colour &apos;%1&apos;</source>
+        <translation>색 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>마커</translation>
+    </message>
+    <message>
+        <source>member</source>
+        <translation>팀원</translation>
+    </message>
+    <message>
+        <source>pseudonym</source>
+        <translation>가명</translation>
+    </message>
+    <message>
+        <source>track</source>
+        <translation>궤적</translation>
+    </message>
+    <message>
+        <source>gate</source>
+        <translation>게이트</translation>
+    </message>
+    <message>
+        <source>zone</source>
+        <translation>구역</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation>태그</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>보정</translation>
+    </message>
+    <message>
+        <source>registration</source>
+        <translation>정합</translation>
+    </message>
+    <message>
+        <source>lens</source>
+        <translation>렌즈</translation>
+    </message>
+    <message>
+        <source>title of the project</source>
+        <translation>프로젝트의 제목</translation>
+    </message>
+    <message>
+        <source>address of a camera</source>
+        <translation>카메라의 주소</translation>
+    </message>
+    <message>
+        <source>origin of a calibration</source>
+        <translation>보정의 출처</translation>
+    </message>
+    <message>
+        <source>reading of a track</source>
+        <translation>궤적의 해석</translation>
+    </message>
+    <message>
+        <source>words of a change</source>
+        <translation>변경의 설명</translation>
+    </message>
+    <message>
+        <source>notes of a trial</source>
+        <translation>시행의 메모</translation>
+    </message>
+    <message>
+        <source>path of a recording</source>
+        <translation>녹화의 경로</translation>
+    </message>
+    <message>
+        <source>path of a registration&apos;s picture</source>
+        <translation>정합 사진의 경로</translation>
+    </message>
+    <message>
+        <source>path of a calibration picture</source>
+        <translation>보정 사진의 경로</translation>
+    </message>
+    <message>
+        <source>name of a calibration picture</source>
+        <translation>보정 사진의 이름</translation>
+    </message>
+    <message>
+        <source>samples and profile differ in length</source>
+        <translation>샘플과 프로파일의 길이가 다릅니다</translation>
+    </message>
+    <message>
+        <source>it has more than %1 samples</source>
+        <translation>샘플이 %1개를 넘습니다</translation>
+    </message>
+    <message>
+        <source>views and registrations differ in number</source>
+        <translation>뷰와 정합의 수가 다릅니다</translation>
+    </message>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>지표 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is not a finite number</source>
+        <translation>유한한 수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>analysis %1 of the project</source>
+        <translation>프로젝트의 분석 %1</translation>
+    </message>
+    <message>
+        <source>its series are missing</source>
+        <translation>데이터 열이 없습니다</translation>
+    </message>
+    <message>
+        <source>a spike refers to a sample that is not there</source>
+        <translation>이상점이 없는 샘플을 가리킵니다</translation>
+    </message>
+    <message>
+        <source>its stored series is not of the expected kind</source>
+        <translation>저장된 데이터 열의 종류가 다릅니다</translation>
+    </message>
+    <message>
+        <source>its stored series has the unknown layout %1</source>
+        <translation>저장된 데이터 열의 구조 %1을(를) 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>its stored series announces %1 rows but holds %2 bytes</source>
+        <translation>저장된 데이터 열이 %1행이라고 하지만 %2바이트입니다</translation>
+    </message>
+    <message>
+        <source>a value to be stored is not a finite number</source>
+        <translation>저장할 값이 유한한 수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>check the input that it was computed from</source>
+        <translation>계산에 쓰인 입력을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>lens %1 of the project</source>
+        <translation>프로젝트의 렌즈 %1</translation>
+    </message>
+    <message>
+        <source>registration %1 of the project</source>
+        <translation>프로젝트의 정합 %1</translation>
+    </message>
+    <message>
+        <source>it has no %1 with the number %2</source>
+        <translation>번호가 %2인 %1이(가) 없습니다</translation>
+    </message>
+    <message>
+        <source>restore the project from a backup copy</source>
+        <translation>백업 사본에서 프로젝트를 복원하십시오</translation>
+    </message>
+    <message>
+        <source>it has no file</source>
+        <translation>파일이 없습니다</translation>
+    </message>
+    <message>
+        <source>name the video&apos;s file</source>
+        <translation>동영상 파일을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>its relative path leaves the project&apos;s folder</source>
+        <translation>상대 경로가 프로젝트 폴더를 벗어납니다</translation>
+    </message>
+    <message>
+        <source>copy the file beside the project</source>
+        <translation>파일을 프로젝트 옆에 복사하십시오</translation>
+    </message>
+    <message>
+        <source>its stored covariance is not a 6 by 6 matrix</source>
+        <translation>저장된 공분산이 6×6 행렬이 아닙니다</translation>
+    </message>
+    <message>
+        <source>its stored matrix of %1 numbers is not square</source>
+        <translation>저장된 수 %1개의 행렬이 정사각이 아닙니다</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos;</source>
+        <translation>궤적 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a position or its covariance is no number</source>
+        <translation>위치나 그 공분산이 숫자가 아닙니다</translation>
+    </message>
+    <message>
+        <source>truth of a trial</source>
+        <translation>시행의 참값</translation>
+    </message>
+    <message>
+        <source>its series differ in length</source>
+        <translation>데이터 열의 길이가 서로 다릅니다</translation>
+    </message>
+    <message>
+        <source>give position, velocity and acceleration for each time</source>
+        <translation>각 시간의 위치, 속도, 가속도를 주십시오</translation>
+    </message>
+    <message>
+        <source>its stored setting &apos;%1&apos; is unknown</source>
+        <translation>저장된 설정 &apos;%1&apos;을(를) 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>its reference path ends within a point</source>
+        <translation>기준 경로가 점의 중간에서 끝납니다</translation>
+    </message>
+    <message>
+        <source>its zone &apos;%1&apos; ends within a point</source>
+        <translation>구역 &apos;%1&apos;이(가) 점의 중간에서 끝납니다</translation>
+    </message>
+    <message>
+        <source>raw times of recording %1</source>
+        <translation>녹화 %1의 원시 시간</translation>
+    </message>
+    <message>
+        <source>its recording has ended, and is kept</source>
+        <translation>녹화가 끝났고 보존되어 있습니다</translation>
+    </message>
+    <message>
+        <source>leave it</source>
+        <translation>그대로 두십시오</translation>
+    </message>
+    <message>
+        <source>look for lost videos</source>
+        <translation>잃어버린 동영상 찾기</translation>
+    </message>
+    <message>
+        <source>demo</source>
+        <translation>데모</translation>
+    </message>
+    <message>
+        <source>the planned camera</source>
+        <translation>계획한 카메라</translation>
+    </message>
+    <message>
+        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <translation>그곳에서는 배치의 마커 중 %1개(%2)만 보이며, 네 개가 필요합니다</translation>
+    </message>
+    <message>
+        <source>move it back or up, or choose a wider lens</source>
+        <translation>뒤로 또는 위로 옮기거나 더 넓은 렌즈를 고르십시오</translation>
+    </message>
+    <message>
+        <source>the markers that it would see do not hold it</source>
+        <translation>보이게 될 마커들로는 카메라의 위치가 정해지지 않습니다</translation>
+    </message>
+    <message>
+        <source>it cannot stand %1 m above the floor</source>
+        <translation>바닥 위 %1 m에는 둘 수 없습니다</translation>
+    </message>
+    <message>
+        <source>give a height of 0.05 m to 100 m</source>
+        <translation>높이를 0.05 m에서 100 m 사이로 주십시오</translation>
+    </message>
+    <message>
+        <source>it cannot stand %1 m away</source>
+        <translation>%1 m 떨어진 곳에는 둘 수 없습니다</translation>
+    </message>
+    <message>
+        <source>give a distance of 0 m to 1000 m</source>
+        <translation>거리를 0 m에서 1000 m 사이로 주십시오</translation>
+    </message>
+    <message>
+        <source>its field of view is %1°</source>
+        <translation>화각이 %1°입니다</translation>
+    </message>
+    <message>
+        <source>give 2° to 150°, and the size of its pictures</source>
+        <translation>2°에서 150° 사이로 주고, 영상의 크기도 주십시오</translation>
+    </message>
+    <message>
+        <source>the best place for a camera</source>
+        <translation>카메라의 가장 좋은 위치</translation>
+    </message>
+    <message>
+        <source>the layout has %1 markers, four are needed</source>
+        <translation>배치에 마커가 %1개 있고, 네 개가 필요합니다</translation>
+    </message>
+    <message>
+        <source>make a layout of four markers or more</source>
+        <translation>마커가 네 개 이상인 배치를 만드십시오</translation>
+    </message>
+    <message>
+        <source>from nowhere within %1 m beyond the markers would it see four of them at the height and with the lens given</source>
+        <translation>주어진 높이와 렌즈로는 마커에서 %1 m 이내의 어디서도 마커 네 개가 보이지 않습니다</translation>
+    </message>
+    <message>
+        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <translation>더 높이 또는 더 멀리 두거나 더 넓은 렌즈를 고르십시오</translation>
+    </message>
+    <message>
+        <source>the board is seen too obliquely, at %1 degrees</source>
+        <translation>보드가 %1도로 너무 비스듬히 보입니다</translation>
+    </message>
+    <message>
+        <source>tilt it by 30 to 45 degrees</source>
+        <translation>30도에서 45도로 기울이십시오</translation>
+    </message>
+    <message>
+        <source>the board is too small</source>
+        <translation>보드가 너무 작습니다</translation>
+    </message>
+    <message>
+        <source>it fills %1 % of the picture</source>
+        <translation>사진의 %1 %를 차지합니다</translation>
+    </message>
+    <message>
+        <source>hold it closer to the camera</source>
+        <translation>카메라에 더 가까이 대십시오</translation>
+    </message>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>%1×%2인데 첫 사진은 %3×%4입니다</translation>
+    </message>
+    <message>
+        <source>use pictures of one camera at one resolution</source>
+        <translation>한 카메라의 같은 해상도 사진을 쓰십시오</translation>
+    </message>
+    <message>
+        <source>the corners do not lie as on a flat board</source>
+        <translation>모서리가 평평한 보드처럼 놓여 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>glue the board onto something stiff and flat</source>
+        <translation>보드를 단단하고 평평한 것에 붙이십시오</translation>
+    </message>
+    <message>
+        <source>the board stands as in %1 already</source>
+        <translation>보드가 이미 %1에서처럼 놓여 있습니다</translation>
+    </message>
+    <message>
+        <source>the board stands as in a picture already taken</source>
+        <translation>보드가 이미 찍은 사진에서처럼 놓여 있습니다</translation>
+    </message>
+    <message>
+        <source>move it elsewhere, turn it or tilt it</source>
+        <translation>다른 곳으로 옮기거나 돌리거나 기울이십시오</translation>
+    </message>
+    <message>
+        <source>the board is not sharp</source>
+        <translation>보드가 선명하지 않습니다</translation>
+    </message>
+    <message>
+        <source>focus the camera, or give more light</source>
+        <translation>카메라의 초점을 맞추거나 더 밝게 하십시오</translation>
+    </message>
+    <message>
+        <source>the pictures ask for two focal lengths</source>
+        <translation>사진들의 초점 거리가 두 가지입니다</translation>
+    </message>
+    <message>
+        <source>%1 for about %2 px, %3 (such as %4) for about %5 px</source>
+        <translation>%1장은 약 %2 px, %3장(예: %4)은 약 %5 px</translation>
+    </message>
+    <message>
+        <source>it has %1 corners of the board, six are needed</source>
+        <translation>보드의 모서리가 %1개 있고, 여섯 개가 필요합니다</translation>
+    </message>
+    <message>
+        <source>show more of it</source>
+        <translation>더 많이 보이게 하십시오</translation>
+    </message>
+    <message>
+        <source>a corner of it is not a number</source>
+        <translation>모서리 하나가 숫자가 아닙니다</translation>
+    </message>
+    <message>
+        <source>let the board be found in it again</source>
+        <translation>그 사진에서 보드를 다시 찾게 하십시오</translation>
+    </message>
+    <message>
+        <source>too few pictures to compare it with others</source>
+        <translation>다른 모델과 비교하기에는 사진이 너무 적습니다</translation>
+    </message>
+    <message>
+        <source>name one like DICT_6X6_250, or leave it out</source>
+        <translation>DICT_6X6_250처럼 지정하거나 비워 두십시오</translation>
+    </message>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <translation>읽은 마커가 ChArUco 보드처럼 놓여 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <translation>읽은 마커가 내부 모서리 %1의 ChArUco 보드처럼 놓여 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>the pixel of point %1 is not a finite number</source>
+        <translation>점 %1의 픽셀이 유한한 수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>the pixel of marker %1 is not a finite number</source>
+        <translation>마커 %1의 픽셀이 유한한 수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>the place of marker %1 is not a finite number</source>
+        <translation>마커 %1의 위치가 유한한 수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <translation>점 %1이(가) %2의 화면(%3) 밖에 있습니다</translation>
+    </message>
+    <message>
+        <source>check which columns belong to which camera</source>
+        <translation>어느 열이 어느 카메라의 것인지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>this camera</source>
+        <translation>이 카메라</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is there twice</source>
+        <translation>카메라 &apos;%1&apos;이(가) 두 번 있습니다</translation>
+    </message>
+    <message>
+        <source>name each camera once</source>
+        <translation>각 카메라를 한 번씩만 지정하십시오</translation>
+    </message>
+    <message>
+        <source>the σ of the tape measure is not above 0</source>
+        <translation>줄자의 σ가 0보다 크지 않습니다</translation>
+    </message>
+    <message>
+        <source>give some 2 mm</source>
+        <translation>약 2 mm로 하십시오</translation>
+    </message>
+    <message>
+        <source>no pose</source>
+        <translation>자세를 구할 수 없음</translation>
+    </message>
+    <message>
+        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <translation>%1이(가) 이 카메라의 렌즈로는 나올 수 없는 곳에 있습니다</translation>
+    </message>
+    <message>
+        <source>check its pixel and the camera&apos;s intrinsics</source>
+        <translation>그 픽셀과 카메라의 내부 파라미터를 확인하십시오</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor, not along a line</source>
+        <translation>점을 한 줄이 아니라 바닥에 넓게 잡으십시오</translation>
+    </message>
+    <message>
+        <source>both an angle and a pair of markers were given for X</source>
+        <translation>X축에 각도와 마커 한 쌍이 함께 주어졌습니다</translation>
+    </message>
+    <message>
+        <source>both a marker and a point were given for the origin</source>
+        <translation>원점에 마커와 점이 함께 주어졌습니다</translation>
+    </message>
+    <message>
+        <source>unit &apos;%1&apos;</source>
+        <translation>단위 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is not known</source>
+        <translation>알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>use mm, cm, m or inch</source>
+        <translation>mm, cm, m 또는 inch를 쓰십시오</translation>
+    </message>
+    <message>
+        <source>a length factor of %1 makes no floor</source>
+        <translation>길이 배율 %1로는 바닥을 만들 수 없습니다</translation>
+    </message>
+    <message>
+        <source>give a number above 0</source>
+        <translation>0보다 큰 수를 주십시오</translation>
+    </message>
+    <message>
+        <source>the origin or the angle is not a finite number</source>
+        <translation>원점이나 각도가 유한한 수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>give plain numbers</source>
+        <translation>보통의 수를 주십시오</translation>
+    </message>
+    <message>
+        <source>check the unit of the layout</source>
+        <translation>배치의 단위를 확인하십시오</translation>
+    </message>
+    <message>
+        <source>it is given in mm</source>
+        <translation>mm로 주어집니다</translation>
+    </message>
+    <message>
+        <source>no homography</source>
+        <translation>호모그래피를 구할 수 없음</translation>
+    </message>
+    <message>
+        <source>four points are needed, %1 given</source>
+        <translation>점이 네 개 필요한데 %1개가 주어졌습니다</translation>
+    </message>
+    <message>
+        <source>add points</source>
+        <translation>점을 추가하십시오</translation>
+    </message>
+    <message>
+        <source>a coordinate of %1 is not a finite number</source>
+        <translation>%1의 좌표가 유한한 수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>%1 lie at one place</source>
+        <translation>%1이(가) 한곳에 있습니다</translation>
+    </message>
+    <message>
+        <source>%1 lie at one place in the picture</source>
+        <translation>%1이(가) 화면에서 한곳에 있습니다</translation>
+    </message>
+    <message>
+        <source>%1 lie on one line</source>
+        <translation>%1이(가) 한 줄에 있습니다</translation>
+    </message>
+    <message>
+        <source>%1 lie on one line in the picture</source>
+        <translation>%1이(가) 화면에서 한 줄에 있습니다</translation>
+    </message>
+    <message>
+        <source>use four points of which no three are in line</source>
+        <translation>어느 셋도 한 줄에 있지 않은 점 네 개를 쓰십시오</translation>
+    </message>
+    <message>
+        <source>%1 would lie beyond the horizon</source>
+        <translation>%1이(가) 지평선 너머에 있게 됩니다</translation>
+    </message>
+    <message>
+        <source>the order of the points crosses over like a bow tie</source>
+        <translation>점의 순서가 나비넥타이처럼 엇갈립니다</translation>
+    </message>
+    <message>
+        <source>check which point is which</source>
+        <translation>어느 점이 어느 점인지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>the points do not determine it</source>
+        <translation>점들로 정할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>spread the points</source>
+        <translation>점을 넓게 잡으십시오</translation>
+    </message>
+    <message>
+        <source>the chain has no links</source>
+        <translation>연결 단계가 없습니다</translation>
+    </message>
+    <message>
+        <source>give at least one</source>
+        <translation>하나 이상 주십시오</translation>
+    </message>
+    <message>
+        <source>link %1 of %2 of the chain is singular</source>
+        <translation>연결 %2단계 중 %1번째가 특이합니다</translation>
+    </message>
+    <message>
+        <source>use four points in it of which no three are in line</source>
+        <translation>어느 셋도 한 줄에 있지 않은 점 네 개를 그 단계에 쓰십시오</translation>
+    </message>
+    <message>
+        <source>the picture size %1 is not positive</source>
+        <translation>사진 크기 %1이(가) 양수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>one of the values is not a finite number</source>
+        <translation>값 하나가 유한한 수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>the focal length %1 px is not positive</source>
+        <translation>초점 거리 %1 px가 양수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <translation>왜곡 계수 %1개는 이 렌즈 모델에 맞지 않습니다</translation>
+    </message>
+    <message>
+        <source>the covariance has the wrong size</source>
+        <translation>공분산의 크기가 맞지 않습니다</translation>
+    </message>
+    <message>
+        <source>no picture could be read</source>
+        <translation>어떤 사진도 읽지 못했습니다</translation>
+    </message>
+    <message>
+        <source>calibration picture &apos;%1&apos;</source>
+        <translation>보정 사진 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>intrinsics of camera &apos;%1&apos;</source>
+        <translation>카메라 &apos;%1&apos;의 내부 파라미터</translation>
+    </message>
+    <message>
+        <source>run odograph calibrate, or odograph intrinsics import</source>
+        <translation>보정하거나 내부 파라미터를 가져오십시오</translation>
+    </message>
+    <message>
+        <source>markers for camera &apos;%1&apos;</source>
+        <translation>카메라 &apos;%1&apos;의 마커</translation>
+    </message>
+    <message>
+        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <translation>--pixels pixels.csv, --image picture.png 또는 --video clip.mp4를 주십시오</translation>
+    </message>
+    <message>
+        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
+        <translation>보정하거나 내부 파라미터를 가져오거나 --image나 --video도 주십시오</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <translation>적용 중인 렌즈를 쓴 카메라 &apos;%1&apos;의 정합</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; has none of that number</source>
+        <translation>카메라 &apos;%1&apos;에 그 번호가 없습니다</translation>
+    </message>
+    <message>
+        <source>see its revisions for those there are</source>
+        <translation>있는 것은 버전 목록에서 확인하십시오</translation>
+    </message>
+    <message>
+        <source>calibration %1</source>
+        <translation>보정 %1</translation>
+    </message>
+    <message>
+        <source>registration %1</source>
+        <translation>정합 %1</translation>
+    </message>
+    <message>
+        <source>one view saw the robot in fewer than %1 pictures</source>
+        <translation>한 뷰에서 로봇이 보인 영상이 %1장보다 적습니다</translation>
+    </message>
+    <message>
+        <source>the views hardly ever saw the robot at the same time</source>
+        <translation>뷰들이 동시에 로봇을 본 적이 거의 없습니다</translation>
+    </message>
+    <message>
+        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
+        <translation>로봇이 서 있었거나 일정한 속력으로 곧게 달려 어떤 오프셋도 맞습니다</translation>
+    </message>
+    <message>
+        <source>the views&apos; tracks do not resemble one another</source>
+        <translation>뷰들의 궤적이 서로 비슷하지 않습니다</translation>
+    </message>
+    <message>
+        <source>the views&apos; tracks do not coincide at any offset looked at</source>
+        <translation>살펴본 어떤 오프셋에서도 뷰들의 궤적이 일치하지 않습니다</translation>
+    </message>
+    <message>
+        <source>the motion repeats itself</source>
+        <translation>움직임이 반복됩니다</translation>
+    </message>
+    <message>
+        <source>offsets of %1 s and %2 s fit alike</source>
+        <translation>오프셋 %1 s와 %2 s가 똑같이 맞습니다</translation>
+    </message>
+    <message>
+        <source>neither view shows a flash of light</source>
+        <translation>어느 뷰에도 빛의 깜박임이 보이지 않습니다</translation>
+    </message>
+    <message>
+        <source>only one of the views shows a flash of light</source>
+        <translation>한 뷰에만 빛의 깜박임이 보입니다</translation>
+    </message>
+    <message>
+        <source>the light flickers</source>
+        <translation>빛이 떨립니다</translation>
+    </message>
+    <message>
+        <source>the flashes of light in the views do not belong together</source>
+        <translation>뷰들의 빛 깜박임이 서로 맞지 않습니다</translation>
+    </message>
+    <message>
+        <source>the flashes of light fit alike at offsets of %1 s and %2 s</source>
+        <translation>빛의 깜박임이 오프셋 %1 s와 %2 s에서 똑같이 맞습니다</translation>
+    </message>
+    <message>
+        <source>%1, and neither view shows a flash of light</source>
+        <translation>%1. 또한 어느 뷰에도 빛의 깜박임이 보이지 않습니다</translation>
+    </message>
+    <message>
+        <source>%1, and only one of the views shows a flash of light</source>
+        <translation>%1. 또한 한 뷰에만 빛의 깜박임이 보입니다</translation>
+    </message>
+    <message>
+        <source>%1, and the light flickers</source>
+        <translation>%1. 또한 빛이 떨립니다</translation>
+    </message>
+    <message>
+        <source>%1, and the flashes of light in the views do not belong together</source>
+        <translation>%1. 또한 뷰들의 빛 깜박임이 서로 맞지 않습니다</translation>
+    </message>
+    <message>
+        <source>%1, and the flashes of light fit alike at offsets of %2 s and %3 s</source>
+        <translation>%1. 또한 빛의 깜박임이 오프셋 %2 s와 %3 s에서 똑같이 맞습니다</translation>
+    </message>
+    <message>
+        <source>%1, so it is taken as begun together</source>
+        <translation>%1. 그래서 함께 시작된 것으로 봅니다</translation>
+    </message>
+    <message>
+        <source>fit of %1</source>
+        <translation>피팅 (%1)</translation>
+    </message>
+    <message>
+        <source>a constant</source>
+        <translation>상수</translation>
+    </message>
+    <message>
+        <source>a straight line</source>
+        <translation>직선</translation>
+    </message>
+    <message>
+        <source>a parabola</source>
+        <translation>포물선</translation>
+    </message>
+    <message>
+        <source>%1 point is too few for it</source>
+        <translation>점 %1개로는 너무 적습니다</translation>
+    </message>
+    <message>
+        <source>the robot does not move in %1</source>
+        <translation>%1에서 로봇이 움직이지 않습니다</translation>
+    </message>
+    <message>
+        <source>the robot hardly moves in %1</source>
+        <translation>%1에서 로봇이 거의 움직이지 않습니다</translation>
+    </message>
+    <message>
+        <source>choose a run with motion</source>
+        <translation>움직임이 있는 주행을 고르십시오</translation>
+    </message>
+    <message>
+        <source>%1 drives the way in the other direction than %2</source>
+        <translation>%1은(는) %2과(와) 반대 방향으로 달립니다</translation>
+    </message>
+    <message>
+        <source>choose runs in the same direction</source>
+        <translation>같은 방향의 주행을 고르십시오</translation>
+    </message>
+    <message>
+        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
+        <translation>%1은(는) 과제의 경로와 겹치는 구간이 없습니다</translation>
+    </message>
+    <message>
+        <source>%1 has no stretch of the way in common with %2</source>
+        <translation>%1은(는) %2과(와) 겹치는 구간이 없습니다</translation>
+    </message>
+    <message>
+        <source>choose runs of the same task</source>
+        <translation>같은 과제의 주행을 고르십시오</translation>
+    </message>
+    <message>
+        <source>%1 does not pass a start gate</source>
+        <translation>%1은(는) 출발 게이트를 지나지 않습니다</translation>
+    </message>
+    <message>
+        <source>align by motion onset or distance</source>
+        <translation>움직임의 시작이나 거리로 정렬하십시오</translation>
+    </message>
+    <message>
+        <source>the robot of %1 drives already when it is first seen</source>
+        <translation>%1의 로봇이 처음 보일 때 이미 달리고 있습니다</translation>
+    </message>
+    <message>
+        <source>align by distance</source>
+        <translation>거리로 정렬하십시오</translation>
+    </message>
+    <message>
+        <source>a moment of each run is needed to align them by hand</source>
+        <translation>직접 정렬하려면 각 주행의 시점이 필요합니다</translation>
+    </message>
+    <message>
+        <source>tell one for each</source>
+        <translation>각각 하나씩 지정하십시오</translation>
+    </message>
+    <message>
+        <source>the moment told for %1 lies outside of it</source>
+        <translation>%1에 지정한 시점이 그 주행 밖에 있습니다</translation>
+    </message>
+    <message>
+        <source>tell one between its first and last frame</source>
+        <translation>첫 프레임과 마지막 프레임 사이로 지정하십시오</translation>
+    </message>
+    <message>
+        <source>%1 was not seen at the place to align by</source>
+        <translation>정렬할 곳에서 %1이(가) 보이지 않았습니다</translation>
+    </message>
+    <message>
+        <source>choose a place that both runs pass</source>
+        <translation>두 주행이 모두 지나는 곳을 고르십시오</translation>
+    </message>
+    <message>
+        <source>there is no such template</source>
+        <translation>그런 템플릿이 없습니다</translation>
+    </message>
+    <message>
+        <source>template &apos;%1&apos;</source>
+        <translation>템플릿 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>rule &apos;%1&apos;</source>
+        <translation>규칙 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>use stay_inside or stay_outside</source>
+        <translation>stay_inside나 stay_outside를 쓰십시오</translation>
+    </message>
+    <message>
+        <source>smoother %1</source>
+        <translation>평활기 %1</translation>
+    </message>
+    <message>
+        <source>there is none of that name</source>
+        <translation>그런 이름이 없습니다</translation>
+    </message>
+    <message>
+        <source>use rts, savgol, tracker or none</source>
+        <translation>rts, savgol, tracker, none 중에서 쓰십시오</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <translation>로봇 &apos;%1&apos;은(는) 추적되지 않았고, 추적된 것은 %2입니다</translation>
+    </message>
+    <message>
+        <source>track it, or choose another</source>
+        <translation>추적하거나 다른 것을 고르십시오</translation>
+    </message>
+    <message>
+        <source>track it, or choose another with --robot</source>
+        <translation>추적하거나 --robot으로 다른 것을 고르십시오</translation>
+    </message>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
+        <translation>&apos;%1&apos;(이)라는 궤적이 없습니다; 있는 것: %2</translation>
+    </message>
+    <message>
+        <source>run odograph track first</source>
+        <translation>먼저 추적하십시오</translation>
+    </message>
+    <message>
+        <source>run odograph track without --again first</source>
+        <translation>먼저 --again 없이 추적하십시오</translation>
+    </message>
+    <message>
+        <source>analyse them anew with</source>
+        <translation>다음으로 다시 분석하십시오</translation>
+    </message>
+    <message>
+        <source>choose one with --robot</source>
+        <translation>--robot으로 하나를 고르십시오</translation>
+    </message>
+    <message>
+        <source>frame %1 of trial &apos;%2&apos;</source>
+        <translation>시행 &apos;%2&apos;의 프레임 %1</translation>
+    </message>
+    <message>
+        <source>%1 s of trial &apos;%2&apos;</source>
+        <translation>시행 &apos;%2&apos;의 %1 s</translation>
+    </message>
+    <message>
+        <source>the analysis has no sample</source>
+        <translation>분석에 샘플이 없습니다</translation>
+    </message>
+    <message>
+        <source>track the trial again</source>
+        <translation>시행을 다시 추적하십시오</translation>
+    </message>
+    <message>
+        <source>choose a time from %1 s to %2 s</source>
+        <translation>%1 s에서 %2 s 사이의 시간을 고르십시오</translation>
+    </message>
+    <message>
+        <source>choose a frame with a measurement</source>
+        <translation>측정값이 있는 프레임을 고르십시오</translation>
+    </message>
+    <message>
+        <source>nothing was said by hand there</source>
+        <translation>그곳에는 직접 지정한 것이 없습니다</translation>
+    </message>
+    <message>
+        <source>see the flags by_hand in odograph export</source>
+        <translation>odograph export의 by_hand 표시를 보십시오</translation>
+    </message>
+    <message>
+        <source>tracking</source>
+        <translation>추적</translation>
+    </message>
+    <message>
+        <source>add one with</source>
+        <translation>다음으로 추가하십시오</translation>
+    </message>
+    <message>
+        <source>cannot render %1</source>
+        <translation>%1을(를) 렌더링할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>rendering %1</source>
+        <translation>%1 렌더링</translation>
+    </message>
+    <message>
+        <source>camera %1 takes no frame while the scene lasts</source>
+        <translation>장면이 이어지는 동안 카메라 %1이(가) 프레임을 찍지 않습니다</translation>
+    </message>
+    <message>
+        <source>give the scene a longer duration or start the camera earlier</source>
+        <translation>장면을 길게 하거나 카메라를 더 일찍 시작하십시오</translation>
+    </message>
+    <message>
+        <source>a picture cannot be coded</source>
+        <translation>영상을 부호화할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>JPEG does not have its layout of colours</source>
+        <translation>JPEG에는 그 색 배열이 없습니다</translation>
+    </message>
+    <message>
+        <source>let the camera give another format</source>
+        <translation>카메라가 다른 형식을 내보내게 하십시오</translation>
+    </message>
+    <message>
+        <source>cannot decode all of a frame</source>
+        <translation>프레임 전체를 복호화할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>its sound part is used</source>
+        <translation>온전한 부분만 씁니다</translation>
+    </message>
+    <message>
+        <source>its time scale was not found where the muxer should have put it</source>
+        <translation>먹서가 넣어야 할 곳에 시간 단위가 없습니다</translation>
+    </message>
+    <message>
+        <source>report this as a bug</source>
+        <translation>이 문제를 버그로 알려 주십시오</translation>
+    </message>
+    <message>
+        <source>its header could not be rewritten</source>
+        <translation>헤더를 다시 쓰지 못했습니다</translation>
+    </message>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>디스크에 여유가 있는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>a packet there is damaged</source>
+        <translation>그곳의 패킷이 손상되었습니다</translation>
+    </message>
+    <message>
+        <source>its header promises %1</source>
+        <translation>헤더에는 %1(으)로 되어 있습니다</translation>
+    </message>
+    <message>
+        <source>not one whole frame is in it</source>
+        <translation>온전한 프레임이 하나도 없습니다</translation>
+    </message>
+    <message>
+        <source>its time stamps span %1</source>
+        <translation>시간 기록의 폭이 %1입니다</translation>
+    </message>
+    <message>
+        <source>it says that it has %1 pixels</source>
+        <translation>%1픽셀이라고 되어 있습니다</translation>
+    </message>
+    <message>
+        <source>more than 100 megapixels are not read</source>
+        <translation>1억 화소를 넘으면 읽지 않습니다</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>사진</translation>
+    </message>
+    <message>
+        <source>picture &apos;%1&apos;</source>
+        <translation>사진 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it could not be packed</source>
+        <translation>압축하지 못했습니다</translation>
+    </message>
+    <message>
+        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
+        <translation>폴더와 여유 공간, 이름이 .png나 .jpg로 끝나는지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>it could not be written</source>
+        <translation>쓰지 못했습니다</translation>
+    </message>
+    <message>
+        <source>its format is not known</source>
+        <translation>형식을 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>the size of its pictures could not be found out</source>
+        <translation>영상의 크기를 알아내지 못했습니다</translation>
+    </message>
+    <message>
+        <source>its pixel format %1 is not read</source>
+        <translation>픽셀 형식 %1은(는) 읽지 않습니다</translation>
+    </message>
+    <message>
+        <source>its pixel format (unknown) is not read</source>
+        <translation>(알 수 없는) 픽셀 형식은 읽지 않습니다</translation>
+    </message>
+    <message>
+        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
+        <translation>8비트 YUV로 변환하십시오. 예: ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
+    </message>
+    <message>
+        <source>frames of this size or chroma format cannot be encoded</source>
+        <translation>이 크기나 색차 형식의 프레임은 부호화할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
+        <translation>4:2:0, 4:2:2 또는 4:4:4를 쓰십시오</translation>
+    </message>
+    <message>
+        <source>install Debian&apos;s libavcodec with libx264</source>
+        <translation>libx264가 든 Debian의 libavcodec을 설치하십시오</translation>
+    </message>
+    <message>
+        <source>the chroma siting could not be set (%1)</source>
+        <translation>색차 위치를 정하지 못했습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>install Debian&apos;s libavcodec</source>
+        <translation>Debian의 libavcodec을 설치하십시오</translation>
+    </message>
+    <message>
+        <source>FFV1 does not go into MP4</source>
+        <translation>FFV1은 MP4에 넣을 수 없습니다</translation>
+    </message>
+    <message>
+        <source>use the ending .mkv</source>
+        <translation>확장자 .mkv를 쓰십시오</translation>
+    </message>
+    <message>
+        <source>its frame rate is not positive</source>
+        <translation>프레임 속도가 양수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>give the frames per second, e.g. 30</source>
+        <translation>초당 프레임 수를 주십시오. 예: 30</translation>
+    </message>
+    <message>
+        <source>start the video again</source>
+        <translation>동영상을 다시 시작하십시오</translation>
+    </message>
+    <message>
+        <source>its format differs from the video&apos;s</source>
+        <translation>형식이 동영상과 다릅니다</translation>
+    </message>
+    <message>
+        <source>write one format to a file</source>
+        <translation>한 파일에는 한 형식만 쓰십시오</translation>
+    </message>
+    <message>
+        <source>its time is not after the frame&apos;s before it</source>
+        <translation>시간이 앞 프레임보다 뒤가 아닙니다</translation>
+    </message>
+    <message>
+        <source>write the frames in order, at least a microsecond apart</source>
+        <translation>프레임을 순서대로, 1마이크로초 이상 간격으로 쓰십시오</translation>
+    </message>
+    <message>
+        <source>it is finished</source>
+        <translation>이미 마쳤습니다</translation>
+    </message>
+    <message>
+        <source>start it again</source>
+        <translation>다시 시작하십시오</translation>
+    </message>
+    <message>
+        <source>no frame was written to it</source>
+        <translation>프레임이 하나도 쓰이지 않았습니다</translation>
+    </message>
+    <message>
+        <source>write at least one</source>
+        <translation>하나 이상 쓰십시오</translation>
+    </message>
+    <message>
+        <source>give one view or more, like --video A=a.mp4</source>
+        <translation>--video A=a.mp4처럼 뷰를 하나 이상 주십시오</translation>
+    </message>
+    <message>
+        <source>%1 views were given and the offsets of %2</source>
+        <translation>뷰는 %1개, 오프셋은 %2개가 주어졌습니다</translation>
+    </message>
+    <message>
+        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
+        <translation>--sync 0.1,0.2처럼 첫 뷰를 뺀 각 뷰의 오프셋을 주거나 --sync auto를 쓰십시오</translation>
+    </message>
+    <message>
+        <source>frame %1 of &apos;%2&apos;</source>
+        <translation>&apos;%2&apos;의 프레임 %1</translation>
+    </message>
+    <message>
+        <source>choose one from %1 to %2</source>
+        <translation>%1에서 %2 사이에서 고르십시오</translation>
+    </message>
+    <message>
+        <source>its only one is frame 0</source>
+        <translation>프레임 0뿐입니다</translation>
+    </message>
+    <message>
+        <source>there is no such role</source>
+        <translation>그런 역할이 없습니다</translation>
+    </message>
+    <message>
+        <source>role &apos;%1&apos;</source>
+        <translation>역할 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>from a flash of light, to %1 ms only, for %2</source>
+        <translation>빛의 깜박임에서 구해 %1 ms까지만 맞습니다. 이유는 %2</translation>
+    </message>
+    <message>
+        <source>%1 frames left out</source>
+        <translation>프레임 %1개 제외</translation>
+    </message>
+    <message>
+        <source>their time stamps repeat the frame before</source>
+        <translation>시간 기록이 앞 프레임과 같습니다</translation>
+    </message>
+    <message>
+        <source>ends early at %1</source>
+        <translation>%1에서 일찍 끝납니다</translation>
+    </message>
+    <message>
+        <source>the file has no time stamps</source>
+        <translation>파일에 시간 기록이 없습니다</translation>
+    </message>
+    <message>
+        <source>an even %1 frames/s is assumed</source>
+        <translation>일정한 %1프레임/s로 가정합니다</translation>
+    </message>
+    <message>
+        <source>Simulated camera %1</source>
+        <translation>시뮬레이션 카메라 %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 frames/s</source>
+        <translation>%1, %2프레임/s</translation>
+    </message>
+    <message>
+        <source>check that all lines are of one run</source>
+        <translation>모든 행이 한 주행의 것인지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>the file has more than four million places</source>
+        <translation>파일에 위치가 400만 개를 넘습니다</translation>
+    </message>
+    <message>
+        <source>it sends no pictures</source>
+        <translation>영상을 보내지 않습니다</translation>
+    </message>
+    <message>
+        <source>check its cable</source>
+        <translation>케이블을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>it is taken up again by itself</source>
+        <translation>저절로 다시 이어집니다</translation>
+    </message>
+    <message>
+        <source>it has been away</source>
+        <translation>잠시 끊겼습니다</translation>
+    </message>
+    <message>
+        <source>wait: it is taken up again</source>
+        <translation>기다리십시오: 다시 이어집니다</translation>
+    </message>
+    <message>
+        <source>its pictures come incomplete</source>
+        <translation>영상이 불완전하게 들어옵니다</translation>
+    </message>
+    <message>
+        <source>check its cable and the network</source>
+        <translation>케이블과 네트워크를 확인하십시오</translation>
+    </message>
+    <message>
+        <source>ask for a smaller size or rate</source>
+        <translation>더 작은 크기나 낮은 속도를 요청하십시오</translation>
+    </message>
+    <message>
+        <source>it answers, but sends no pictures</source>
+        <translation>응답하지만 영상을 보내지 않습니다</translation>
+    </message>
+    <message>
+        <source>check its trigger and this computer&apos;s firewall</source>
+        <translation>트리거와 이 컴퓨터의 방화벽을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>it failed (%1)</source>
+        <translation>오류가 났습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>unplug it and plug it in again if that lasts</source>
+        <translation>계속되면 뽑았다가 다시 꽂으십시오</translation>
+    </message>
+    <message>
+        <source>no picture has come for %1</source>
+        <translation>%1 동안 영상이 오지 않았습니다</translation>
+    </message>
+    <message>
+        <source>look at its cable</source>
+        <translation>케이블을 살펴보십시오</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again if it stays so</source>
+        <translation>계속 그러면 뽑았다가 다시 꽂으십시오</translation>
+    </message>
+    <message>
+        <source>its disk has only %1 MB left, of which %2 are kept free</source>
+        <translation>디스크에 %1 MB만 남았고, 그중 %2 MB는 비워 둡니다</translation>
+    </message>
+    <message>
+        <source>the disk of %1</source>
+        <translation>%1의 디스크</translation>
+    </message>
+    <message>
+        <source>it is too slow</source>
+        <translation>너무 느립니다</translation>
+    </message>
+    <message>
+        <source>a picture has waited %1 s for it, and %2 % of the room to wait in is taken</source>
+        <translation>영상이 %1 s 기다렸고 대기 공간의 %2 %가 찼습니다</translation>
+    </message>
+    <message>
+        <source>nothing is lost yet</source>
+        <translation>아직 잃은 것은 없습니다</translation>
+    </message>
+    <message>
+        <source>end what else writes to it</source>
+        <translation>그 디스크에 쓰는 다른 것을 끝내십시오</translation>
+    </message>
+    <message>
+        <source>pictures are being lost</source>
+        <translation>영상이 누락되고 있습니다</translation>
+    </message>
+    <message>
+        <source>record to another disk, or fewer cameras</source>
+        <translation>다른 디스크에 녹화하거나 카메라 수를 줄이십시오</translation>
+    </message>
+    <message>
+        <source>Exposure and gain</source>
+        <translation>노출과 게인</translation>
+    </message>
+    <message>
+        <source>line %1 has no team</source>
+        <translation>%1행에 팀이 없습니다</translation>
+    </message>
+    <message>
+        <source>line %1 has no class for team &apos;%2&apos;</source>
+        <translation>%1행에 팀 &apos;%2&apos;의 학급이 없습니다</translation>
+    </message>
+    <message>
+        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
+        <translation>%1행에 팀 &apos;%2&apos;이(가) %3행에 이어 다시 나옵니다</translation>
+    </message>
+    <message>
+        <source>and %1 lines more</source>
+        <translation>외 %1행</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>%1행</translation>
+    </message>
+    <message>
+        <source>positions to %1 mm, as the file says</source>
+        <translation>위치의 오차 %1 mm, 파일에 적힌 대로</translation>
+    </message>
+    <message>
+        <source>positions to %1 mm, as estimated from them</source>
+        <translation>위치의 오차 %1 mm, 위치에서 추정</translation>
+    </message>
+    <message>
+        <source>the file&apos;s track &apos;%1&apos;</source>
+        <translation>파일의 궤적 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>its times count from %1 s</source>
+        <translation>시간은 %1 s부터 셈</translation>
+    </message>
+    <message>
+        <source>a value is too large to be stored</source>
+        <translation>값이 너무 커서 저장할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>split the recording into shorter ones</source>
+        <translation>녹화를 더 짧게 나누십시오</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1이(가) 없습니다</translation>
+    </message>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>파일을 제자리에 돌려놓고 프로젝트를 다시 여십시오</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor</source>
+        <translation>카메라 &apos;%1&apos;이(가) 바닥에 정합되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>glue the board onto something stiff</source>
+        <translation>보드를 단단한 것에 붙이십시오</translation>
+    </message>
+    <message>
+        <source>its corners do not lie as on a flat board</source>
+        <translation>모서리가 평평한 보드처럼 놓여 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <translation>점 %1이(가) 정합할 카메라의 화면(%2) 밖에 있습니다</translation>
+    </message>
+    <message>
+        <source>its numbers look like %1, then it would stand %2 m above the floor</source>
+        <translation>수가 %1처럼 보이며, 그러면 바닥 위 %2 m에 있게 됩니다</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>미터</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>인치</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>센티미터</translation>
+    </message>
+    <message>
+        <source>thousandths of a mm</source>
+        <translation>1/1000 mm</translation>
+    </message>
+    <message>
+        <source>tenths of a mm</source>
+        <translation>1/10 mm</translation>
+    </message>
+    <message>
+        <source>with %1 and %2 exchanged they fit to %3 px</source>
+        <translation>%1과(와) %2을(를) 바꾸면 %3 px로 맞습니다</translation>
+    </message>
+    <message>
+        <source>%1 % of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <translation>측정값의 %1 %가 과제 &apos;%2&apos;의 한계를 넘어 한계를 적용하지 않았습니다</translation>
+    </message>
+    <message>
+        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <translation>측정값이 거의 모두 과제 &apos;%1&apos;의 한계를 넘어 한계를 적용하지 않았습니다</translation>
+    </message>
+    <message>
+        <source>give the task the limits of its fastest robot</source>
+        <translation>과제에 가장 빠른 로봇의 한계를 주십시오</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

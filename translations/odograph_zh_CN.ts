@@ -4209,6 +4209,1874 @@
         <source>by hand</source>
         <translation>人工</translation>
     </message>
+    <message>
+        <source>it says neither an address nor a serial number</source>
+        <translation>其中既没有地址也没有序列号</translation>
+    </message>
+    <message>
+        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
+        <translation>请给出如 aravis:192.168.1.20 或 aravis:SERIAL</translation>
+    </message>
+    <message>
+        <source>odograph cameras lists them</source>
+        <translation>odograph cameras 会列出它们</translation>
+    </message>
+    <message>
+        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
+        <translation>请使用 rate、exposure_ms、gain、format、size、trigger=software、packet_size 或 packet_delay_us，如 ?rate=30&amp;size=640x480</translation>
+    </message>
+    <message>
+        <source>set it to something between</source>
+        <translation>请设为两者之间的值</translation>
+    </message>
+    <message>
+        <source>set it to something else</source>
+        <translation>请设为别的值</translation>
+    </message>
+    <message>
+        <source>it does not take this for %1 (%2)</source>
+        <translation>它不接受 %1 的这个值（%2）</translation>
+    </message>
+    <message>
+        <source>it does not take this size (%1)</source>
+        <translation>它不接受此尺寸（%1）</translation>
+    </message>
+    <message>
+        <source>it does not take this rate (%1)</source>
+        <translation>它不接受此帧率（%1）</translation>
+    </message>
+    <message>
+        <source>it does not take this exposure (%1)</source>
+        <translation>它不接受此曝光（%1）</translation>
+    </message>
+    <message>
+        <source>it does not take this gain (%1)</source>
+        <translation>它不接受此增益（%1）</translation>
+    </message>
+    <message>
+        <source>it does not take this packet size (%1)</source>
+        <translation>它不接受此数据包大小（%1）</translation>
+    </message>
+    <message>
+        <source>it does not take this packet delay (%1)</source>
+        <translation>它不接受此数据包延迟（%1）</translation>
+    </message>
+    <message>
+        <source>its pictures have %1 pixels at most</source>
+        <translation>其画面最大为 %1 像素</translation>
+    </message>
+    <message>
+        <source>ask it for a size within that</source>
+        <translation>请要求不超过它的尺寸</translation>
+    </message>
+    <message>
+        <source>it has no format %1 (%2)</source>
+        <translation>它没有格式 %1（%2）</translation>
+    </message>
+    <message>
+        <source>it has no pixel format that is understood</source>
+        <translation>它没有受支持的像素格式</translation>
+    </message>
+    <message>
+        <source>take a camera that has one of %1</source>
+        <translation>请使用具有 %1 之一的相机</translation>
+    </message>
+    <message>
+        <source>it has no software trigger (%1)</source>
+        <translation>它没有软件触发（%1）</translation>
+    </message>
+    <message>
+        <source>it does not tell its pixel format (%1)</source>
+        <translation>它没有告知像素格式（%1）</translation>
+    </message>
+    <message>
+        <source>its pixel format is not understood</source>
+        <translation>其像素格式不受支持</translation>
+    </message>
+    <message>
+        <source>ask it for one of %1</source>
+        <translation>请要求 %1 之一</translation>
+    </message>
+    <message>
+        <source>it does not tell its size (%1)</source>
+        <translation>它没有告知尺寸（%1）</translation>
+    </message>
+    <message>
+        <source>its pictures have no size</source>
+        <translation>其画面没有尺寸</translation>
+    </message>
+    <message>
+        <source>set its width and height</source>
+        <translation>请设置其宽和高</translation>
+    </message>
+    <message>
+        <source>it does not tell how large its pictures are (%1)</source>
+        <translation>它没有告知画面大小（%1）</translation>
+    </message>
+    <message>
+        <source>the system keeps only %1 kB of the network&apos;s packets</source>
+        <translation>系统只保留 %1 kB 的网络数据包</translation>
+    </message>
+    <message>
+        <source>there is no simulated camera %1</source>
+        <translation>没有模拟相机 %1</translation>
+    </message>
+    <message>
+        <source>take sim:A or sim:B</source>
+        <translation>请使用 sim:A 或 sim:B</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
+        <translation>请写成例如 v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</translation>
+    </message>
+    <message>
+        <source>all its pictures come damaged</source>
+        <translation>其画面全部损坏</translation>
+    </message>
+    <message>
+        <source>try another cable or port, or ask for fewer or smaller pictures</source>
+        <translation>请换一根线缆或一个接口，或要求更少或更小的画面</translation>
+    </message>
+    <message>
+        <source>it is there but sends no pictures</source>
+        <translation>它在，但没有发送画面</translation>
+    </message>
+    <message>
+        <source>look at its cable, or plug it in again if that lasts</source>
+        <translation>请检查线缆，若持续如此请重新插拔</translation>
+    </message>
+    <message>
+        <source>no camera gave a picture</source>
+        <translation>没有相机给出画面</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
+        <translation>相机“%1”或其地址“%2”给出了两次</translation>
+    </message>
+    <message>
+        <source>give one or more, like --camera A=sim:A</source>
+        <translation>请给出一个或多个，如 --camera A=sim:A</translation>
+    </message>
+    <message>
+        <source>it would take no time, or more than a day</source>
+        <translation>时长为零，或超过一天</translation>
+    </message>
+    <message>
+        <source>give the seconds, like 10</source>
+        <translation>请给出秒数，如 10</translation>
+    </message>
+    <message>
+        <source>what is kept from before is no time, or more than 10 s</source>
+        <translation>预先保留的时长无效，或超过 10 s</translation>
+    </message>
+    <message>
+        <source>give a pre-roll of 0 to 10 seconds</source>
+        <translation>请给出 0 到 10 秒的预录时长</translation>
+    </message>
+    <message>
+        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
+        <translation>没有一台相机已对地面配准，因此没有实时位置可发送</translation>
+    </message>
+    <message>
+        <source>run odograph register for one of them, or leave --ssl-vision out</source>
+        <translation>请配准其中一台，或去掉 --ssl-vision</translation>
+    </message>
+    <message>
+        <source>interface &apos;%1&apos; of live positions</source>
+        <translation>实时位置的网络接口“%1”</translation>
+    </message>
+    <message>
+        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <translation>请选择 `ip link` 列出的接口，或选 lo 仅在本机使用</translation>
+    </message>
+    <message>
+        <source>this machine gives no socket</source>
+        <translation>本机无法提供套接字</translation>
+    </message>
+    <message>
+        <source>completing the recordings</source>
+        <translation>补全录像</translation>
+    </message>
+    <message>
+        <source>write the task as odograph task list --json shows one</source>
+        <translation>请按 odograph task list --json 所示的格式书写任务</translation>
+    </message>
+    <message>
+        <source>use a calibration file as ROS or OpenCV writes it</source>
+        <translation>请使用 ROS 或 OpenCV 所写的标定文件</translation>
+    </message>
+    <message>
+        <source>the entry &apos;%1&apos; is missing</source>
+        <translation>缺少条目“%1”</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>“%1”不是有限数</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
+        <translation>“%1”不是 %2 到 %3 的整数</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
+        <translation>“%1”有 %2 个数，应为 %3 × %4 个</translation>
+    </message>
+    <message>
+        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
+        <translation>“camera_matrix”不是 3 × 3 矩阵</translation>
+    </message>
+    <message>
+        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
+        <translation>“camera_matrix”不是 fx 0 cx, 0 fy cy, 0 0 1 的形式</translation>
+    </message>
+    <message>
+        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
+        <translation>“distortion_coefficients”既不是一行也不是一列</translation>
+    </message>
+    <message>
+        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
+        <translation>镜头模型“%1”未知（已知 plumb_bob、rational_polynomial、equidistant）</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is left there from before</source>
+        <translation>“%1”是以前遗留在那里的</translation>
+    </message>
+    <message>
+        <source>the file holds no task</source>
+        <translation>文件中没有任务</translation>
+    </message>
+    <message>
+        <source>an object in braces is expected here</source>
+        <translation>此处应为花括号中的对象</translation>
+    </message>
+    <message>
+        <source>write one with %1</source>
+        <translation>请写一个含 %1 的对象</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is not known</source>
+        <translation>键“%1”未知</translation>
+    </message>
+    <message>
+        <source>use %1</source>
+        <translation>请使用 %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not above zero</source>
+        <translation>“%1”不大于零</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
+        <translation>“%1”不是以 mm 为单位的点 [x, y]</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a list in brackets</source>
+        <translation>“%1”不是方括号中的列表</translation>
+    </message>
+    <message>
+        <source>the reference path is given by nothing</source>
+        <translation>没有给出参考路径</translation>
+    </message>
+    <message>
+        <source>the reference path is given twice</source>
+        <translation>参考路径给出了两次</translation>
+    </message>
+    <message>
+        <source>give one of points_mm, circle, figure_eight or slalom</source>
+        <translation>请给出 points_mm、circle、figure_eight、slalom 之一</translation>
+    </message>
+    <message>
+        <source>&apos;closed&apos; is neither true nor false</source>
+        <translation>“closed”既不是 true 也不是 false</translation>
+    </message>
+    <message>
+        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
+        <translation>“poles”不是 1 到 100 的整数</translation>
+    </message>
+    <message>
+        <source>the slalom ends where it starts</source>
+        <translation>绕桩的终点与起点相同</translation>
+    </message>
+    <message>
+        <source>the zone is given twice</source>
+        <translation>区域给出了两次</translation>
+    </message>
+    <message>
+        <source>the zone is given by nothing</source>
+        <translation>没有给出区域</translation>
+    </message>
+    <message>
+        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
+        <translation>请沿边界给出 corners_mm，或用 rectangle_mm 给出两个对角</translation>
+    </message>
+    <message>
+        <source>&apos;rectangle_mm&apos; is not two corners</source>
+        <translation>“rectangle_mm”不是两个角</translation>
+    </message>
+    <message>
+        <source>give two opposite corners: [[x, y], [x, y]]</source>
+        <translation>请给出两个对角：[[x, y], [x, y]]</translation>
+    </message>
+    <message>
+        <source>style &apos;%1&apos; of CSV</source>
+        <translation>CSV 样式“%1”</translation>
+    </message>
+    <message>
+        <source>there is no such style</source>
+        <translation>没有这种样式</translation>
+    </message>
+    <message>
+        <source>choose analysis, international or continental</source>
+        <translation>请选择 analysis、international 或 continental</translation>
+    </message>
+    <message>
+        <source>write it with digits, like 12.5, or leave the place blank</source>
+        <translation>请用数字书写，如 12.5，或留空</translation>
+    </message>
+    <message>
+        <source>write it with digits, like 12.5</source>
+        <translation>请用数字书写，如 12.5</translation>
+    </message>
+    <message>
+        <source>its time is that of the line before</source>
+        <translation>其时间与上一行相同</translation>
+    </message>
+    <message>
+        <source>its time is before that of the line before</source>
+        <translation>其时间早于上一行</translation>
+    </message>
+    <message>
+        <source>put the lines in the order of time, each time once</source>
+        <translation>请按时间排列各行，每个时间只出现一次</translation>
+    </message>
+    <message>
+        <source>it is more than a week after the first line</source>
+        <translation>比第一行晚一周以上</translation>
+    </message>
+    <message>
+        <source>check the unit of the times, and that all lines are of one run</source>
+        <translation>请检查时间单位，以及所有行都属于同一次运行</translation>
+    </message>
+    <message>
+        <source>its place is more than 100 km away</source>
+        <translation>其位置在 100 km 之外</translation>
+    </message>
+    <message>
+        <source>check the unit of the places: m, cm or mm</source>
+        <translation>请检查位置的单位：m、cm 或 mm</translation>
+    </message>
+    <message>
+        <source>the track has %1 position</source>
+        <translation>轨迹有 %1 个位置</translation>
+    </message>
+    <message>
+        <source>the track has %1 positions</source>
+        <translation>轨迹有 %1 个位置</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos; has %2 position</source>
+        <translation>轨迹“%1”有 %2 个位置</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos; has %2 positions</source>
+        <translation>轨迹“%1”有 %2 个位置</translation>
+    </message>
+    <message>
+        <source>choose a file with three positions or more</source>
+        <translation>请选择有三个或更多位置的文件</translation>
+    </message>
+    <message>
+        <source>choose a track with more positions</source>
+        <translation>请选择位置更多的轨迹</translation>
+    </message>
+    <message>
+        <source>none of its tracks has a position</source>
+        <translation>其中没有一条轨迹有位置</translation>
+    </message>
+    <message>
+        <source>it has %1 entry instead of the 8 of TUM</source>
+        <translation>有 %1 个条目，TUM 应为 8 个</translation>
+    </message>
+    <message>
+        <source>it has %1 entries instead of the 8 of TUM</source>
+        <translation>有 %1 个条目，TUM 应为 8 个</translation>
+    </message>
+    <message>
+        <source>write %1, or begin the file with the line %2</source>
+        <translation>请写 %1，或以 %2 行作为文件开头</translation>
+    </message>
+    <message>
+        <source>begin the file with the line %1, or write lines of %2</source>
+        <translation>请以 %1 行作为文件开头，或写成 %2 的各行</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a time in seconds</source>
+        <translation>“%1”不是以秒为单位的时间</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a time</source>
+        <translation>“%1”不是时间</translation>
+    </message>
+    <message>
+        <source>one of its two places is blank</source>
+        <translation>两个位置值中有一个为空</translation>
+    </message>
+    <message>
+        <source>one of its two errors is blank</source>
+        <translation>两个误差值中有一个为空</translation>
+    </message>
+    <message>
+        <source>fill in both or none</source>
+        <translation>请两个都填或都不填</translation>
+    </message>
+    <message>
+        <source>it has %1 cell where the header has %2</source>
+        <translation>有 %1 个单元格，标题行有 %2 个</translation>
+    </message>
+    <message>
+        <source>it has %1 cells where the header has %2</source>
+        <translation>有 %1 个单元格，标题行有 %2 个</translation>
+    </message>
+    <message>
+        <source>give each line as many cells as the header</source>
+        <translation>请让每行的单元格数与标题行相同</translation>
+    </message>
+    <message>
+        <source>it has no header with a time, x and y, and is no TUM either</source>
+        <translation>没有含时间、x 和 y 的标题行，也不是 TUM</translation>
+    </message>
+    <message>
+        <source>the indentation does not fit</source>
+        <translation>缩进不匹配</translation>
+    </message>
+    <message>
+        <source>the line is indented with a tab</source>
+        <translation>该行以制表符缩进</translation>
+    </message>
+    <message>
+        <source>it holds more than one document</source>
+        <translation>其中有不止一个文档</translation>
+    </message>
+    <message>
+        <source>it is nested more than %1 deep</source>
+        <translation>嵌套超过 %1 层</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 values</source>
+        <translation>其中的值超过 %1 个</translation>
+    </message>
+    <message>
+        <source>the line has no &quot;key: value&quot;</source>
+        <translation>该行没有 &quot;key: value&quot;</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is there twice</source>
+        <translation>键“%1”出现两次</translation>
+    </message>
+    <message>
+        <source>something follows the closing bracket</source>
+        <translation>右括号之后还有内容</translation>
+    </message>
+    <message>
+        <source>anchors, aliases and blocks of text are not understood</source>
+        <translation>不支持锚点、别名和文本块</translation>
+    </message>
+    <message>
+        <source>a quoted text does not end in its line</source>
+        <translation>引号中的文字没有在本行结束</translation>
+    </message>
+    <message>
+        <source>a bracket is not closed</source>
+        <translation>有括号未闭合</translation>
+    </message>
+    <message>
+        <source>a comma or a closing bracket is missing</source>
+        <translation>缺少逗号或右括号</translation>
+    </message>
+    <message>
+        <source>a colon is missing after &apos;%1&apos;</source>
+        <translation>“%1”之后缺少冒号</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>缺少值</translation>
+    </message>
+    <message>
+        <source>the archive library refused</source>
+        <translation>归档库拒绝了</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>已有：%1</translation>
+    </message>
+    <message>
+        <source>give one or more, like --track R=run.csv</source>
+        <translation>请给出一个或多个，如 --track R=run.csv</translation>
+    </message>
+    <message>
+        <source>number &apos;%1&apos;</source>
+        <translation>数字“%1”</translation>
+    </message>
+    <message>
+        <source>colour &apos;%1&apos;</source>
+        <translation>颜色“%1”</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>member</source>
+        <translation>成员</translation>
+    </message>
+    <message>
+        <source>pseudonym</source>
+        <translation>化名</translation>
+    </message>
+    <message>
+        <source>track</source>
+        <translation>轨迹</translation>
+    </message>
+    <message>
+        <source>gate</source>
+        <translation>计时门</translation>
+    </message>
+    <message>
+        <source>zone</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>标定</translation>
+    </message>
+    <message>
+        <source>registration</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>lens</source>
+        <translation>镜头</translation>
+    </message>
+    <message>
+        <source>title of the project</source>
+        <translation>项目标题</translation>
+    </message>
+    <message>
+        <source>address of a camera</source>
+        <translation>相机地址</translation>
+    </message>
+    <message>
+        <source>origin of a calibration</source>
+        <translation>标定的来源</translation>
+    </message>
+    <message>
+        <source>reading of a track</source>
+        <translation>轨迹的读法</translation>
+    </message>
+    <message>
+        <source>words of a change</source>
+        <translation>更改的说明</translation>
+    </message>
+    <message>
+        <source>notes of a trial</source>
+        <translation>试验的备注</translation>
+    </message>
+    <message>
+        <source>path of a recording</source>
+        <translation>录像的路径</translation>
+    </message>
+    <message>
+        <source>path of a registration&apos;s picture</source>
+        <translation>配准图片的路径</translation>
+    </message>
+    <message>
+        <source>path of a calibration picture</source>
+        <translation>标定图片的路径</translation>
+    </message>
+    <message>
+        <source>name of a calibration picture</source>
+        <translation>标定图片的名称</translation>
+    </message>
+    <message>
+        <source>samples and profile differ in length</source>
+        <translation>采样点与运动曲线长度不一致</translation>
+    </message>
+    <message>
+        <source>it has more than %1 samples</source>
+        <translation>采样点超过 %1 个</translation>
+    </message>
+    <message>
+        <source>views and registrations differ in number</source>
+        <translation>视角与配准的数量不一致</translation>
+    </message>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>指标“%1”</translation>
+    </message>
+    <message>
+        <source>it is not a finite number</source>
+        <translation>不是有限数</translation>
+    </message>
+    <message>
+        <source>analysis %1 of the project</source>
+        <translation>项目的分析 %1</translation>
+    </message>
+    <message>
+        <source>its series are missing</source>
+        <translation>缺少其数据序列</translation>
+    </message>
+    <message>
+        <source>a spike refers to a sample that is not there</source>
+        <translation>有异常点指向不存在的采样点</translation>
+    </message>
+    <message>
+        <source>its stored series is not of the expected kind</source>
+        <translation>存储的序列类型不符</translation>
+    </message>
+    <message>
+        <source>its stored series has the unknown layout %1</source>
+        <translation>存储的序列采用未知的结构 %1</translation>
+    </message>
+    <message>
+        <source>its stored series announces %1 rows but holds %2 bytes</source>
+        <translation>存储的序列声明有 %1 行，却只有 %2 字节</translation>
+    </message>
+    <message>
+        <source>a value to be stored is not a finite number</source>
+        <translation>要保存的某个值不是有限数</translation>
+    </message>
+    <message>
+        <source>check the input that it was computed from</source>
+        <translation>请检查计算它所用的输入</translation>
+    </message>
+    <message>
+        <source>lens %1 of the project</source>
+        <translation>项目的镜头 %1</translation>
+    </message>
+    <message>
+        <source>registration %1 of the project</source>
+        <translation>项目的配准 %1</translation>
+    </message>
+    <message>
+        <source>it has no %1 with the number %2</source>
+        <translation>没有编号为 %2 的%1</translation>
+    </message>
+    <message>
+        <source>restore the project from a backup copy</source>
+        <translation>请从备份恢复项目</translation>
+    </message>
+    <message>
+        <source>it has no file</source>
+        <translation>没有文件</translation>
+    </message>
+    <message>
+        <source>name the video&apos;s file</source>
+        <translation>请指定视频文件</translation>
+    </message>
+    <message>
+        <source>its relative path leaves the project&apos;s folder</source>
+        <translation>其相对路径超出了项目文件夹</translation>
+    </message>
+    <message>
+        <source>copy the file beside the project</source>
+        <translation>请把文件复制到项目旁边</translation>
+    </message>
+    <message>
+        <source>its stored covariance is not a 6 by 6 matrix</source>
+        <translation>存储的协方差不是 6×6 矩阵</translation>
+    </message>
+    <message>
+        <source>its stored matrix of %1 numbers is not square</source>
+        <translation>存储的含 %1 个数的矩阵不是方阵</translation>
+    </message>
+    <message>
+        <source>track &apos;%1&apos;</source>
+        <translation>轨迹“%1”</translation>
+    </message>
+    <message>
+        <source>a position or its covariance is no number</source>
+        <translation>某个位置或其协方差不是数字</translation>
+    </message>
+    <message>
+        <source>truth of a trial</source>
+        <translation>试验的真值</translation>
+    </message>
+    <message>
+        <source>its series differ in length</source>
+        <translation>其各序列长度不一致</translation>
+    </message>
+    <message>
+        <source>give position, velocity and acceleration for each time</source>
+        <translation>请为每个时间给出位置、速度和加速度</translation>
+    </message>
+    <message>
+        <source>its stored setting &apos;%1&apos; is unknown</source>
+        <translation>存储的设置“%1”未知</translation>
+    </message>
+    <message>
+        <source>its reference path ends within a point</source>
+        <translation>其参考路径在一个点的中途结束</translation>
+    </message>
+    <message>
+        <source>its zone &apos;%1&apos; ends within a point</source>
+        <translation>其区域“%1”在一个点的中途结束</translation>
+    </message>
+    <message>
+        <source>raw times of recording %1</source>
+        <translation>录像 %1 的原始时间</translation>
+    </message>
+    <message>
+        <source>its recording has ended, and is kept</source>
+        <translation>其录制已结束，并已保留</translation>
+    </message>
+    <message>
+        <source>leave it</source>
+        <translation>请保持不变</translation>
+    </message>
+    <message>
+        <source>look for lost videos</source>
+        <translation>查找丢失的视频</translation>
+    </message>
+    <message>
+        <source>demo</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>the planned camera</source>
+        <translation>计划中的相机</translation>
+    </message>
+    <message>
+        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <translation>从那里只能看到布局中的 %1 个标记（%2），需要四个</translation>
+    </message>
+    <message>
+        <source>move it back or up, or choose a wider lens</source>
+        <translation>请把它后移或升高，或选用更广角的镜头</translation>
+    </message>
+    <message>
+        <source>the markers that it would see do not hold it</source>
+        <translation>所能看到的标记不足以确定它的位置</translation>
+    </message>
+    <message>
+        <source>it cannot stand %1 m above the floor</source>
+        <translation>它不能位于地面以上 %1 m</translation>
+    </message>
+    <message>
+        <source>give a height of 0.05 m to 100 m</source>
+        <translation>请给出 0.05 m 到 100 m 的高度</translation>
+    </message>
+    <message>
+        <source>it cannot stand %1 m away</source>
+        <translation>它不能位于 %1 m 之外</translation>
+    </message>
+    <message>
+        <source>give a distance of 0 m to 1000 m</source>
+        <translation>请给出 0 m 到 1000 m 的距离</translation>
+    </message>
+    <message>
+        <source>its field of view is %1°</source>
+        <translation>其视场角为 %1°</translation>
+    </message>
+    <message>
+        <source>give 2° to 150°, and the size of its pictures</source>
+        <translation>请给出 2° 到 150°，以及画面尺寸</translation>
+    </message>
+    <message>
+        <source>the best place for a camera</source>
+        <translation>相机的最佳位置</translation>
+    </message>
+    <message>
+        <source>the layout has %1 markers, four are needed</source>
+        <translation>布局有 %1 个标记，需要四个</translation>
+    </message>
+    <message>
+        <source>make a layout of four markers or more</source>
+        <translation>请建立有四个或更多标记的布局</translation>
+    </message>
+    <message>
+        <source>from nowhere within %1 m beyond the markers would it see four of them at the height and with the lens given</source>
+        <translation>以所给高度和镜头，在标记外 %1 m 范围内任何位置都看不到四个标记</translation>
+    </message>
+    <message>
+        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <translation>请放得更高或更远，或选用更广角的镜头</translation>
+    </message>
+    <message>
+        <source>the board is seen too obliquely, at %1 degrees</source>
+        <translation>标定板过于倾斜，为 %1 度</translation>
+    </message>
+    <message>
+        <source>tilt it by 30 to 45 degrees</source>
+        <translation>请倾斜 30 到 45 度</translation>
+    </message>
+    <message>
+        <source>the board is too small</source>
+        <translation>标定板太小</translation>
+    </message>
+    <message>
+        <source>it fills %1 % of the picture</source>
+        <translation>仅占画面的 %1 %</translation>
+    </message>
+    <message>
+        <source>hold it closer to the camera</source>
+        <translation>请让它靠近相机</translation>
+    </message>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>它为 %1×%2，第一张图片为 %3×%4</translation>
+    </message>
+    <message>
+        <source>use pictures of one camera at one resolution</source>
+        <translation>请使用同一相机、同一分辨率的图片</translation>
+    </message>
+    <message>
+        <source>the corners do not lie as on a flat board</source>
+        <translation>角点的位置不像在平整的标定板上</translation>
+    </message>
+    <message>
+        <source>glue the board onto something stiff and flat</source>
+        <translation>请把标定板贴在坚硬平整的物体上</translation>
+    </message>
+    <message>
+        <source>the board stands as in %1 already</source>
+        <translation>标定板的姿态与 %1 中相同</translation>
+    </message>
+    <message>
+        <source>the board stands as in a picture already taken</source>
+        <translation>标定板的姿态与已拍的图片相同</translation>
+    </message>
+    <message>
+        <source>move it elsewhere, turn it or tilt it</source>
+        <translation>请移动、旋转或倾斜它</translation>
+    </message>
+    <message>
+        <source>the board is not sharp</source>
+        <translation>标定板不清晰</translation>
+    </message>
+    <message>
+        <source>focus the camera, or give more light</source>
+        <translation>请对好焦，或增加光线</translation>
+    </message>
+    <message>
+        <source>the pictures ask for two focal lengths</source>
+        <translation>这些图片对应两个焦距</translation>
+    </message>
+    <message>
+        <source>%1 for about %2 px, %3 (such as %4) for about %5 px</source>
+        <translation>%1 张约 %2 px，%3 张（如 %4）约 %5 px</translation>
+    </message>
+    <message>
+        <source>it has %1 corners of the board, six are needed</source>
+        <translation>其中有标定板的 %1 个角点，需要六个</translation>
+    </message>
+    <message>
+        <source>show more of it</source>
+        <translation>请让更多部分可见</translation>
+    </message>
+    <message>
+        <source>a corner of it is not a number</source>
+        <translation>其中一个角点不是数字</translation>
+    </message>
+    <message>
+        <source>let the board be found in it again</source>
+        <translation>请在其中重新寻找标定板</translation>
+    </message>
+    <message>
+        <source>too few pictures to compare it with others</source>
+        <translation>图片太少，无法与其他模型比较</translation>
+    </message>
+    <message>
+        <source>name one like DICT_6X6_250, or leave it out</source>
+        <translation>请指定一个，如 DICT_6X6_250，或不填</translation>
+    </message>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <translation>读到的标记不像在 ChArUco 板上那样排列</translation>
+    </message>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <translation>读到的标记不像在 %1 内角点的 ChArUco 板上那样排列</translation>
+    </message>
+    <message>
+        <source>the pixel of point %1 is not a finite number</source>
+        <translation>点 %1 的像素不是有限数</translation>
+    </message>
+    <message>
+        <source>the pixel of marker %1 is not a finite number</source>
+        <translation>标记 %1 的像素不是有限数</translation>
+    </message>
+    <message>
+        <source>the place of marker %1 is not a finite number</source>
+        <translation>标记 %1 的位置不是有限数</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <translation>点 %1 位于 %2 的画面（%3）之外</translation>
+    </message>
+    <message>
+        <source>check which columns belong to which camera</source>
+        <translation>请检查哪些列属于哪台相机</translation>
+    </message>
+    <message>
+        <source>this camera</source>
+        <translation>此相机</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is there twice</source>
+        <translation>相机“%1”出现两次</translation>
+    </message>
+    <message>
+        <source>name each camera once</source>
+        <translation>每台相机请只指定一次</translation>
+    </message>
+    <message>
+        <source>the σ of the tape measure is not above 0</source>
+        <translation>卷尺的 σ 不大于 0</translation>
+    </message>
+    <message>
+        <source>give some 2 mm</source>
+        <translation>可给出约 2 mm</translation>
+    </message>
+    <message>
+        <source>no pose</source>
+        <translation>无法求得位姿</translation>
+    </message>
+    <message>
+        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <translation>%1 位于此相机镜头不可能成像的位置</translation>
+    </message>
+    <message>
+        <source>check its pixel and the camera&apos;s intrinsics</source>
+        <translation>请检查其像素和相机内参</translation>
+    </message>
+    <message>
+        <source>spread the points over the floor, not along a line</source>
+        <translation>请把点分散到地面各处，不要排成一条线</translation>
+    </message>
+    <message>
+        <source>both an angle and a pair of markers were given for X</source>
+        <translation>对 X 轴同时给出了角度和一对标记</translation>
+    </message>
+    <message>
+        <source>both a marker and a point were given for the origin</source>
+        <translation>对原点同时给出了标记和点</translation>
+    </message>
+    <message>
+        <source>unit &apos;%1&apos;</source>
+        <translation>单位“%1”</translation>
+    </message>
+    <message>
+        <source>it is not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>use mm, cm, m or inch</source>
+        <translation>请使用 mm、cm、m 或 inch</translation>
+    </message>
+    <message>
+        <source>a length factor of %1 makes no floor</source>
+        <translation>长度倍数 %1 无法构成地面</translation>
+    </message>
+    <message>
+        <source>give a number above 0</source>
+        <translation>请给出大于 0 的数</translation>
+    </message>
+    <message>
+        <source>the origin or the angle is not a finite number</source>
+        <translation>原点或角度不是有限数</translation>
+    </message>
+    <message>
+        <source>give plain numbers</source>
+        <translation>请给出普通数字</translation>
+    </message>
+    <message>
+        <source>check the unit of the layout</source>
+        <translation>请检查布局的单位</translation>
+    </message>
+    <message>
+        <source>it is given in mm</source>
+        <translation>应以 mm 给出</translation>
+    </message>
+    <message>
+        <source>no homography</source>
+        <translation>无法求得单应</translation>
+    </message>
+    <message>
+        <source>four points are needed, %1 given</source>
+        <translation>需要四个点，给出了 %1 个</translation>
+    </message>
+    <message>
+        <source>add points</source>
+        <translation>请添加点</translation>
+    </message>
+    <message>
+        <source>a coordinate of %1 is not a finite number</source>
+        <translation>%1 的一个坐标不是有限数</translation>
+    </message>
+    <message>
+        <source>%1 lie at one place</source>
+        <translation>%1 位于同一处</translation>
+    </message>
+    <message>
+        <source>%1 lie at one place in the picture</source>
+        <translation>%1 在画面中位于同一处</translation>
+    </message>
+    <message>
+        <source>%1 lie on one line</source>
+        <translation>%1 共线</translation>
+    </message>
+    <message>
+        <source>%1 lie on one line in the picture</source>
+        <translation>%1 在画面中共线</translation>
+    </message>
+    <message>
+        <source>use four points of which no three are in line</source>
+        <translation>请使用其中任意三点不共线的四个点</translation>
+    </message>
+    <message>
+        <source>%1 would lie beyond the horizon</source>
+        <translation>%1 将位于地平线之外</translation>
+    </message>
+    <message>
+        <source>the order of the points crosses over like a bow tie</source>
+        <translation>点的顺序像蝴蝶结一样交叉</translation>
+    </message>
+    <message>
+        <source>check which point is which</source>
+        <translation>请检查各点的对应</translation>
+    </message>
+    <message>
+        <source>the points do not determine it</source>
+        <translation>这些点无法确定它</translation>
+    </message>
+    <message>
+        <source>spread the points</source>
+        <translation>请把点分散开</translation>
+    </message>
+    <message>
+        <source>the chain has no links</source>
+        <translation>链中没有环节</translation>
+    </message>
+    <message>
+        <source>give at least one</source>
+        <translation>请至少给出一个</translation>
+    </message>
+    <message>
+        <source>link %1 of %2 of the chain is singular</source>
+        <translation>链的第 %1 环（共 %2 环）是奇异的</translation>
+    </message>
+    <message>
+        <source>use four points in it of which no three are in line</source>
+        <translation>请在该环中使用其中任意三点不共线的四个点</translation>
+    </message>
+    <message>
+        <source>the picture size %1 is not positive</source>
+        <translation>画面尺寸 %1 不为正</translation>
+    </message>
+    <message>
+        <source>one of the values is not a finite number</source>
+        <translation>其中一个值不是有限数</translation>
+    </message>
+    <message>
+        <source>the focal length %1 px is not positive</source>
+        <translation>焦距 %1 px 不为正</translation>
+    </message>
+    <message>
+        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <translation>%1 个畸变系数不适用于此镜头模型</translation>
+    </message>
+    <message>
+        <source>the covariance has the wrong size</source>
+        <translation>协方差的尺寸不对</translation>
+    </message>
+    <message>
+        <source>no picture could be read</source>
+        <translation>没有一张图片可读</translation>
+    </message>
+    <message>
+        <source>calibration picture &apos;%1&apos;</source>
+        <translation>标定图片“%1”</translation>
+    </message>
+    <message>
+        <source>intrinsics of camera &apos;%1&apos;</source>
+        <translation>相机“%1”的内参</translation>
+    </message>
+    <message>
+        <source>run odograph calibrate, or odograph intrinsics import</source>
+        <translation>请标定它，或导入其内参</translation>
+    </message>
+    <message>
+        <source>markers for camera &apos;%1&apos;</source>
+        <translation>相机“%1”的标记</translation>
+    </message>
+    <message>
+        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <translation>请给出 --pixels pixels.csv、--image picture.png 或 --video clip.mp4</translation>
+    </message>
+    <message>
+        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
+        <translation>请标定它、导入其内参，或同时给出 --image 或 --video</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <translation>用生效的镜头对相机“%1”的配准</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; has none of that number</source>
+        <translation>相机“%1”没有此编号</translation>
+    </message>
+    <message>
+        <source>see its revisions for those there are</source>
+        <translation>请在其版本列表中查看现有的</translation>
+    </message>
+    <message>
+        <source>calibration %1</source>
+        <translation>标定 %1</translation>
+    </message>
+    <message>
+        <source>registration %1</source>
+        <translation>配准 %1</translation>
+    </message>
+    <message>
+        <source>one view saw the robot in fewer than %1 pictures</source>
+        <translation>有一个视角看到机器人的画面少于 %1 幅</translation>
+    </message>
+    <message>
+        <source>the views hardly ever saw the robot at the same time</source>
+        <translation>各视角几乎从未同时看到机器人</translation>
+    </message>
+    <message>
+        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
+        <translation>机器人静止或匀速直行，因此任何偏移都吻合</translation>
+    </message>
+    <message>
+        <source>the views&apos; tracks do not resemble one another</source>
+        <translation>各视角的轨迹彼此不相似</translation>
+    </message>
+    <message>
+        <source>the views&apos; tracks do not coincide at any offset looked at</source>
+        <translation>在所查看的任何偏移下各视角的轨迹都不重合</translation>
+    </message>
+    <message>
+        <source>the motion repeats itself</source>
+        <translation>运动是重复的</translation>
+    </message>
+    <message>
+        <source>offsets of %1 s and %2 s fit alike</source>
+        <translation>偏移 %1 s 和 %2 s 同样吻合</translation>
+    </message>
+    <message>
+        <source>neither view shows a flash of light</source>
+        <translation>两个视角都没有闪光</translation>
+    </message>
+    <message>
+        <source>only one of the views shows a flash of light</source>
+        <translation>只有一个视角有闪光</translation>
+    </message>
+    <message>
+        <source>the light flickers</source>
+        <translation>光线在闪烁</translation>
+    </message>
+    <message>
+        <source>the flashes of light in the views do not belong together</source>
+        <translation>各视角的闪光互不对应</translation>
+    </message>
+    <message>
+        <source>the flashes of light fit alike at offsets of %1 s and %2 s</source>
+        <translation>闪光在偏移 %1 s 和 %2 s 处同样吻合</translation>
+    </message>
+    <message>
+        <source>%1, and neither view shows a flash of light</source>
+        <translation>%1，且两个视角都没有闪光</translation>
+    </message>
+    <message>
+        <source>%1, and only one of the views shows a flash of light</source>
+        <translation>%1，且只有一个视角有闪光</translation>
+    </message>
+    <message>
+        <source>%1, and the light flickers</source>
+        <translation>%1，且光线在闪烁</translation>
+    </message>
+    <message>
+        <source>%1, and the flashes of light in the views do not belong together</source>
+        <translation>%1，且各视角的闪光互不对应</translation>
+    </message>
+    <message>
+        <source>%1, and the flashes of light fit alike at offsets of %2 s and %3 s</source>
+        <translation>%1，且闪光在偏移 %2 s 和 %3 s 处同样吻合</translation>
+    </message>
+    <message>
+        <source>%1, so it is taken as begun together</source>
+        <translation>%1，因此按同时开始处理</translation>
+    </message>
+    <message>
+        <source>fit of %1</source>
+        <translation>拟合（%1）</translation>
+    </message>
+    <message>
+        <source>a constant</source>
+        <translation>常数</translation>
+    </message>
+    <message>
+        <source>a straight line</source>
+        <translation>直线</translation>
+    </message>
+    <message>
+        <source>a parabola</source>
+        <translation>抛物线</translation>
+    </message>
+    <message>
+        <source>%1 point is too few for it</source>
+        <translation>%1 个点太少</translation>
+    </message>
+    <message>
+        <source>the robot does not move in %1</source>
+        <translation>机器人在 %1 中没有移动</translation>
+    </message>
+    <message>
+        <source>the robot hardly moves in %1</source>
+        <translation>机器人在 %1 中几乎没有移动</translation>
+    </message>
+    <message>
+        <source>choose a run with motion</source>
+        <translation>请选择有运动的运行</translation>
+    </message>
+    <message>
+        <source>%1 drives the way in the other direction than %2</source>
+        <translation>%1 的行驶方向与 %2 相反</translation>
+    </message>
+    <message>
+        <source>choose runs in the same direction</source>
+        <translation>请选择方向相同的运行</translation>
+    </message>
+    <message>
+        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
+        <translation>%1 与任务路径没有共同路段</translation>
+    </message>
+    <message>
+        <source>%1 has no stretch of the way in common with %2</source>
+        <translation>%1 与 %2 没有共同路段</translation>
+    </message>
+    <message>
+        <source>choose runs of the same task</source>
+        <translation>请选择同一任务的运行</translation>
+    </message>
+    <message>
+        <source>%1 does not pass a start gate</source>
+        <translation>%1 没有通过起点门</translation>
+    </message>
+    <message>
+        <source>align by motion onset or distance</source>
+        <translation>请按运动起点或距离对齐</translation>
+    </message>
+    <message>
+        <source>the robot of %1 drives already when it is first seen</source>
+        <translation>%1 的机器人首次出现时已在行驶</translation>
+    </message>
+    <message>
+        <source>align by distance</source>
+        <translation>请按距离对齐</translation>
+    </message>
+    <message>
+        <source>a moment of each run is needed to align them by hand</source>
+        <translation>手动对齐需要每次运行的一个时刻</translation>
+    </message>
+    <message>
+        <source>tell one for each</source>
+        <translation>请为每次运行指定一个</translation>
+    </message>
+    <message>
+        <source>the moment told for %1 lies outside of it</source>
+        <translation>为 %1 指定的时刻在其范围之外</translation>
+    </message>
+    <message>
+        <source>tell one between its first and last frame</source>
+        <translation>请指定首帧与末帧之间的时刻</translation>
+    </message>
+    <message>
+        <source>%1 was not seen at the place to align by</source>
+        <translation>%1 在对齐位置没有被看到</translation>
+    </message>
+    <message>
+        <source>choose a place that both runs pass</source>
+        <translation>请选择两次运行都经过的位置</translation>
+    </message>
+    <message>
+        <source>there is no such template</source>
+        <translation>没有这样的模板</translation>
+    </message>
+    <message>
+        <source>template &apos;%1&apos;</source>
+        <translation>模板“%1”</translation>
+    </message>
+    <message>
+        <source>rule &apos;%1&apos;</source>
+        <translation>规则“%1”</translation>
+    </message>
+    <message>
+        <source>use stay_inside or stay_outside</source>
+        <translation>请使用 stay_inside 或 stay_outside</translation>
+    </message>
+    <message>
+        <source>smoother %1</source>
+        <translation>平滑器 %1</translation>
+    </message>
+    <message>
+        <source>there is none of that name</source>
+        <translation>没有此名称</translation>
+    </message>
+    <message>
+        <source>use rts, savgol, tracker or none</source>
+        <translation>请使用 rts、savgol、tracker 或 none</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <translation>其中没有跟踪机器人“%1”，跟踪了 %2</translation>
+    </message>
+    <message>
+        <source>track it, or choose another</source>
+        <translation>请跟踪它，或选择另一个</translation>
+    </message>
+    <message>
+        <source>track it, or choose another with --robot</source>
+        <translation>请跟踪它，或用 --robot 选择另一个</translation>
+    </message>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
+        <translation>其中没有名为“%1”的轨迹；已有：%2</translation>
+    </message>
+    <message>
+        <source>run odograph track first</source>
+        <translation>请先跟踪</translation>
+    </message>
+    <message>
+        <source>run odograph track without --again first</source>
+        <translation>请先不带 --again 进行跟踪</translation>
+    </message>
+    <message>
+        <source>analyse them anew with</source>
+        <translation>请用以下命令重新分析</translation>
+    </message>
+    <message>
+        <source>choose one with --robot</source>
+        <translation>请用 --robot 选择一个</translation>
+    </message>
+    <message>
+        <source>frame %1 of trial &apos;%2&apos;</source>
+        <translation>试验“%2”的第 %1 帧</translation>
+    </message>
+    <message>
+        <source>%1 s of trial &apos;%2&apos;</source>
+        <translation>试验“%2”的 %1 s</translation>
+    </message>
+    <message>
+        <source>the analysis has no sample</source>
+        <translation>该分析没有采样点</translation>
+    </message>
+    <message>
+        <source>track the trial again</source>
+        <translation>请重新跟踪该试验</translation>
+    </message>
+    <message>
+        <source>choose a time from %1 s to %2 s</source>
+        <translation>请选择 %1 s 到 %2 s 之间的时间</translation>
+    </message>
+    <message>
+        <source>choose a frame with a measurement</source>
+        <translation>请选择有测量的帧</translation>
+    </message>
+    <message>
+        <source>nothing was said by hand there</source>
+        <translation>那里没有手动标注</translation>
+    </message>
+    <message>
+        <source>see the flags by_hand in odograph export</source>
+        <translation>请查看 odograph export 中的 by_hand 标记</translation>
+    </message>
+    <message>
+        <source>tracking</source>
+        <translation>跟踪</translation>
+    </message>
+    <message>
+        <source>add one with</source>
+        <translation>请用以下命令添加一个</translation>
+    </message>
+    <message>
+        <source>cannot render %1</source>
+        <translation>无法渲染 %1</translation>
+    </message>
+    <message>
+        <source>rendering %1</source>
+        <translation>渲染 %1</translation>
+    </message>
+    <message>
+        <source>camera %1 takes no frame while the scene lasts</source>
+        <translation>场景持续期间相机 %1 没有拍到帧</translation>
+    </message>
+    <message>
+        <source>give the scene a longer duration or start the camera earlier</source>
+        <translation>请延长场景时长，或更早启动相机</translation>
+    </message>
+    <message>
+        <source>a picture cannot be coded</source>
+        <translation>无法对画面编码</translation>
+    </message>
+    <message>
+        <source>JPEG does not have its layout of colours</source>
+        <translation>JPEG 不支持其颜色排列</translation>
+    </message>
+    <message>
+        <source>let the camera give another format</source>
+        <translation>请让相机输出其他格式</translation>
+    </message>
+    <message>
+        <source>cannot decode all of a frame</source>
+        <translation>无法完整解码一帧</translation>
+    </message>
+    <message>
+        <source>its sound part is used</source>
+        <translation>使用其完好部分</translation>
+    </message>
+    <message>
+        <source>its time scale was not found where the muxer should have put it</source>
+        <translation>在复用器应写入的位置没有找到时间刻度</translation>
+    </message>
+    <message>
+        <source>report this as a bug</source>
+        <translation>请将此作为缺陷报告</translation>
+    </message>
+    <message>
+        <source>its header could not be rewritten</source>
+        <translation>无法重写其文件头</translation>
+    </message>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>请检查磁盘是否有空间</translation>
+    </message>
+    <message>
+        <source>a packet there is damaged</source>
+        <translation>那里的一个数据包已损坏</translation>
+    </message>
+    <message>
+        <source>its header promises %1</source>
+        <translation>其文件头声明为 %1</translation>
+    </message>
+    <message>
+        <source>not one whole frame is in it</source>
+        <translation>其中没有一帧完整</translation>
+    </message>
+    <message>
+        <source>its time stamps span %1</source>
+        <translation>其时间戳跨度为 %1</translation>
+    </message>
+    <message>
+        <source>it says that it has %1 pixels</source>
+        <translation>其声明有 %1 像素</translation>
+    </message>
+    <message>
+        <source>more than 100 megapixels are not read</source>
+        <translation>超过 1 亿像素则不读取</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>picture &apos;%1&apos;</source>
+        <translation>图片“%1”</translation>
+    </message>
+    <message>
+        <source>it could not be packed</source>
+        <translation>无法打包</translation>
+    </message>
+    <message>
+        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
+        <translation>请检查文件夹、可用空间，以及名称以 .png 或 .jpg 结尾</translation>
+    </message>
+    <message>
+        <source>it could not be written</source>
+        <translation>无法写出</translation>
+    </message>
+    <message>
+        <source>its format is not known</source>
+        <translation>其格式未知</translation>
+    </message>
+    <message>
+        <source>the size of its pictures could not be found out</source>
+        <translation>无法得知其画面尺寸</translation>
+    </message>
+    <message>
+        <source>its pixel format %1 is not read</source>
+        <translation>不读取像素格式 %1</translation>
+    </message>
+    <message>
+        <source>its pixel format (unknown) is not read</source>
+        <translation>不读取其（未知的）像素格式</translation>
+    </message>
+    <message>
+        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
+        <translation>请转换为 8 位 YUV，例如 ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
+    </message>
+    <message>
+        <source>frames of this size or chroma format cannot be encoded</source>
+        <translation>无法对此尺寸或色度格式的帧编码</translation>
+    </message>
+    <message>
+        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
+        <translation>请使用 4:2:0、4:2:2 或 4:4:4</translation>
+    </message>
+    <message>
+        <source>install Debian&apos;s libavcodec with libx264</source>
+        <translation>请安装 Debian 带 libx264 的 libavcodec</translation>
+    </message>
+    <message>
+        <source>the chroma siting could not be set (%1)</source>
+        <translation>无法设置色度采样位置（%1）</translation>
+    </message>
+    <message>
+        <source>install Debian&apos;s libavcodec</source>
+        <translation>请安装 Debian 的 libavcodec</translation>
+    </message>
+    <message>
+        <source>FFV1 does not go into MP4</source>
+        <translation>FFV1 不能放入 MP4</translation>
+    </message>
+    <message>
+        <source>use the ending .mkv</source>
+        <translation>请使用扩展名 .mkv</translation>
+    </message>
+    <message>
+        <source>its frame rate is not positive</source>
+        <translation>其帧率不为正</translation>
+    </message>
+    <message>
+        <source>give the frames per second, e.g. 30</source>
+        <translation>请给出每秒帧数，例如 30</translation>
+    </message>
+    <message>
+        <source>start the video again</source>
+        <translation>请重新开始该视频</translation>
+    </message>
+    <message>
+        <source>its format differs from the video&apos;s</source>
+        <translation>其格式与视频不同</translation>
+    </message>
+    <message>
+        <source>write one format to a file</source>
+        <translation>一个文件只写一种格式</translation>
+    </message>
+    <message>
+        <source>its time is not after the frame&apos;s before it</source>
+        <translation>其时间不晚于前一帧</translation>
+    </message>
+    <message>
+        <source>write the frames in order, at least a microsecond apart</source>
+        <translation>请按顺序写入帧，间隔至少一微秒</translation>
+    </message>
+    <message>
+        <source>it is finished</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>start it again</source>
+        <translation>请重新开始</translation>
+    </message>
+    <message>
+        <source>no frame was written to it</source>
+        <translation>没有写入任何帧</translation>
+    </message>
+    <message>
+        <source>write at least one</source>
+        <translation>请至少写入一帧</translation>
+    </message>
+    <message>
+        <source>give one view or more, like --video A=a.mp4</source>
+        <translation>请给出一个或多个视角，如 --video A=a.mp4</translation>
+    </message>
+    <message>
+        <source>%1 views were given and the offsets of %2</source>
+        <translation>给出了 %1 个视角和 %2 个偏移</translation>
+    </message>
+    <message>
+        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
+        <translation>请为除第一个外的每个视角给出一个偏移，如 --sync 0.1,0.2，或使用 --sync auto</translation>
+    </message>
+    <message>
+        <source>frame %1 of &apos;%2&apos;</source>
+        <translation>“%2”的第 %1 帧</translation>
+    </message>
+    <message>
+        <source>choose one from %1 to %2</source>
+        <translation>请从 %1 到 %2 中选择</translation>
+    </message>
+    <message>
+        <source>its only one is frame 0</source>
+        <translation>只有第 0 帧</translation>
+    </message>
+    <message>
+        <source>there is no such role</source>
+        <translation>没有这样的角色</translation>
+    </message>
+    <message>
+        <source>role &apos;%1&apos;</source>
+        <translation>角色“%1”</translation>
+    </message>
+    <message>
+        <source>from a flash of light, to %1 ms only, for %2</source>
+        <translation>由闪光得出，仅精确到 %1 ms，因为%2</translation>
+    </message>
+    <message>
+        <source>%1 frames left out</source>
+        <translation>略去 %1 帧</translation>
+    </message>
+    <message>
+        <source>their time stamps repeat the frame before</source>
+        <translation>其时间戳与前一帧重复</translation>
+    </message>
+    <message>
+        <source>ends early at %1</source>
+        <translation>在 %1 处提前结束</translation>
+    </message>
+    <message>
+        <source>the file has no time stamps</source>
+        <translation>文件没有时间戳</translation>
+    </message>
+    <message>
+        <source>an even %1 frames/s is assumed</source>
+        <translation>假定为均匀的 %1 帧/s</translation>
+    </message>
+    <message>
+        <source>Simulated camera %1</source>
+        <translation>模拟相机 %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 frames/s</source>
+        <translation>%1，%2 帧/s</translation>
+    </message>
+    <message>
+        <source>check that all lines are of one run</source>
+        <translation>请检查所有行都属于同一次运行</translation>
+    </message>
+    <message>
+        <source>the file has more than four million places</source>
+        <translation>文件中的位置超过四百万个</translation>
+    </message>
+    <message>
+        <source>it sends no pictures</source>
+        <translation>它没有发送画面</translation>
+    </message>
+    <message>
+        <source>check its cable</source>
+        <translation>请检查其线缆</translation>
+    </message>
+    <message>
+        <source>it is taken up again by itself</source>
+        <translation>它会自动恢复</translation>
+    </message>
+    <message>
+        <source>it has been away</source>
+        <translation>它曾断开</translation>
+    </message>
+    <message>
+        <source>wait: it is taken up again</source>
+        <translation>请稍候：它会恢复</translation>
+    </message>
+    <message>
+        <source>its pictures come incomplete</source>
+        <translation>其画面不完整</translation>
+    </message>
+    <message>
+        <source>check its cable and the network</source>
+        <translation>请检查其线缆和网络</translation>
+    </message>
+    <message>
+        <source>ask for a smaller size or rate</source>
+        <translation>请要求更小的尺寸或帧率</translation>
+    </message>
+    <message>
+        <source>it answers, but sends no pictures</source>
+        <translation>它有响应，但没有发送画面</translation>
+    </message>
+    <message>
+        <source>check its trigger and this computer&apos;s firewall</source>
+        <translation>请检查其触发设置和本机防火墙</translation>
+    </message>
+    <message>
+        <source>it failed (%1)</source>
+        <translation>它出错了（%1）</translation>
+    </message>
+    <message>
+        <source>unplug it and plug it in again if that lasts</source>
+        <translation>若持续如此，请拔下后重新插上</translation>
+    </message>
+    <message>
+        <source>no picture has come for %1</source>
+        <translation>已有 %1 没有画面</translation>
+    </message>
+    <message>
+        <source>look at its cable</source>
+        <translation>请查看其线缆</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again if it stays so</source>
+        <translation>若仍如此，请拔下后重新接上</translation>
+    </message>
+    <message>
+        <source>its disk has only %1 MB left, of which %2 are kept free</source>
+        <translation>其磁盘仅剩 %1 MB，其中 %2 MB 要保持空闲</translation>
+    </message>
+    <message>
+        <source>the disk of %1</source>
+        <translation>%1 的磁盘</translation>
+    </message>
+    <message>
+        <source>it is too slow</source>
+        <translation>它太慢了</translation>
+    </message>
+    <message>
+        <source>a picture has waited %1 s for it, and %2 % of the room to wait in is taken</source>
+        <translation>有画面等待了 %1 s，等待空间已占用 %2 %</translation>
+    </message>
+    <message>
+        <source>nothing is lost yet</source>
+        <translation>尚未丢失任何内容</translation>
+    </message>
+    <message>
+        <source>end what else writes to it</source>
+        <translation>请停止其他写入它的程序</translation>
+    </message>
+    <message>
+        <source>pictures are being lost</source>
+        <translation>正在丢失画面</translation>
+    </message>
+    <message>
+        <source>record to another disk, or fewer cameras</source>
+        <translation>请录制到另一磁盘，或减少相机</translation>
+    </message>
+    <message>
+        <source>Exposure and gain</source>
+        <translation>曝光和增益</translation>
+    </message>
+    <message>
+        <source>line %1 has no team</source>
+        <translation>第 %1 行没有小组</translation>
+    </message>
+    <message>
+        <source>line %1 has no class for team &apos;%2&apos;</source>
+        <translation>第 %1 行没有小组“%2”的班级</translation>
+    </message>
+    <message>
+        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
+        <translation>第 %1 行再次出现小组“%2”，与第 %3 行相同</translation>
+    </message>
+    <message>
+        <source>and %1 lines more</source>
+        <translation>另有 %1 行</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>positions to %1 mm, as the file says</source>
+        <translation>位置精度 %1 mm，依文件所述</translation>
+    </message>
+    <message>
+        <source>positions to %1 mm, as estimated from them</source>
+        <translation>位置精度 %1 mm，由数据估计</translation>
+    </message>
+    <message>
+        <source>the file&apos;s track &apos;%1&apos;</source>
+        <translation>文件中的轨迹“%1”</translation>
+    </message>
+    <message>
+        <source>its times count from %1 s</source>
+        <translation>其时间从 %1 s 起算</translation>
+    </message>
+    <message>
+        <source>a value is too large to be stored</source>
+        <translation>有一个值太大，无法保存</translation>
+    </message>
+    <message>
+        <source>split the recording into shorter ones</source>
+        <translation>请把录像分成较短的几段</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>缺少 %1</translation>
+    </message>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>请把文件放回原处，并重新打开项目</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor</source>
+        <translation>相机“%1”未对地面配准</translation>
+    </message>
+    <message>
+        <source>glue the board onto something stiff</source>
+        <translation>请把标定板贴在坚硬的物体上</translation>
+    </message>
+    <message>
+        <source>its corners do not lie as on a flat board</source>
+        <translation>其角点的位置不像在平整的标定板上</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <translation>点 %1 位于待配准相机的画面（%2）之外</translation>
+    </message>
+    <message>
+        <source>its numbers look like %1, then it would stand %2 m above the floor</source>
+        <translation>其数值像是%1，那样它将位于地面以上 %2 m</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>米</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>英寸</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>厘米</translation>
+    </message>
+    <message>
+        <source>thousandths of a mm</source>
+        <translation>千分之一毫米</translation>
+    </message>
+    <message>
+        <source>tenths of a mm</source>
+        <translation>十分之一毫米</translation>
+    </message>
+    <message>
+        <source>with %1 and %2 exchanged they fit to %3 px</source>
+        <translation>若交换 %1 和 %2，则吻合到 %3 px</translation>
+    </message>
+    <message>
+        <source>%1 % of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <translation>所测数据的 %1 % 超出任务“%2”的限值，因此未采用这些限值</translation>
+    </message>
+    <message>
+        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <translation>所测数据几乎都超出任务“%1”的限值，因此未采用这些限值</translation>
+    </message>
+    <message>
+        <source>give the task the limits of its fastest robot</source>
+        <translation>请为任务设定其最快机器人的限值</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -40,6 +40,8 @@ std::span<const CorePattern> health()
         {QT_TRANSLATE_NOOP("CoreWords", "settling which robot is which")},
         {QT_TRANSLATE_NOOP("CoreWords", "fitting %1 cameras together")},
         {QT_TRANSLATE_NOOP("CoreWords", "taking over the set-up")},
+        {QT_TRANSLATE_NOOP("CoreWords", "Simulated camera %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "%1 at %2 frames/s")},
     };
     return patterns;
 }

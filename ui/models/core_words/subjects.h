@@ -21,13 +21,15 @@ std::span<const CorePattern> errorsProject(); ///< Errors of projects: opening, 
 std::span<const CorePattern> errorsVideo(); ///< Errors of videos, imports, roster and tracks of other programs.
 std::span<const CorePattern> errorsCapture(); ///< Errors of cameras, recording and the disk.
 std::span<const CorePattern> errorsCalibration(); ///< Errors of calibrating, registering and checking cameras.
+std::span<const CorePattern> errorsTestbed(); ///< Errors of boards, marker layouts, axes and planned cameras, and of their geometry.
+std::span<const CorePattern> errorsFiles(); ///< Errors of files that others wrote: tasks, lenses, tracks.
 std::span<const CorePattern> errorsTracking(); ///< Errors of tracking, measuring, comparing, tasks and scoring; and what most errors are about.
 std::span<const CorePattern> errorsRest(); ///< Errors that are met seldom.
 
 /// One a subject.
 inline auto all()
 {
-    return std::array{calibration(), registration(), attentions(), health(), setup(), spikes(), changes(), errorsProject(), errorsVideo(), errorsCapture(), errorsCalibration(), errorsTracking(), errorsRest()};
+    return std::array{calibration(), registration(), attentions(), health(), setup(), spikes(), changes(), errorsProject(), errorsVideo(), errorsCapture(), errorsCalibration(), errorsTestbed(), errorsFiles(), errorsTracking(), errorsRest()};
 }
 
 } // namespace odo::core_words
