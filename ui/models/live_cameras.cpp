@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/live_cameras.h"
 
+#include "ui/models/core_words.h"
+
 namespace odo {
 
 LiveCameras::LiveCameras(List list, QObject *parent) : QObject(parent), m_list(std::move(list)) {}
@@ -21,6 +23,12 @@ void LiveCameras::look()
         },
         Qt::SingleShotConnection);
     Q_EMIT changed();
+}
+
+QString shownDeviceName(const CameraDescription &camera)
+{
+    const QString name = QString::fromStdString(camera.name);
+    return camera.kind == "simulated" ? shownWords(name) : name;
 }
 
 } // namespace odo

@@ -31,4 +31,7 @@ private:
     BackgroundTask m_task;
 };
 
+/// What a camera that is connected is called: a simulated one in the language of the windows, others as their makers call them.
+QString shownDeviceName(const CameraDescription &camera);
+
 } // namespace odo

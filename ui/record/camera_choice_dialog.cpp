@@ -2,6 +2,7 @@
 #include "ui/record/camera_choice_dialog.h"
 
 #include "core/capture/camera_uri.h"
+#include "ui/models/core_words.h"
 #include "ui/models/live_cameras.h"
 #include "ui/record/camera_wishes_dialog.h"
 #include "ui/views/elided_label.h"
@@ -75,9 +76,9 @@ void CameraChoiceDialog::fill()
         box.clear();
         box.addItem(tr("not used"), QString());
         for (const CameraDescription &device : m_connected.cameras()) {
-            QString words = QString::fromStdString(device.name);
+            QString words = shownDeviceName(device);
             if (!device.formats.empty())
-                words += QStringLiteral(" · ") + QString::fromStdString(device.formats.front());
+                words += QStringLiteral(" · ") + shownWords(device.formats.front());
             if (device.busy)
                 words += QStringLiteral(" · ") + tr("in use by another program");
             box.addItem(words, QString::fromStdString(device.uri));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/camera_wishes_dialog.h"
 
+#include "ui/models/core_words.h"
+#include "ui/models/live_cameras.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -55,7 +58,7 @@ CameraWishesDialog::CameraWishesDialog(const CameraDescription &device, const st
       m_exposure(freeNumber(mostExposureMs, tr("ms"))),
       m_trigger(new QCheckBox(tr("Ask for each picture, so that all such cameras take theirs together")))
 {
-    setWindowTitle(tr("Settings of %1").arg(QString::fromStdString(device.name)));
+    setWindowTitle(tr("Settings of %1").arg(shownDeviceName(device)));
     addPicture(device);
     m_picture->setAccessibleName(tr("Picture"));
     m_rate->setAccessibleName(tr("Rate"));
@@ -95,7 +98,7 @@ void CameraWishesDialog::addPicture(const CameraDescription &device)
     for (const std::string &format : device.formats) {
         const QString words = QString::fromStdString(format);
         if (const QString picture = pictureOf(words); !picture.isEmpty())
-            m_picture->addItem(words, picture);
+            m_picture->addItem(shownWords(words), picture);
     }
 }
 

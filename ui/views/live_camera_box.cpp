@@ -23,7 +23,7 @@ void LiveCameraBox::fill()
         const QSignalBlocker blocked(this);
         clear();
         for (const CameraDescription &camera : m_cameras.cameras()) {
-            const QString name = QString::fromStdString(camera.name);
+            const QString name = shownDeviceName(camera);
             addItem(camera.widthPx > 0 ? tr("%1, %2×%3").arg(name).arg(camera.widthPx).arg(camera.heightPx) : name, QString::fromStdString(camera.uri));
         }
         if (count() == 0)
