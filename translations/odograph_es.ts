@@ -6079,6 +6079,70 @@
         <source>give the task the limits of its fastest robot</source>
         <translation>dé a la tarea los límites de su robot más rápido</translation>
     </message>
+    <message>
+        <source>checking halves against one another</source>
+        <translation>comprobando las mitades entre sí</translation>
+    </message>
+    <message>
+        <source>completing a recording that was cut off</source>
+        <translation>completando una grabación interrumpida</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>listo</translation>
+    </message>
+    <message>
+        <source>fitting the lens to %1 pictures</source>
+        <translation>ajustando la lente a %1 imágenes</translation>
+    </message>
+    <message>
+        <source>looking about the best place</source>
+        <translation>buscando alrededor del mejor lugar</translation>
+    </message>
+    <message>
+        <source>looking for the board in %1</source>
+        <translation>buscando el tablero en %1</translation>
+    </message>
+    <message>
+        <source>making the hash of %1</source>
+        <translation>calculando la suma de comprobación de %1</translation>
+    </message>
+    <message>
+        <source>packing %1</source>
+        <translation>empaquetando %1</translation>
+    </message>
+    <message>
+        <source>unpacking</source>
+        <translation>desempaquetando</translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation>leyendo %1</translation>
+    </message>
+    <message>
+        <source>reading line %1</source>
+        <translation>leyendo la línea %1</translation>
+    </message>
+    <message>
+        <source>removing %1</source>
+        <translation>eliminando %1</translation>
+    </message>
+    <message>
+        <source>tracking, picture %1 of %2</source>
+        <translation>rastreo, imagen %1 de %2</translation>
+    </message>
+    <message>
+        <source>The world axes were changed afterwards</source>
+        <translation>Los ejes del mundo se cambiaron después</translation>
+    </message>
+    <message>
+        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
+        <translation>Los ejes del mundo se cambiaron después, y todas las longitudes se multiplicaron por %1</translation>
+    </message>
+    <message>
+        <source>It was made through registration %1 of the project</source>
+        <translation>Se hizo mediante el registro %1 del proyecto</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
