@@ -3,6 +3,7 @@
 
 #include "core/base/crash_report.h"
 #include "core/base/units.h"
+#include "core/project/place_warning.h"
 #include "core/workflow/recover_job.h"
 
 #include <QJsonDocument>
@@ -129,6 +130,8 @@ Result<std::unique_ptr<Project>> CommandCall::openProject(int index, Project::Ac
     auto project = Project::open(text(index), access);
     if (!project || access == Project::Access::ReadOnly)
         return project;
+    if (const auto warning = placeWarning((*project)->file()))
+        warn(*warning);
     const auto recovered = recoverTrials(**project, m_control);
     if (!recovered)
         return tl::unexpected(recovered.error());

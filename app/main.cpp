@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <cerrno>
 #include <clocale>
 #include <csignal>
 #include <cstdio>
@@ -91,10 +92,20 @@ void dropRemarks(QtMsgType type, const QMessageLogContext &, const QString &mess
         std::fprintf(stderr, "odograph: %s\n", qPrintable(message));
 }
 
+/// Whoever reads the answer must not take half of it for the whole.
+Result<void> printed()
+{
+    errno = 0;
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
+        return {};
+    const std::string reason = errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : std::string();
+    return fail(ErrorCode::Io, "the answer", "it could not be written" + reason,
+                "what was to be done is done, make room and ask again");
+}
+
 int runCommand(const NamedCommand &command, int argc, char **argv)
 {
     qInstallMessageHandler(dropRemarks);
-    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk, not the end of the program
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
     std::unique_ptr<QCoreApplication> application;
@@ -114,7 +125,8 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
     }
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
-    return report(command.run(QCoreApplication::arguments().mid(2), cancelToken));
+    const Result<void> done = command.run(QCoreApplication::arguments().mid(2), cancelToken);
+    return report(done ? printed() : done);
 }
 
 int openWorkbench(int argc, char **argv)
@@ -133,6 +145,7 @@ int openWorkbench(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk, not the end of the program
     shareMemoryPools();
     watchForCrashes(stateFolder(), ODOGRAPH_VERSION); // where it cannot, the program does its work all the same
     const std::string_view first = argc > 1 ? argv[1] : "";

@@ -2,6 +2,7 @@
 #include "app/workbench.h"
 
 #include "core/base/crash_report.h"
+#include "core/exchange/text_file.h"
 #include "core/project/project.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/crash_notice.h"
@@ -12,6 +13,8 @@
 #include "ui/models/trial_scene.h"
 
 #include <QApplication>
+#include <QBuffer>
+#include <QFileInfo>
 #include <QImage>
 
 namespace odo {
@@ -53,11 +56,13 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
     } else {
         window.showMode(mode);
     }
-    const QImage image = paintWindow(window, size);
-    if (!image.save(QString::fromStdString(picture.string())))
-        return fail(ErrorCode::Io, "picture '" + picture.string() + "'", "it could not be written",
-                    "check the folder, the rights, and that the name ends in .png or .jpg");
-    return {};
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!paintWindow(window, size).save(&buffer, QFileInfo(QString::fromStdString(picture.string())).suffix().toLatin1().constData()))
+        return fail(ErrorCode::InvalidInput, "picture '" + picture.string() + "'", "its format is not known",
+                    "give it a name that ends in .png or .jpg");
+    return writeTextFile(picture, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 } // namespace odo

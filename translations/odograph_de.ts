@@ -6080,68 +6080,24 @@
         <translation>geben Sie der Aufgabe die Grenzwerte ihres schnellsten Roboters</translation>
     </message>
     <message>
-        <source>checking halves against one another</source>
-        <translation>die Hälften werden gegeneinander geprüft</translation>
+        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
+        <translation>kopieren Sie „%1“, das unversehrt ist, unter einen neuen Namen, öffnen Sie diese Kopie, und behalten Sie die beschädigte Datei</translation>
     </message>
     <message>
-        <source>completing a recording that was cut off</source>
-        <translation>eine abgebrochene Aufnahme wird vervollständigt</translation>
+        <source>the disk could not be read, and nothing was changed</source>
+        <translation>die Platte konnte nicht gelesen werden, und nichts wurde geändert</translation>
     </message>
     <message>
-        <source>done</source>
-        <translation>fertig</translation>
+        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
+        <translation>es liegt auf einem Netzlaufwerk (%1), wo eine Aufnahme stocken kann und zwei Rechner es beschädigen können</translation>
     </message>
     <message>
-        <source>fitting the lens to %1 pictures</source>
-        <translation>das Objektiv wird an %1 Bilder angepasst</translation>
+        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
+        <translation>es liegt in einem Ordner, den %1 kopiert, während es sich ändert, sodass eine Kopie eine halbe Änderung haben kann</translation>
     </message>
     <message>
-        <source>looking about the best place</source>
-        <translation>die Umgebung des besten Orts wird abgesucht</translation>
-    </message>
-    <message>
-        <source>looking for the board in %1</source>
-        <translation>die Tafel wird gesucht in %1</translation>
-    </message>
-    <message>
-        <source>making the hash of %1</source>
-        <translation>die Prüfsumme wird gebildet: %1</translation>
-    </message>
-    <message>
-        <source>packing %1</source>
-        <translation>gepackt wird: %1</translation>
-    </message>
-    <message>
-        <source>unpacking</source>
-        <translation>wird entpackt</translation>
-    </message>
-    <message>
-        <source>reading %1</source>
-        <translation>gelesen wird: %1</translation>
-    </message>
-    <message>
-        <source>reading line %1</source>
-        <translation>Zeile %1 wird gelesen</translation>
-    </message>
-    <message>
-        <source>removing %1</source>
-        <translation>entfernt wird: %1</translation>
-    </message>
-    <message>
-        <source>tracking, picture %1 of %2</source>
-        <translation>Verfolgung, Bild %1 von %2</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards</source>
-        <translation>Die Achsen der Welt wurden nachher geändert</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
-        <translation>Die Achsen der Welt wurden nachher geändert, und alle Längen mit %1 multipliziert</translation>
-    </message>
-    <message>
-        <source>It was made through registration %1 of the project</source>
-        <translation>Sie wurde über die Einmessung %1 des Projekts gemacht</translation>
+        <source>keep it on a disk of this computer, and pack it to share it</source>
+        <translation>halten Sie es auf einer Platte dieses Rechners, und packen Sie es, um es weiterzugeben</translation>
     </message>
 </context>
 <context>

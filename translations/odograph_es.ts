@@ -6080,68 +6080,24 @@
         <translation>dé a la tarea los límites de su robot más rápido</translation>
     </message>
     <message>
-        <source>checking halves against one another</source>
-        <translation>comprobando las mitades entre sí</translation>
+        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
+        <translation>copie «%1», que está íntegro, con un nombre nuevo y abra esa copia, y conserve el archivo dañado</translation>
     </message>
     <message>
-        <source>completing a recording that was cut off</source>
-        <translation>completando una grabación interrumpida</translation>
+        <source>the disk could not be read, and nothing was changed</source>
+        <translation>no se pudo leer el disco, y no se cambió nada</translation>
     </message>
     <message>
-        <source>done</source>
-        <translation>listo</translation>
+        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
+        <translation>está en un disco de red (%1), donde una grabación puede detenerse y dos ordenadores pueden dañarlo</translation>
     </message>
     <message>
-        <source>fitting the lens to %1 pictures</source>
-        <translation>ajustando la lente a %1 imágenes</translation>
+        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
+        <translation>está en una carpeta que %1 copia mientras cambia, de modo que una copia puede tener medio cambio</translation>
     </message>
     <message>
-        <source>looking about the best place</source>
-        <translation>buscando alrededor del mejor lugar</translation>
-    </message>
-    <message>
-        <source>looking for the board in %1</source>
-        <translation>buscando el tablero en %1</translation>
-    </message>
-    <message>
-        <source>making the hash of %1</source>
-        <translation>calculando la suma de comprobación de %1</translation>
-    </message>
-    <message>
-        <source>packing %1</source>
-        <translation>empaquetando %1</translation>
-    </message>
-    <message>
-        <source>unpacking</source>
-        <translation>desempaquetando</translation>
-    </message>
-    <message>
-        <source>reading %1</source>
-        <translation>leyendo %1</translation>
-    </message>
-    <message>
-        <source>reading line %1</source>
-        <translation>leyendo la línea %1</translation>
-    </message>
-    <message>
-        <source>removing %1</source>
-        <translation>eliminando %1</translation>
-    </message>
-    <message>
-        <source>tracking, picture %1 of %2</source>
-        <translation>rastreo, imagen %1 de %2</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards</source>
-        <translation>Los ejes del mundo se cambiaron después</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
-        <translation>Los ejes del mundo se cambiaron después, y todas las longitudes se multiplicaron por %1</translation>
-    </message>
-    <message>
-        <source>It was made through registration %1 of the project</source>
-        <translation>Se hizo mediante el registro %1 del proyecto</translation>
+        <source>keep it on a disk of this computer, and pack it to share it</source>
+        <translation>guárdelo en un disco de este ordenador, y empaquételo para compartirlo</translation>
     </message>
 </context>
 <context>

@@ -6080,68 +6080,24 @@
         <translation>donnez à l’épreuve les limites de son robot le plus rapide</translation>
     </message>
     <message>
-        <source>checking halves against one another</source>
-        <translation>contrôle des moitiés l’une par l’autre</translation>
+        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
+        <translation>copiez « %1 », qui est intact, sous un nouveau nom et ouvrez cette copie, et gardez le fichier endommagé</translation>
     </message>
     <message>
-        <source>completing a recording that was cut off</source>
-        <translation>un enregistrement interrompu est complété</translation>
+        <source>the disk could not be read, and nothing was changed</source>
+        <translation>le disque n’a pas pu être lu, et rien n’a été modifié</translation>
     </message>
     <message>
-        <source>done</source>
-        <translation>terminé</translation>
+        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
+        <translation>il se trouve sur un disque réseau (%1), où un enregistrement peut se bloquer et deux ordinateurs peuvent l’endommager</translation>
     </message>
     <message>
-        <source>fitting the lens to %1 pictures</source>
-        <translation>ajustement de l’objectif à %1 photos</translation>
+        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
+        <translation>il se trouve dans un dossier que %1 copie pendant qu’il change, si bien qu’une copie peut avoir une demi-modification</translation>
     </message>
     <message>
-        <source>looking about the best place</source>
-        <translation>recherche autour de la meilleure place</translation>
-    </message>
-    <message>
-        <source>looking for the board in %1</source>
-        <translation>recherche de la mire dans %1</translation>
-    </message>
-    <message>
-        <source>making the hash of %1</source>
-        <translation>calcul de l’empreinte de %1</translation>
-    </message>
-    <message>
-        <source>packing %1</source>
-        <translation>empaquetage de %1</translation>
-    </message>
-    <message>
-        <source>unpacking</source>
-        <translation>dépaquetage</translation>
-    </message>
-    <message>
-        <source>reading %1</source>
-        <translation>lecture de %1</translation>
-    </message>
-    <message>
-        <source>reading line %1</source>
-        <translation>lecture de la ligne %1</translation>
-    </message>
-    <message>
-        <source>removing %1</source>
-        <translation>suppression de %1</translation>
-    </message>
-    <message>
-        <source>tracking, picture %1 of %2</source>
-        <translation>suivi, image %1 sur %2</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards</source>
-        <translation>Les axes du monde ont été changés ensuite</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
-        <translation>Les axes du monde ont été changés ensuite, et toutes les longueurs multipliées par %1</translation>
-    </message>
-    <message>
-        <source>It was made through registration %1 of the project</source>
-        <translation>Elle a été faite par la localisation %1 du projet</translation>
+        <source>keep it on a disk of this computer, and pack it to share it</source>
+        <translation>gardez-le sur un disque de cet ordinateur, et empaquetez-le pour le partager</translation>
     </message>
 </context>
 <context>

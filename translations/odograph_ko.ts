@@ -6078,68 +6078,24 @@
         <translation>과제에 가장 빠른 로봇의 한계를 주십시오</translation>
     </message>
     <message>
-        <source>checking halves against one another</source>
-        <translation>절반끼리 서로 검증하는 중</translation>
+        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
+        <translation>온전한 &apos;%1&apos;을(를) 새 이름으로 복사하여 그 사본을 여시고, 손상된 파일은 보관하십시오</translation>
     </message>
     <message>
-        <source>completing a recording that was cut off</source>
-        <translation>중단된 녹화를 완성하는 중</translation>
+        <source>the disk could not be read, and nothing was changed</source>
+        <translation>디스크를 읽을 수 없었으며 변경된 것은 없습니다</translation>
     </message>
     <message>
-        <source>done</source>
-        <translation>완료</translation>
+        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
+        <translation>네트워크 디스크(%1)에 있어 녹화가 멈추거나 두 컴퓨터가 손상시킬 수 있습니다</translation>
     </message>
     <message>
-        <source>fitting the lens to %1 pictures</source>
-        <translation>사진 %1장에 렌즈를 맞추는 중</translation>
+        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
+        <translation>변경 중에 %1이(가) 복사하는 폴더에 있어 사본에 변경의 절반만 담길 수 있습니다</translation>
     </message>
     <message>
-        <source>looking about the best place</source>
-        <translation>가장 좋은 위치의 둘레를 찾는 중</translation>
-    </message>
-    <message>
-        <source>looking for the board in %1</source>
-        <translation>%1에서 보드를 찾는 중</translation>
-    </message>
-    <message>
-        <source>making the hash of %1</source>
-        <translation>%1의 해시를 만드는 중</translation>
-    </message>
-    <message>
-        <source>packing %1</source>
-        <translation>%1 묶는 중</translation>
-    </message>
-    <message>
-        <source>unpacking</source>
-        <translation>푸는 중</translation>
-    </message>
-    <message>
-        <source>reading %1</source>
-        <translation>%1 읽는 중</translation>
-    </message>
-    <message>
-        <source>reading line %1</source>
-        <translation>%1행 읽는 중</translation>
-    </message>
-    <message>
-        <source>removing %1</source>
-        <translation>%1 삭제 중</translation>
-    </message>
-    <message>
-        <source>tracking, picture %1 of %2</source>
-        <translation>추적 중, 영상 %2장 중 %1</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards</source>
-        <translation>이후 월드 축이 바뀌었습니다</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
-        <translation>이후 월드 축이 바뀌었고 모든 길이에 %1을(를) 곱했습니다</translation>
-    </message>
-    <message>
-        <source>It was made through registration %1 of the project</source>
-        <translation>프로젝트의 정합 %1을(를) 통해 이루어졌습니다</translation>
+        <source>keep it on a disk of this computer, and pack it to share it</source>
+        <translation>이 컴퓨터의 디스크에 보관하고, 공유하려면 묶으십시오</translation>
     </message>
 </context>
 <context>

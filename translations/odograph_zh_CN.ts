@@ -6078,68 +6078,24 @@
         <translation>请为任务设定其最快机器人的限值</translation>
     </message>
     <message>
-        <source>checking halves against one another</source>
-        <translation>正在用两半相互校验</translation>
+        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
+        <translation>请把完好的“%1”复制为新名称并打开该副本，同时保留损坏的文件</translation>
     </message>
     <message>
-        <source>completing a recording that was cut off</source>
-        <translation>正在补全中断的录像</translation>
+        <source>the disk could not be read, and nothing was changed</source>
+        <translation>无法读取磁盘，未作任何更改</translation>
     </message>
     <message>
-        <source>done</source>
-        <translation>完成</translation>
+        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
+        <translation>它位于网络磁盘（%1）上，录制可能停顿，两台计算机可能损坏它</translation>
     </message>
     <message>
-        <source>fitting the lens to %1 pictures</source>
-        <translation>正在用 %1 张图片拟合镜头</translation>
+        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
+        <translation>它位于 %1 会在其更改时复制的文件夹中，副本可能只含一半更改</translation>
     </message>
     <message>
-        <source>looking about the best place</source>
-        <translation>正在最佳位置周围搜索</translation>
-    </message>
-    <message>
-        <source>looking for the board in %1</source>
-        <translation>正在 %1 中寻找标定板</translation>
-    </message>
-    <message>
-        <source>making the hash of %1</source>
-        <translation>正在计算 %1 的校验值</translation>
-    </message>
-    <message>
-        <source>packing %1</source>
-        <translation>正在打包 %1</translation>
-    </message>
-    <message>
-        <source>unpacking</source>
-        <translation>正在解包</translation>
-    </message>
-    <message>
-        <source>reading %1</source>
-        <translation>正在读取 %1</translation>
-    </message>
-    <message>
-        <source>reading line %1</source>
-        <translation>正在读取第 %1 行</translation>
-    </message>
-    <message>
-        <source>removing %1</source>
-        <translation>正在删除 %1</translation>
-    </message>
-    <message>
-        <source>tracking, picture %1 of %2</source>
-        <translation>正在跟踪，第 %1 幅，共 %2 幅</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards</source>
-        <translation>之后更改过世界坐标轴</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
-        <translation>之后更改过世界坐标轴，并把所有长度乘以 %1</translation>
-    </message>
-    <message>
-        <source>It was made through registration %1 of the project</source>
-        <translation>它是通过项目的配准 %1 作出的</translation>
+        <source>keep it on a disk of this computer, and pack it to share it</source>
+        <translation>请把它保存在本机磁盘上，需要共享时请打包</translation>
     </message>
 </context>
 <context>

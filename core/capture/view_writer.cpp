@@ -129,8 +129,10 @@ void ViewWriter::write()
         note(next->frame);
     }
     if (output.writer) {
-        if (const auto finished = output.writer->finish(); !finished)
+        if (const auto finished = output.writer->finish(); !finished) {
             fail(finished.error());
+            m_writingFailed = true; // of the last pictures, which wait until then
+        }
     }
 }
 

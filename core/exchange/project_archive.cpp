@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/project_archive.h"
 
+#include "core/project/new_file.h"
+
 #include <archive.h>
 #include <archive_entry.h>
 
@@ -111,6 +113,7 @@ public:
             return failure(problemOf(m_archive));
         if (::fsync(m_descriptor) != 0 || ::rename(m_part.c_str(), m_target.c_str()) != 0)
             return failure(std::strerror(errno));
+        syncToDisk(std::filesystem::absolute(m_target).parent_path());
         return {};
     }
 
@@ -130,7 +133,7 @@ class Reader
 {
 public:
     Reader(std::filesystem::path file, std::filesystem::path folder)
-        : m_file(std::move(file)), m_folder(std::move(folder)), m_part(m_folder.string() + ".part"),
+        : m_file(std::move(file)), m_folder(std::move(folder)), m_part(m_folder.string() + ".part-XXXXXX"),
           m_archive(archive_read_new())
     {
     }
@@ -139,7 +142,7 @@ public:
         archive_read_free(m_archive);
         std::error_code ignored;
         if (m_made)
-            std::filesystem::remove_all(m_part, ignored);
+            std::filesystem::remove_all(m_part, ignored); // not there any more once it was published
     }
     Reader(const Reader &) = delete;
     Reader &operator=(const Reader &) = delete;
@@ -156,10 +159,14 @@ public:
         m_archiveBytes = std::filesystem::file_size(m_file, problem);
         if (problem)
             m_archiveBytes = 0;
-        m_made = std::filesystem::create_directories(m_part, problem);
+        std::filesystem::create_directories(std::filesystem::absolute(m_part).parent_path(), problem);
+        // A name that nobody has, so that what a killed attempt left behind is in nobody's way.
+        std::string name = m_part.string();
+        m_made = ::mkdtemp(name.data()) != nullptr;
         if (!m_made)
-            return failure(problem ? problem.message()
-                                   : "'" + m_part.string() + "' is left there from before");
+            return failure(std::strerror(errno));
+        m_part = name;
+        ::chmod(m_part.c_str(), 0755); // as any folder
         return {};
     }
 
@@ -262,7 +269,8 @@ private:
                     "choose a file that Odograph has packed, and copy it anew if it is damaged");
     }
 
-    const std::filesystem::path m_file, m_folder, m_part;
+    const std::filesystem::path m_file, m_folder;
+    std::filesystem::path m_part;
     archive *const m_archive;
     bool m_made = false;
     std::filesystem::path m_project;

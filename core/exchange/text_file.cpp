@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/text_file.h"
 
+#include "core/exchange/whole_file.h"
+
 #include <QFile>
-#include <QSaveFile>
 #include <QStringDecoder>
 #include <charconv>
 #include <cstdlib>
@@ -68,7 +69,7 @@ Result<void> writeTextFile(const std::filesystem::path &file, std::string_view t
     if (!std::filesystem::is_directory(folder, problem))
         return fail(ErrorCode::NotFound, what, "there is no folder '" + folder.string() + "'",
                     "make the folder first, or choose another one");
-    QSaveFile output(QString::fromStdString(file.string()));
+    WholeFile output(QString::fromStdString(file.string()));
     const bool written =
         output.open(QIODevice::WriteOnly) &&
         output.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&

@@ -52,6 +52,9 @@ Explanation explain(int resultCode)
         return {ErrorCode::Io, "the disk is full, the change was not saved",
                 "make room on the disk and try again"};
     case SQLITE_IOERR:
+        if (resultCode == SQLITE_IOERR_READ || resultCode == SQLITE_IOERR_CORRUPTFS) // what EIO is to it
+            return {ErrorCode::Io, "the disk could not be read, and nothing was changed",
+                    "check the disk, and copy the project to another one"};
         return {ErrorCode::Io, "the disk reported an error, the change was not saved",
                 "check the disk, and copy the project to another one"};
     case SQLITE_CORRUPT:

@@ -13,7 +13,7 @@ namespace {
 
 // Offsets of the header of an SQLite file: https://www.sqlite.org/fileformat.html, section 1.3.
 constexpr std::string_view sqliteMagic("SQLite format 3\0", 16);
-constexpr std::size_t pageSizeOffset = 16, changeCounterOffset = 24, pageCountOffset = 28,
+constexpr std::size_t pageSizeOffset = 16, changeCounterOffset = 24, pageCountOffset = 28, schemaFormatOffset = 44,
                       userVersionOffset = 60, applicationIdOffset = 68, countValidForOffset = 92;
 using Header = std::array<unsigned char, 100>;
 
@@ -42,24 +42,6 @@ bool namesAnotherFile(const std::filesystem::path &journal)
     std::string end(mark.size(), '\0');
     input.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
     return input.read(end.data(), static_cast<std::streamsize>(end.size())) && end == mark;
-}
-
-/// Whether what lies beside a project leads to another file, which SQLite would then write to or remove.
-bool leadsElsewhere(const std::filesystem::path &file)
-{
-    std::error_code problem;
-    std::filesystem::path real = std::filesystem::weakly_canonical(file, problem); // SQLite looks beside that one
-    if (problem)
-        real = file;
-    for (const char *side : {"-journal", "-wal", "-shm"}) {
-        std::filesystem::path other = real;
-        other += side;
-        if (std::filesystem::is_symlink(other, problem))
-            return true;
-        if (side == std::string_view("-journal") && std::filesystem::is_regular_file(other, problem) && namesAnotherFile(other))
-            return true;
-    }
-    return false;
 }
 
 } // namespace
@@ -97,13 +79,18 @@ Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersio
     if (bigEndian(header, applicationIdOffset) != projectApplicationId)
         return fail(ErrorCode::InvalidInput, what, "it is a database of another program",
                     "choose a file that Odograph has written");
+    constexpr std::uint32_t newestSchemaFormat = 4; // SQLite's own; it would only say that it is not supported
+    if (bigEndian(header, schemaFormatOffset) > newestSchemaFormat)
+        return fail(ErrorCode::InvalidInput, what, "the file is damaged", "restore it from a backup copy");
     const auto version = static_cast<std::int32_t>(bigEndian(header, userVersionOffset));
     if (version > newestVersion)
         return fail(ErrorCode::NewerFormat, what,
                     "it was written by a newer Odograph (format " + std::to_string(version) +
                         ", this one knows formats up to " + std::to_string(newestVersion) + ")",
                     "open it with that Odograph, or update this one");
-    if (leadsElsewhere(file))
+    std::filesystem::path journal = file;
+    journal += "-journal";
+    if (std::filesystem::is_regular_file(journal, problem) && namesAnotherFile(journal))
         return fail(ErrorCode::InvalidInput, what, "the journal beside it names another file",
                     "copy it again from where it came, or restore a backup copy");
     // While a write-ahead log lies beside it, the file itself may lag behind.

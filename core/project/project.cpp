@@ -11,8 +11,10 @@
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/project/schema.h"
+#include "core/project/sound_backup.h"
 #include "core/project/step_limit.h"
 
+#include <fstream>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -84,19 +86,34 @@ Result<void> checkSchema(const ProjectConnection &connection, const Migrator &mi
     return {};
 }
 
+/// Whether the disk gives all of it, whatever it is.
+bool canBeRead(const std::filesystem::path &file)
+{
+    std::ifstream input(file, std::ios::binary);
+    std::vector<char> block(1 << 20);
+    while (input.read(block.data(), static_cast<std::streamsize>(block.size()))) {
+    }
+    return input.eof() && !input.bad();
+}
+
 Result<void> quickCheck(const ProjectConnection &connection)
 {
     std::error_code problem;
     if (std::filesystem::file_size(connection.file(), problem) > quickCheckBytes)
         return {};
-    Statement check(connection, QStringLiteral("PRAGMA quick_check(1)"));
-    const auto row = check.firstRow();
-    if (!row)
-        return tl::unexpected(row.error());
-    if (!*row || check.text(0) != "ok")
-        return fail(ErrorCode::InvalidInput, connection.displayName(), "the file is damaged",
-                    "restore it from a backup copy");
-    return {};
+    // What the disk fails to give looks like damage to SQLite: so it is asked once more.
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        Statement check(connection, QStringLiteral("PRAGMA quick_check(1)"));
+        const auto row = check.firstRow();
+        if (!row)
+            return tl::unexpected(row.error());
+        if (*row && check.text(0) == "ok")
+            return {};
+        if (!canBeRead(connection.file()))
+            return fail(ErrorCode::Io, connection.displayName(), "the disk could not be read, and nothing was changed",
+                        "check the disk, and copy the project to another one");
+    }
+    return fail(ErrorCode::InvalidInput, connection.displayName(), "the file is damaged", "restore it from a backup copy");
 }
 
 /// The version of the schema, when the file is whole and holds nothing but that schema. The schema comes first, for looking through
@@ -223,14 +240,14 @@ Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file
 {
     const Migrator migrator(projectMigrations());
     if (auto sound = checkFileHeader(file, migrator.newestVersion()); !sound)
-        return tl::unexpected(sound.error());
+        return tl::unexpected(namingABackup(sound.error(), file));
     auto connection = ProjectConnection::open(file, databaseAccess(file, access));
     if (!connection)
-        return tl::unexpected(connection.error());
+        return tl::unexpected(namingABackup(connection.error(), file));
     // Nothing is written before it is certain that this is a sound project.
     const auto version = checkContent(**connection, migrator);
     if (!version)
-        return tl::unexpected(version.error());
+        return tl::unexpected(namingABackup(version.error(), file));
     if (access == Access::ReadWrite) {
         if (auto done = (*connection)->execute(QStringLiteral("PRAGMA journal_mode=WAL")); !done)
             return tl::unexpected(done.error());

@@ -3,6 +3,7 @@
 
 #include "core/video/picture.h"
 
+#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
 namespace odo {
@@ -42,13 +43,21 @@ Result<void> writePicture(const Frame &frame, const std::filesystem::path &file)
         return fail(ErrorCode::Io, "picture '" + file.string() + "'", why,
                     "check the folder, the free space, and that the name ends in .png or .jpg");
     };
+    std::vector<unsigned char> bytes;
     try {
-        if (!cv::imwrite(file.string(), coloursOf(frame)))
-            return failed("it could not be written");
+        if (!cv::imencode(file.extension().string(), coloursOf(frame), bytes))
+            return failed("it could not be packed");
     } catch (const cv::Exception &) {
         return failed("its format is not known");
     }
-    return {};
+    std::ofstream out(file, std::ios::binary);
+    out.write(reinterpret_cast<const char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    out.close(); // where the last bytes are written
+    if (out)
+        return {};
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+    return failed("it could not be written");
 }
 
 Result<std::vector<unsigned char>> colourPng(const Frame &frame) { return packed(coloursOf(frame)); }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/calibration_media.h"
 
+#include "core/exchange/whole_file.h"
 #include "core/video/picture_writer.h"
 #include "core/workflow/media_copy.h"
 
 #include <QCryptographicHash>
-#include <QSaveFile>
 
 namespace odo {
 
@@ -46,7 +46,7 @@ Result<StoredPicture> CalibrationMedia::write(const std::string &name, const std
     const std::filesystem::path file = freeMediaPath(m_folder, name, ".png");
     const auto size = static_cast<qsizetype>(png.size());
     const QByteArrayView bytes(png.data(), size);
-    QSaveFile out(QString::fromStdString(file.string()));
+    WholeFile out(QString::fromStdString(file.string()));
     if (!out.open(QIODevice::WriteOnly) || out.write(bytes.data(), size) != size || !out.commit())
         return failed(out.errorString().toStdString());
     m_files.push_back(file);

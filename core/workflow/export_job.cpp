@@ -29,6 +29,18 @@ Result<void> ExportJob::prepare(Project &project)
 
 Result<void> ExportJob::run(const JobControl &control)
 {
+    auto written = writeAll(control);
+    if (!written) {
+        std::error_code ignored;
+        for (const std::filesystem::path &file : m_files)
+            std::filesystem::remove(file, ignored);
+        m_files.clear();
+    }
+    return written;
+}
+
+Result<void> ExportJob::writeAll(const JobControl &control)
+{
     for (const AnalysisRecord &analysis : m_analyses) {
         if (control.isCancelled())
             return cancelled("export of '" + m_trial + "'");

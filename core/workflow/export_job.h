@@ -28,6 +28,8 @@ public:
     const std::vector<std::filesystem::path> &files() const { return m_files; } ///< after run
 
 private:
+    Result<void> writeAll(const JobControl &control);
+
     std::string m_trial;
     std::filesystem::path m_folder;
     CsvStyle m_style;

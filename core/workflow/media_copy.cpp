@@ -2,11 +2,11 @@
 #include "core/workflow/media_copy.h"
 
 #include "core/exchange/file_name.h"
+#include "core/exchange/whole_file.h"
 #include "core/project/recording_rows.h"
 
 #include <QCryptographicHash>
 #include <QFile>
-#include <QSaveFile>
 
 namespace odo {
 
@@ -34,7 +34,7 @@ Result<std::string> copyHashed(const std::filesystem::path &source, const std::f
     QFile in(QString::fromStdString(source.string()));
     if (!in.open(QIODevice::ReadOnly))
         return problemOf(in);
-    QSaveFile out(QString::fromStdString(target.string()));
+    WholeFile out(QString::fromStdString(target.string()));
     if (!out.open(QIODevice::WriteOnly))
         return problemOf(out);
     QCryptographicHash hash(QCryptographicHash::Sha256);

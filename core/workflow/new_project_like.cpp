@@ -2,6 +2,7 @@
 #include "core/workflow/new_project_like.h"
 
 #include "core/base/without_value.h"
+#include "core/project/new_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 
@@ -57,6 +58,17 @@ Result<void> takeSetUp(Project &from, Project &to, const JobControl &control)
     return takeAll(from.tasks().current(), task);
 }
 
+/// In place of the empty file that is there. Closed it is one file, with everything in it.
+Result<void> makeFilled(Project &from, const std::filesystem::path &file, const std::string &title, const JobControl &control)
+{
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+    const auto to = Project::create(file, title);
+    if (!to)
+        return tl::unexpected(to.error());
+    return (*to)->note("take over the set-up of " + from.title(), [&] { return takeSetUp(from, **to, control); });
+}
+
 } // namespace
 
 Result<std::filesystem::path> makeProjectLike(const std::filesystem::path &original, const std::filesystem::path &file,
@@ -66,17 +78,14 @@ Result<std::filesystem::path> makeProjectLike(const std::filesystem::path &origi
     const auto from = Project::openAgain(original, Project::Access::ReadOnly);
     if (!from)
         return tl::unexpected(from.error());
-    auto to = Project::create(file, title);
-    if (!to)
-        return tl::unexpected(to.error());
-    const std::string words = "take over the set-up of " + (*from)->title();
-    const auto taken = (*to)->note(words, [&] { return takeSetUp(**from, **to, control); });
-    if (taken)
-        return file;
-    to->reset();
-    std::error_code ignored;
-    std::filesystem::remove(file, ignored);
-    return tl::unexpected(taken.error());
+    NewFile made(file, "project '" + file.string() + "'");
+    if (auto ready = made.prepare(); !ready)
+        return tl::unexpected(ready.error());
+    if (auto filled = makeFilled(**from, made.temporary(), title, control); !filled)
+        return tl::unexpected(filled.error());
+    if (auto published = made.publish(); !published)
+        return tl::unexpected(published.error());
+    return file;
 }
 
 } // namespace odo

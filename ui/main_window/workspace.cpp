@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/workspace.h"
 
+#include "core/project/place_warning.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/project/window_lock.h"
@@ -39,7 +40,7 @@ struct Workspace::Ready
     std::filesystem::path file;
     std::unique_ptr<WindowLock> lock; ///< null: for reading only, or it is the one that is open here
     bool isOpenHere = false;
-    QString words; ///< why it can only be read, where another window has it
+    QString words; ///< why it can only be read, where another window has it, or that it lies in a bad place
     bool isCutOff = false, lacksHashes = false;
 };
 
@@ -91,6 +92,8 @@ Result<Workspace::Ready> Workspace::makeReady(const std::filesystem::path &file,
         return tl::unexpected(project.error());
     if (access() == Project::Access::ReadOnly)
         return ready;
+    if (const auto warning = placeWarning(file))
+        ready.words = shownWords(*warning);
     const auto trials = (*project)->trials().names();
     ready.isCutOff = trials && std::ranges::any_of(*trials, &TrialName::unfinished);
     HashJob hashes;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/exchange/whole_file.h"
 #include "ui/report/page_output.h"
 
-#include <QSaveFile>
 #include <filesystem>
 #include <memory>
 
@@ -29,7 +29,7 @@ private:
     tl::unexpected<Error> failure() const;
 
     QString m_title;
-    QSaveFile m_file;
+    WholeFile m_file;
     std::unique_ptr<QPdfWriter> m_writer; ///< null: no page yet
     std::unique_ptr<QPainter> m_painter;
 };

@@ -2,6 +2,7 @@
 #include "ui/testbed/targets/target_painter.h"
 
 #include "core/base/units.h"
+#include "core/exchange/whole_file.h"
 
 #include <QCoreApplication>
 #include <QFont>
@@ -9,7 +10,6 @@
 #include <QPagedPaintDevice>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <algorithm>
 
 namespace odo {
@@ -138,7 +138,7 @@ Result<void> writeTargetPdf(const TargetSpec &spec, const QString &file)
     const auto sheets = layOutTarget(spec);
     if (!sheets)
         return tl::unexpected(sheets.error());
-    QSaveFile output(file);
+    WholeFile output(file);
     const auto failed = [&] {
         return fail(ErrorCode::Io, file.toStdString(), output.errorString().toStdString(),
                     "write to another place or make room");

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/place_warning.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string_view>
+
+namespace odo {
+
+namespace {
+
+constexpr std::array<std::string_view, 14> networkFileSystems = {
+    "nfs",        "nfs4",           "cifs",        "smb3",        "smbfs",          "afs",         "ceph",
+    "fuse.sshfs", "fuse.gvfsd-fuse", "fuse.rclone", "fuse.davfs", "fuse.glusterfs", "fuse.s3fs", "davfs"};
+
+struct SyncProgram
+{
+    std::string_view name, folder, mark; ///< folder: how its name begins; mark: a file or folder in it, may be empty
+};
+constexpr std::array<SyncProgram, 8> syncPrograms = {{
+    {"Dropbox", "Dropbox", ".dropbox.cache"},
+    {"OneDrive", "OneDrive", ""},
+    {"Nextcloud", "Nextcloud", ".nextcloudsync.log"},
+    {"ownCloud", "ownCloud", ".owncloudsync.log"},
+    {"Google Drive", "Google Drive", ""},
+    {"Google Drive", "GoogleDrive", ""},
+    {"iCloud", "iCloudDrive", ""},
+    {"Syncthing", "", ".stfolder"},
+}};
+
+/// Spaces in the list of mounts are written as \040.
+std::string withSpaces(std::string text)
+{
+    for (auto at = text.find("\\040"); at != std::string::npos; at = text.find("\\040"))
+        text.replace(at, 4, " ");
+    return text;
+}
+
+std::optional<std::string_view> syncProgramOf(const std::filesystem::path &folder)
+{
+    std::error_code problem;
+    for (std::filesystem::path each = folder; each.has_relative_path(); each = each.parent_path()) {
+        for (const SyncProgram &program : syncPrograms) {
+            const bool isNamedSo = !program.folder.empty() && each.filename().string().starts_with(program.folder);
+            if (isNamedSo || (!program.mark.empty() && std::filesystem::exists(each / program.mark, problem)))
+                return program.name;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::string fileSystemOf(const std::filesystem::path &file, const std::string &mounts)
+{
+    std::istringstream lines(mounts);
+    std::string line, kind;
+    std::size_t longest = 0;
+    while (std::getline(lines, line)) {
+        std::istringstream words(line);
+        std::string device, place, name;
+        words >> device >> place >> name;
+        const std::filesystem::path mounted = withSpaces(place);
+        const auto [rest, ignored] = std::mismatch(mounted.begin(), mounted.end(), file.begin(), file.end());
+        if (rest == mounted.end() && mounted.native().size() >= longest && !name.empty()) { // the last one of a place counts
+            longest = mounted.native().size();
+            kind = name;
+        }
+    }
+    return kind;
+}
+
+std::optional<std::string> placeWarning(const std::filesystem::path &project)
+{
+    std::ifstream stream("/proc/self/mounts");
+    return placeWarning(project, {std::istreambuf_iterator<char>(stream), {}});
+}
+
+std::optional<std::string> placeWarning(const std::filesystem::path &project, const std::string &mounts)
+{
+    std::error_code problem;
+    const std::filesystem::path file = std::filesystem::weakly_canonical(std::filesystem::absolute(project, problem), problem);
+    const auto warning = [&](const std::string &why) {
+        return Error{ErrorCode::Io, "project '" + project.filename().string() + "'", why,
+                     "keep it on a disk of this computer, and pack it to share it"}
+            .message();
+    };
+    const std::string kind = fileSystemOf(file, mounts);
+    if (std::ranges::find(networkFileSystems, kind) != networkFileSystems.end())
+        return warning("it lies on a network disk (" + kind + "), where a recording can stall and two computers can damage it");
+    if (const auto program = syncProgramOf(file.parent_path()))
+        return warning("it lies in a folder that " + std::string(*program) + " copies while it changes, so that a copy may have half a change");
+    return std::nullopt;
+}
+
+} // namespace odo

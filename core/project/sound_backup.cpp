@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/sound_backup.h"
+
+#include "core/project/connection.h"
+#include "core/project/file_header.h"
+#include "core/project/schema.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace odo {
+
+namespace {
+
+bool isSound(const std::filesystem::path &backup)
+{
+    if (!checkFileHeader(backup, Migrator(projectMigrations()).newestVersion()))
+        return false;
+    const auto connection = ProjectConnection::open(backup, DatabaseAccess::Immutable);
+    if (!connection)
+        return false;
+    Statement check(**connection, QStringLiteral("PRAGMA quick_check(1)"));
+    const auto row = check.firstRow();
+    return row && *row && check.text(0) == "ok";
+}
+
+} // namespace
+
+std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &project)
+{
+    const std::string start = project.filename().string() + ".bak-";
+    const std::filesystem::path folder = project.has_parent_path() ? project.parent_path() : std::filesystem::path(".");
+    std::vector<std::pair<std::filesystem::file_time_type, std::filesystem::path>> backups;
+    std::error_code problem;
+    for (auto file = std::filesystem::directory_iterator(folder, problem); !problem && file != std::filesystem::directory_iterator();
+         file.increment(problem)) {
+        const auto written = std::filesystem::last_write_time(file->path(), problem);
+        if (!problem && file->path().filename().string().starts_with(start))
+            backups.emplace_back(written, file->path());
+    }
+    std::ranges::sort(backups, std::greater());
+    const auto sound = std::ranges::find_if(backups, [](const auto &backup) { return isSound(backup.second); });
+    return sound == backups.end() ? std::nullopt : std::optional(sound->second);
+}
+
+Error namingABackup(Error error, const std::filesystem::path &project)
+{
+    if (error.code != ErrorCode::InvalidInput)
+        return error;
+    if (const auto backup = soundBackupOf(project))
+        error.advice = "copy '" + backup->filename().string() + "', which is sound, to a new name and open that, and keep the damaged file";
+    return error;
+}
+
+} // namespace odo

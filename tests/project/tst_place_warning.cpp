@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/place_warning.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+
+namespace {
+
+const std::string mounts = "/dev/sda1 / ext4 rw,relatime 0 0\n"
+                           "tmpfs /tmp tmpfs rw 0 0\n"
+                           "server:/class /mnt/class nfs4 rw 0 0\n"
+                           "/dev/sdb1 /mnt/class/usb vfat rw 0 0\n"
+                           "//nas/year /media/year\\0409 cifs rw 0 0\n";
+
+} // namespace
+
+class TestPlaceWarning : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void theInnermostMountCounts()
+    {
+        QCOMPARE(fileSystemOf("/home/anna/p.odo", mounts), std::string("ext4"));
+        QCOMPARE(fileSystemOf("/mnt/class/p.odo", mounts), std::string("nfs4"));
+        QCOMPARE(fileSystemOf("/mnt/classroom/p.odo", mounts), std::string("ext4"));
+        QCOMPARE(fileSystemOf("/mnt/class/usb/p.odo", mounts), std::string("vfat"));
+        QCOMPARE(fileSystemOf("/media/year 9/p.odo", mounts), std::string("cifs"));
+        QCOMPARE(fileSystemOf("/p.odo", ""), std::string());
+    }
+
+    void aNetworkDiskIsToldOf()
+    {
+        const auto warning = placeWarning("/mnt/class/p.odo", mounts);
+        QVERIFY(warning.has_value());
+        QCOMPARE(*warning, std::string("project 'p.odo': it lies on a network disk (nfs4), where a recording can stall and two "
+                                       "computers can damage it; keep it on a disk of this computer, and pack it to share it"));
+        QVERIFY(!placeWarning("/mnt/class/usb/p.odo", mounts));
+    }
+
+    void aSyncedFolderIsToldOf_data()
+    {
+        QTest::addColumn<QString>("folder");
+        QTest::addColumn<QString>("mark");
+        QTest::addColumn<QString>("program");
+        QTest::newRow("none") << QStringLiteral("Lessons/9b") << QString() << QString();
+        QTest::newRow("Dropbox") << QStringLiteral("Dropbox/Lessons") << QString() << QStringLiteral("Dropbox");
+        QTest::newRow("by its mark") << QStringLiteral("mine/Lessons") << QStringLiteral("mine/.dropbox.cache") << QStringLiteral("Dropbox");
+        QTest::newRow("OneDrive") << QStringLiteral("OneDrive - School/9b") << QString() << QStringLiteral("OneDrive");
+        QTest::newRow("Syncthing") << QStringLiteral("shared") << QStringLiteral("shared/.stfolder") << QStringLiteral("Syncthing");
+    }
+    void aSyncedFolderIsToldOf()
+    {
+        QFETCH(QString, folder);
+        QFETCH(QString, mark);
+        QFETCH(QString, program);
+        const QTemporaryDir place;
+        QVERIFY(QDir(place.path()).mkpath(folder));
+        if (!mark.isEmpty())
+            QVERIFY(QDir(place.path()).mkpath(mark));
+        const auto warning = placeWarning(place.filePath(folder + QStringLiteral("/p.odo")).toStdString(), mounts);
+        if (program.isEmpty()) {
+            QVERIFY(!warning);
+            return;
+        }
+        QVERIFY(warning.has_value());
+        QCOMPARE(QString::fromStdString(*warning),
+                 QStringLiteral("project 'p.odo': it lies in a folder that %1 copies while it changes, so that a copy may have half "
+                                "a change; keep it on a disk of this computer, and pack it to share it")
+                     .arg(program));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPlaceWarning)
+#include "tst_place_warning.moc"
