@@ -2445,11 +2445,11 @@
     </message>
     <message>
         <source>it cannot be read</source>
-        <translation>il ne peut pas être lu</translation>
+        <translation>lecture impossible</translation>
     </message>
     <message>
         <source>it cannot be read (%1)</source>
-        <translation>il ne peut pas être lu (%1)</translation>
+        <translation>lecture impossible (%1)</translation>
     </message>
     <message>
         <source>check that you may read the file</source>
@@ -2573,7 +2573,7 @@
     </message>
     <message>
         <source>it cannot be written (%1)</source>
-        <translation>il ne peut pas être écrit (%1)</translation>
+        <translation>écriture impossible (%1)</translation>
     </message>
     <message>
         <source>what it concerns has been changed or used since</source>
@@ -3197,7 +3197,7 @@
     </message>
     <message>
         <source>it is shorter than 1 mm</source>
-        <translation>il fait moins de 1 mm</translation>
+        <translation>moins de 1 mm de long</translation>
     </message>
     <message>
         <source>its points are not on a floor of 1 km</source>
@@ -3205,7 +3205,7 @@
     </message>
     <message>
         <source>it has more than %1 points</source>
-        <translation>il a plus de %1 points</translation>
+        <translation>plus de %1 points</translation>
     </message>
     <message>
         <source>its place is not a number</source>
@@ -3253,7 +3253,7 @@
     </message>
     <message>
         <source>it cannot be looked at (%1)</source>
-        <translation>il ne peut pas être examiné (%1)</translation>
+        <translation>accès impossible (%1)</translation>
     </message>
     <message>
         <source>choose a robot of the trial</source>
@@ -3725,7 +3725,7 @@
     </message>
     <message>
         <source>it has too few points</source>
-        <translation>il a trop peu de points</translation>
+        <translation>trop peu de points</translation>
     </message>
     <message>
         <source>give two points or more, three where the path is closed</source>
@@ -3857,7 +3857,7 @@
     </message>
     <message>
         <source>it holds no video stream that can be read</source>
-        <translation>il ne contient aucun flux vidéo lisible</translation>
+        <translation>aucun flux vidéo lisible</translation>
     </message>
     <message>
         <source>give the file that the camera recorded</source>
@@ -3881,7 +3881,7 @@
     </message>
     <message>
         <source>it is left out</source>
-        <translation>il est écarté</translation>
+        <translation>on l’écarte</translation>
     </message>
     <message>
         <source>the video has no picture</source>
@@ -3889,7 +3889,7 @@
     </message>
     <message>
         <source>it has no picture</source>
-        <translation>il n’a pas d’image</translation>
+        <translation>aucune image n’y est</translation>
     </message>
     <message>
         <source>give another file</source>
@@ -3941,7 +3941,7 @@
     </message>
     <message>
         <source>it has become shorter meanwhile</source>
-        <translation>il a raccourci entre-temps</translation>
+        <translation>la taille a diminué entre-temps</translation>
     </message>
     <message>
         <source>wait until nobody writes to it, and try again</source>
@@ -5677,7 +5677,7 @@
     </message>
     <message>
         <source>not one whole frame is in it</source>
-        <translation>il ne contient aucune image entière</translation>
+        <translation>aucune image entière n’y est</translation>
     </message>
     <message>
         <source>its time stamps span %1</source>
