@@ -3,6 +3,7 @@
 #include "app/workbench.h"
 #include "core/base/crash_report.h"
 #include "core/base/memory_pools.h"
+#include "core/base/shortage.h"
 
 #include <QApplication>
 #include <QFileInfo>
@@ -125,7 +126,9 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
     }
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
-    const Result<void> done = command.run(QCoreApplication::arguments().mid(2), cancelToken);
+    const Result<void> done = orShortage(command.name, [&] {
+        return command.run(QCoreApplication::arguments().mid(2), cancelToken);
+    });
     return report(done ? printed() : done);
 }
 

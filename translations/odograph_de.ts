@@ -6099,6 +6099,86 @@
         <source>keep it on a disk of this computer, and pack it to share it</source>
         <translation>halten Sie es auf einer Platte dieses Rechners, und packen Sie es, um es weiterzugeben</translation>
     </message>
+    <message>
+        <source>printing on &apos;%1&apos;</source>
+        <translation>Drucken auf „%1“</translation>
+    </message>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>er ist nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>it takes no further page</source>
+        <translation>er nimmt keine weitere Seite an</translation>
+    </message>
+    <message>
+        <source>it did not take the pages</source>
+        <translation>er hat die Seiten nicht angenommen</translation>
+    </message>
+    <message>
+        <source>look at the printer and its queue, or save the report as PDF</source>
+        <translation>sehen Sie nach dem Drucker und seiner Warteschlange, oder speichern Sie den Bericht als PDF</translation>
+    </message>
+    <message>
+        <source>report &apos;%1&apos;</source>
+        <translation>Bericht „%1“</translation>
+    </message>
+    <message>
+        <source>it has no page</source>
+        <translation>er hat keine Seite</translation>
+    </message>
+    <message>
+        <source>choose a trial or a class</source>
+        <translation>wählen Sie einen Versuch oder eine Klasse</translation>
+    </message>
+    <message>
+        <source>cannot decode the video</source>
+        <translation>das Video kann nicht dekodiert werden</translation>
+    </message>
+    <message>
+        <source>cannot read the picture %1</source>
+        <translation>das Bild %1 kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>cannot do this</source>
+        <translation>das geht jetzt nicht</translation>
+    </message>
+    <message>
+        <source>the cameras</source>
+        <translation>die Kameras</translation>
+    </message>
+    <message>
+        <source>live tracking</source>
+        <translation>Verfolgung während der Aufnahme</translation>
+    </message>
+    <message>
+        <source>a picture of camera %1</source>
+        <translation>ein Bild der Kamera %1</translation>
+    </message>
+    <message>
+        <source>this computer has not enough free memory for it</source>
+        <translation>dieser Rechner hat dafür nicht genug freien Arbeitsspeicher</translation>
+    </message>
+    <message>
+        <source>this computer gives no further thread</source>
+        <translation>dieser Rechner gibt keinen weiteren Thread her</translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation>zu viele Dateien sind geöffnet</translation>
+    </message>
+    <message>
+        <source>what was saved is safe</source>
+        <translation>was gespeichert war, ist sicher</translation>
+    </message>
+    <message>
+        <source>its frame rate varies, pictures are %1 to %2 ms apart</source>
+        <translation>seine Bildrate schwankt, die Bilder liegen %1 bis %2 ms auseinander</translation>
+    </message>
+    <message>
+        <source>each counts at its own time</source>
+        <translation>jedes zählt zu seiner eigenen Zeit</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

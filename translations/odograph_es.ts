@@ -6099,6 +6099,86 @@
         <source>keep it on a disk of this computer, and pack it to share it</source>
         <translation>guárdelo en un disco de este ordenador, y empaquételo para compartirlo</translation>
     </message>
+    <message>
+        <source>printing on &apos;%1&apos;</source>
+        <translation>impresión en «%1»</translation>
+    </message>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>no se puede acceder a ella</translation>
+    </message>
+    <message>
+        <source>it takes no further page</source>
+        <translation>no acepta más páginas</translation>
+    </message>
+    <message>
+        <source>it did not take the pages</source>
+        <translation>no ha aceptado las páginas</translation>
+    </message>
+    <message>
+        <source>look at the printer and its queue, or save the report as PDF</source>
+        <translation>mire la impresora y su cola, o guarde el informe como PDF</translation>
+    </message>
+    <message>
+        <source>report &apos;%1&apos;</source>
+        <translation>informe «%1»</translation>
+    </message>
+    <message>
+        <source>it has no page</source>
+        <translation>no tiene ninguna página</translation>
+    </message>
+    <message>
+        <source>choose a trial or a class</source>
+        <translation>elija un ensayo o una clase</translation>
+    </message>
+    <message>
+        <source>cannot decode the video</source>
+        <translation>no se puede descodificar el vídeo</translation>
+    </message>
+    <message>
+        <source>cannot read the picture %1</source>
+        <translation>no se puede leer la imagen %1</translation>
+    </message>
+    <message>
+        <source>cannot do this</source>
+        <translation>esto no se puede hacer ahora</translation>
+    </message>
+    <message>
+        <source>the cameras</source>
+        <translation>las cámaras</translation>
+    </message>
+    <message>
+        <source>live tracking</source>
+        <translation>seguimiento en directo</translation>
+    </message>
+    <message>
+        <source>a picture of camera %1</source>
+        <translation>una imagen de la cámara %1</translation>
+    </message>
+    <message>
+        <source>this computer has not enough free memory for it</source>
+        <translation>este ordenador no tiene suficiente memoria libre para ello</translation>
+    </message>
+    <message>
+        <source>this computer gives no further thread</source>
+        <translation>este ordenador no da más hilos de ejecución</translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation>hay demasiados archivos abiertos</translation>
+    </message>
+    <message>
+        <source>what was saved is safe</source>
+        <translation>lo que se había guardado está a salvo</translation>
+    </message>
+    <message>
+        <source>its frame rate varies, pictures are %1 to %2 ms apart</source>
+        <translation>su frecuencia de imagen varía, entre imágenes hay de %1 a %2 ms</translation>
+    </message>
+    <message>
+        <source>each counts at its own time</source>
+        <translation>cada una cuenta en su propio instante</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6099,6 +6099,86 @@
         <source>keep it on a disk of this computer, and pack it to share it</source>
         <translation>gardez-le sur un disque de cet ordinateur, et empaquetez-le pour le partager</translation>
     </message>
+    <message>
+        <source>printing on &apos;%1&apos;</source>
+        <translation>impression sur « %1 »</translation>
+    </message>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>elle est injoignable</translation>
+    </message>
+    <message>
+        <source>it takes no further page</source>
+        <translation>elle n’accepte plus de page</translation>
+    </message>
+    <message>
+        <source>it did not take the pages</source>
+        <translation>elle n’a pas accepté les pages</translation>
+    </message>
+    <message>
+        <source>look at the printer and its queue, or save the report as PDF</source>
+        <translation>regardez l’imprimante et sa file d’attente, ou enregistrez le rapport en PDF</translation>
+    </message>
+    <message>
+        <source>report &apos;%1&apos;</source>
+        <translation>rapport « %1 »</translation>
+    </message>
+    <message>
+        <source>it has no page</source>
+        <translation>il n’a aucune page</translation>
+    </message>
+    <message>
+        <source>choose a trial or a class</source>
+        <translation>choisissez un essai ou une classe</translation>
+    </message>
+    <message>
+        <source>cannot decode the video</source>
+        <translation>la vidéo ne peut pas être décodée</translation>
+    </message>
+    <message>
+        <source>cannot read the picture %1</source>
+        <translation>l&apos;image %1 ne peut pas être lue</translation>
+    </message>
+    <message>
+        <source>cannot do this</source>
+        <translation>impossible de faire cela maintenant</translation>
+    </message>
+    <message>
+        <source>the cameras</source>
+        <translation>les caméras</translation>
+    </message>
+    <message>
+        <source>live tracking</source>
+        <translation>suivi en direct</translation>
+    </message>
+    <message>
+        <source>a picture of camera %1</source>
+        <translation>une image de la caméra %1</translation>
+    </message>
+    <message>
+        <source>this computer has not enough free memory for it</source>
+        <translation>cet ordinateur n&apos;a pas assez de mémoire libre pour cela</translation>
+    </message>
+    <message>
+        <source>this computer gives no further thread</source>
+        <translation>cet ordinateur n&apos;accorde plus de fil d&apos;exécution</translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation>trop de fichiers sont ouverts</translation>
+    </message>
+    <message>
+        <source>what was saved is safe</source>
+        <translation>ce qui était enregistré est à l&apos;abri</translation>
+    </message>
+    <message>
+        <source>its frame rate varies, pictures are %1 to %2 ms apart</source>
+        <translation>sa cadence varie, les images sont espacées de %1 à %2 ms</translation>
+    </message>
+    <message>
+        <source>each counts at its own time</source>
+        <translation>chacune compte à son propre instant</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

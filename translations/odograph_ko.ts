@@ -6097,6 +6097,86 @@
         <source>keep it on a disk of this computer, and pack it to share it</source>
         <translation>이 컴퓨터의 디스크에 보관하고, 공유하려면 묶으십시오</translation>
     </message>
+    <message>
+        <source>printing on &apos;%1&apos;</source>
+        <translation>‘%1’에 인쇄</translation>
+    </message>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>연결할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>it takes no further page</source>
+        <translation>더 이상 쪽을 받지 않습니다</translation>
+    </message>
+    <message>
+        <source>it did not take the pages</source>
+        <translation>쪽을 받지 않았습니다</translation>
+    </message>
+    <message>
+        <source>look at the printer and its queue, or save the report as PDF</source>
+        <translation>프린터와 대기열을 확인하거나 보고서를 PDF로 저장하십시오</translation>
+    </message>
+    <message>
+        <source>report &apos;%1&apos;</source>
+        <translation>보고서 ‘%1’</translation>
+    </message>
+    <message>
+        <source>it has no page</source>
+        <translation>쪽이 없습니다</translation>
+    </message>
+    <message>
+        <source>choose a trial or a class</source>
+        <translation>시행이나 학급을 고르십시오</translation>
+    </message>
+    <message>
+        <source>cannot decode the video</source>
+        <translation>동영상을 해독할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>cannot read the picture %1</source>
+        <translation>그림 %1을(를) 읽을 수 없습니다</translation>
+    </message>
+    <message>
+        <source>cannot do this</source>
+        <translation>이 작업을 할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>the cameras</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>live tracking</source>
+        <translation>실시간 추적</translation>
+    </message>
+    <message>
+        <source>a picture of camera %1</source>
+        <translation>카메라 %1의 그림</translation>
+    </message>
+    <message>
+        <source>this computer has not enough free memory for it</source>
+        <translation>이 컴퓨터에 남은 메모리가 부족합니다</translation>
+    </message>
+    <message>
+        <source>this computer gives no further thread</source>
+        <translation>이 컴퓨터에서 스레드를 더 만들 수 없습니다</translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation>열려 있는 파일이 너무 많습니다</translation>
+    </message>
+    <message>
+        <source>what was saved is safe</source>
+        <translation>저장된 것은 안전합니다</translation>
+    </message>
+    <message>
+        <source>its frame rate varies, pictures are %1 to %2 ms apart</source>
+        <translation>프레임 속도가 일정하지 않아 그림 간격이 %1~%2 ms입니다</translation>
+    </message>
+    <message>
+        <source>each counts at its own time</source>
+        <translation>각 그림은 그 자신의 시각으로 계산됩니다</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

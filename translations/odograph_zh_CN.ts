@@ -6097,6 +6097,86 @@
         <source>keep it on a disk of this computer, and pack it to share it</source>
         <translation>请把它保存在本机磁盘上，需要共享时请打包</translation>
     </message>
+    <message>
+        <source>printing on &apos;%1&apos;</source>
+        <translation>在“%1”上打印</translation>
+    </message>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>无法连接</translation>
+    </message>
+    <message>
+        <source>it takes no further page</source>
+        <translation>它不再接收页面</translation>
+    </message>
+    <message>
+        <source>it did not take the pages</source>
+        <translation>它没有接收这些页面</translation>
+    </message>
+    <message>
+        <source>look at the printer and its queue, or save the report as PDF</source>
+        <translation>请检查打印机及其队列，或将报告保存为 PDF</translation>
+    </message>
+    <message>
+        <source>report &apos;%1&apos;</source>
+        <translation>报告“%1”</translation>
+    </message>
+    <message>
+        <source>it has no page</source>
+        <translation>它没有页面</translation>
+    </message>
+    <message>
+        <source>choose a trial or a class</source>
+        <translation>请选择一次试验或一个班级</translation>
+    </message>
+    <message>
+        <source>cannot decode the video</source>
+        <translation>无法解码该视频</translation>
+    </message>
+    <message>
+        <source>cannot read the picture %1</source>
+        <translation>无法读取图片 %1</translation>
+    </message>
+    <message>
+        <source>cannot do this</source>
+        <translation>无法执行此操作</translation>
+    </message>
+    <message>
+        <source>the cameras</source>
+        <translation>摄像机</translation>
+    </message>
+    <message>
+        <source>live tracking</source>
+        <translation>实时跟踪</translation>
+    </message>
+    <message>
+        <source>a picture of camera %1</source>
+        <translation>摄像机 %1 的一张图片</translation>
+    </message>
+    <message>
+        <source>this computer has not enough free memory for it</source>
+        <translation>这台计算机没有足够的可用内存</translation>
+    </message>
+    <message>
+        <source>this computer gives no further thread</source>
+        <translation>这台计算机无法再创建线程</translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation>打开的文件太多</translation>
+    </message>
+    <message>
+        <source>what was saved is safe</source>
+        <translation>已保存的内容是安全的</translation>
+    </message>
+    <message>
+        <source>its frame rate varies, pictures are %1 to %2 ms apart</source>
+        <translation>其帧率不恒定，图片间隔为 %1 到 %2 ms</translation>
+    </message>
+    <message>
+        <source>each counts at its own time</source>
+        <translation>每张图片按其自身的时间计算</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

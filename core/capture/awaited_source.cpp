@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/awaited_source.h"
 
+#include "core/base/shortage.h"
+
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -25,13 +27,20 @@ public:
 
     AwaitedSource(const std::string &uri, Error why, Open open, Nanoseconds betweenAttempts)
         : m_known(knownOf(uri)), m_open(std::move(open)), m_betweenAttempts(betweenAttempts),
-          m_why(std::move(why)), m_opener([this] { await(); })
+          m_why(std::move(why))
     {
+        if (auto opener = startThread("camera " + uri, [this] { await(); })) {
+            m_opener = std::move(*opener);
+        } else {
+            m_why = opener.error();
+            m_why.code = ErrorCode::InvalidInput; // nobody tries again
+        }
     }
     ~AwaitedSource() override
     {
         stop();
-        m_opener.join();
+        if (m_opener.joinable())
+            m_opener.join();
     }
 
     const CameraDescription &description() const override
@@ -123,7 +132,7 @@ private:
         while (!m_camera && !isHopeless() &&
                !m_wake.wait_for(lock, m_betweenAttempts, [this] { return m_stopped; })) {
             lock.unlock();
-            auto opened = m_open();
+            auto opened = orShortage("camera " + m_known.uri, m_open);
             lock.lock();
             if (!opened)
                 m_why = opened.error();

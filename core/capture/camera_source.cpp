@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/camera_source.h"
 
+#include "core/base/shortage.h"
 #include "core/capture/aravis/aravis_address.h"
 #include "core/capture/aravis/aravis_source.h"
 #include "core/capture/file_source.h"
@@ -92,7 +93,9 @@ Result<void> CameraSource::set(const std::string &id, double)
     return fail(ErrorCode::NotFound, "camera " + description().uri, "it has nothing named '" + id + "' that could be set", "leave it out");
 }
 
-Result<std::unique_ptr<CameraSource>> openCamera(const std::string &uri)
+namespace {
+
+Result<std::unique_ptr<CameraSource>> openByKind(const std::string &uri)
 {
     if (uri.starts_with(simulated))
         return openSimulated(uri);
@@ -104,6 +107,13 @@ Result<std::unique_ptr<CameraSource>> openCamera(const std::string &uri)
         return openAravisSource(uri);
     return fail(ErrorCode::NotFound, "'" + uri + "'", "no camera has such an address",
                 "give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH");
+}
+
+} // namespace
+
+Result<std::unique_ptr<CameraSource>> openCamera(const std::string &uri)
+{
+    return orShortage("camera " + uri, [&uri] { return openByKind(uri); });
 }
 
 std::vector<CameraDescription> listCameras()

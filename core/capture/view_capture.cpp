@@ -2,6 +2,7 @@
 #include "core/capture/view_capture.h"
 
 #include "core/base/percentile.h"
+#include "core/base/shortage.h"
 #include "core/base/steady_now.h"
 #include "core/video/jpeg_encoder.h"
 
@@ -104,13 +105,27 @@ ViewCapture::~ViewCapture() = default;
 void ViewCapture::start()
 {
     m_begun = steadyNow();
+    const std::string what = "camera " + description().uri;
+    auto coder = startThread(what, [this] { codePictures(); });
+    if (!coder)
+        return cannotRun(coder.error());
+    m_coder = std::move(*coder);
     std::promise<void> ended;
     m_takerEnded = ended.get_future();
-    m_taker = std::thread([self = shared_from_this(), ended = std::move(ended)]() mutable {
+    auto taker = startThread(what, [self = shared_from_this(), ended = std::move(ended)]() mutable {
         self->takePictures();
         ended.set_value();
     });
-    m_coder = std::thread([this] { codePictures(); });
+    if (!taker)
+        return cannotRun(taker.error());
+    m_taker = std::move(*taker);
+}
+
+/// Without its threads the view has ended before it began; the others go on.
+void ViewCapture::cannotRun(Error error)
+{
+    error.code = ErrorCode::Io; // it is not tried again
+    interrupted(error);
 }
 
 void ViewCapture::stop()
@@ -125,12 +140,13 @@ void ViewCapture::stop()
 
 void ViewCapture::join(std::chrono::steady_clock::time_point deadline)
 {
-    const bool hangs = m_takerEnded.wait_until(deadline) == std::future_status::timeout;
+    const bool hangs = m_taker.joinable() && m_takerEnded.wait_until(deadline) == std::future_status::timeout;
     m_work.close();
-    m_coder.join();
+    if (m_coder.joinable())
+        m_coder.join();
     if (hangs)
         m_taker.detach();
-    else
+    else if (m_taker.joinable())
         m_taker.join();
     const std::lock_guard lock(m_mutex);
     for (const auto &feed : m_feeds)
@@ -143,7 +159,7 @@ void ViewCapture::takePictures()
 {
     for (;;) {
         settleAutomatics();
-        auto captured = m_camera->next();
+        auto captured = orShortage("camera " + description().uri, [this] { return m_camera->next(); });
         if (captured) {
             take(std::move(*captured));
             continue;
@@ -347,7 +363,10 @@ void ViewCapture::startWriting(std::shared_ptr<ViewWriter> writer, Nanoseconds p
         const std::lock_guard lock(m_mutex);
         m_holdWanted = true;
     }
-    m_work.push(Start{std::move(writer), steadyNow() - preRoll});
+    if (m_coder.joinable())
+        m_work.push(Start{std::move(writer), steadyNow() - preRoll});
+    else
+        writer->close();
 }
 
 std::future<void> ViewCapture::stopWriting()
@@ -359,7 +378,10 @@ std::future<void> ViewCapture::stopWriting()
         m_holdWanted = false;
     }
     std::future<void> done = stop.done.get_future();
-    m_work.push(std::move(stop));
+    if (m_coder.joinable())
+        m_work.push(std::move(stop));
+    else
+        stop.done.set_value();
     return done;
 }
 
@@ -379,7 +401,8 @@ void ViewCapture::codePictures()
         } else if (auto *stop = std::get_if<Stop>(&*work)) {
             coder.end(std::move(*stop));
         } else if (coder.writer || m_preRoll > Nanoseconds(0)) {
-            auto coded = coder.code(std::get<Picture>(*work));
+            auto coded = orShortage("a picture of camera " + description().uri,
+                                    [&] { return coder.code(std::get<Picture>(*work)); });
             if (coded && coder.writer)
                 coder.writer->offer(std::move(*coded));
             else if (coded)

@@ -77,6 +77,7 @@ private:
         double latencyS;
     };
 
+    void cannotRun(Error error);
     void takePictures();
     void take(CapturedFrame captured);
     void interrupted(const Error &error);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/view_writer.h"
 
+#include "core/base/shortage.h"
 #include "core/base/steady_now.h"
 #include "core/capture/recorded_clock.h"
 #include "core/video/recording_writer.h"
@@ -44,7 +45,11 @@ ViewWriter::ViewWriter(std::filesystem::path file, double nominalFramesPerSecond
     : m_nominalFramesPerSecond(nominalFramesPerSecond), m_disk(std::move(disk))
 {
     m_recording.file = std::move(file);
-    m_thread = std::thread([this] { write(); });
+    auto thread = startThread(recordingName(), [this] { write(); });
+    if (thread)
+        m_thread = std::move(*thread);
+    else
+        m_recording.problem = thread.error();
 }
 
 ViewWriter::~ViewWriter()
@@ -112,9 +117,11 @@ void ViewWriter::write()
 {
     Output output;
     while (const auto next = waitForNext()) {
-        auto written = checkSpace();
-        if (written)
-            written = write(output, next->frame);
+        const auto written = orShortage(recordingName(), [&]() -> Result<void> {
+            if (auto room = checkSpace(); !room)
+                return room;
+            return write(output, next->frame);
+        });
         const std::lock_guard lock(m_mutex);
         m_waitingBytes -= next->frame.jpeg->size();
         m_writing.reset();
@@ -134,6 +141,11 @@ void ViewWriter::write()
             m_writingFailed = true; // of the last pictures, which wait until then
         }
     }
+}
+
+std::string ViewWriter::recordingName() const
+{
+    return "the recording " + m_recording.file.filename().string();
 }
 
 /// Before the disk is full, while there is still room to end in good order.
@@ -157,7 +169,7 @@ Result<void> ViewWriter::checkSpace()
     std::snprintf(why, sizeof why, "its disk has only %.0f MB left, of which %.0f are kept free",
                   static_cast<double>(room->free) / megabyte,
                   static_cast<double>(m_disk.reserved(*room)) / megabyte);
-    return odo::fail(ErrorCode::Io, "the recording " + m_recording.file.filename().string(), why,
+    return odo::fail(ErrorCode::Io, recordingName(), why,
                      "make room, or move the project to another disk; what was recorded so far is kept");
 }
 
@@ -249,7 +261,8 @@ void ViewWriter::leaveOutWhatIsNotInTheFile()
 
 ViewRecording ViewWriter::finish()
 {
-    m_thread.join();
+    if (m_thread.joinable())
+        m_thread.join();
     if (m_writingFailed)
         leaveOutWhatIsNotInTheFile();
     DerivedTimes derived = deriveTimes(m_recording.times); // long; nobody changes them any more

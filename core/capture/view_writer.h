@@ -75,6 +75,7 @@ private:
     void leaveOutWhatIsNotInTheFile();
     std::optional<Waiting> waitForNext();
     Result<void> checkSpace();
+    std::string recordingName() const;
 
     const double m_nominalFramesPerSecond;
     const DiskWatch m_disk;

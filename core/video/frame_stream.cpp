@@ -2,6 +2,7 @@
 #include "core/video/frame_stream.h"
 
 #include "core/base/bounded_queue.h"
+#include "core/base/shortage.h"
 
 #include <algorithm>
 #include <atomic>
@@ -26,8 +27,10 @@ struct FrameStream::Impl
 {
     Impl(std::unique_ptr<VideoReader> opened, std::size_t ahead) : reader(std::move(opened)), queue(ahead)
     {
-        if (ahead > 0)
-            thread = std::thread([this] { readAll(); });
+        if (ahead == 0)
+            return;
+        if (auto started = startThread({}, [this] { readAll(); })) // else pop() decodes
+            thread = std::move(*started);
     }
     ~Impl()
     {
@@ -35,34 +38,53 @@ struct FrameStream::Impl
         if (thread.joinable())
             thread.join();
     }
-    std::optional<Frame> readOne(const std::optional<PixelRect> &region);
+    Result<std::optional<Frame>> readOne(const std::optional<PixelRect> &region);
+    Result<void> readOn();
     void readAll();
+    Result<std::optional<Frame>> popAhead();
 
     std::unique_ptr<VideoReader> reader; ///< used by one thread alone, but for its info, which never changes
     BoundedQueue<Frame> queue;
     std::atomic<std::int64_t> damaged = 0;
     std::atomic<std::int64_t> cpuNs = 0;
+    Result<void> end; ///< of the thread, before it closes the queue
     std::thread thread;
 };
 
 /// The next frame that is not damaged.
-std::optional<Frame> FrameStream::Impl::readOne(const std::optional<PixelRect> &region)
+Result<std::optional<Frame>> FrameStream::Impl::readOne(const std::optional<PixelRect> &region)
 {
     const Nanoseconds begin = threadCpuTime();
     auto frame = reader->next(region);
-    for (; !frame; frame = reader->next(region))
+    for (; !frame && frame.error().code == ErrorCode::InvalidInput; frame = reader->next(region))
         ++damaged; // the reader has stepped over it
     cpuNs += (threadCpuTime() - begin).count();
-    return std::move(*frame);
+    return frame;
+}
+
+Result<void> FrameStream::Impl::readOn()
+{
+    for (;;) {
+        auto frame = readOne(std::nullopt);
+        if (!frame)
+            return tl::unexpected(frame.error());
+        if (!*frame || !queue.push(std::move(**frame)))
+            return {};
+    }
 }
 
 void FrameStream::Impl::readAll()
 {
-    while (auto frame = readOne(std::nullopt)) {
-        if (!queue.push(std::move(*frame)))
-            break;
-    }
+    end = orShortage("cannot decode the video", [this] { return readOn(); });
     queue.close();
+}
+
+Result<std::optional<Frame>> FrameStream::Impl::popAhead()
+{
+    auto frame = queue.pop();
+    if (!frame && !end)
+        return tl::unexpected(end.error());
+    return frame;
 }
 
 FrameStream::FrameStream(std::unique_ptr<VideoReader> reader, std::size_t ahead)
@@ -87,7 +109,7 @@ const VideoInfo &FrameStream::info() const
 
 Result<std::optional<Frame>> FrameStream::pop(const std::optional<PixelRect> &region)
 {
-    return m_impl->thread.joinable() ? m_impl->queue.pop() : m_impl->readOne(region);
+    return m_impl->thread.joinable() ? m_impl->popAhead() : m_impl->readOne(region);
 }
 
 std::int64_t FrameStream::damagedFrames() const

@@ -2,8 +2,18 @@
 #include "core/video/libav.h"
 
 #include <mutex>
+#include <system_error>
 
 namespace odo::libav {
+
+int checked(int answer)
+{
+    if (answer == AVERROR(ENOMEM))
+        throw std::bad_alloc();
+    if (answer == AVERROR(EMFILE) || answer == AVERROR(ENFILE))
+        throw std::system_error(AVUNERROR(answer), std::generic_category());
+    return answer;
+}
 
 std::string errorText(int error)
 {

@@ -9,11 +9,16 @@ extern "C" {
 #include <libavutil/opt.h>
 }
 
+#include <cstdint>
 #include <memory>
+#include <new>
 #include <string>
 
 /// Owners for the things of libav. Private to core/video: no public header includes this one.
 namespace odo::libav {
+
+/// Of a picture that is read.
+constexpr std::int64_t mostPixels = 100'000'000;
 
 struct Delete
 {
@@ -29,6 +34,17 @@ using PacketPtr = std::unique_ptr<AVPacket, Delete>;
 using CodecPtr = std::unique_ptr<AVCodecContext, Delete>;
 using FilterPtr = std::unique_ptr<AVBSFContext, Delete>;
 using ParametersPtr = std::unique_ptr<AVCodecParameters, Delete>;
+
+/// What libav has allocated; std::bad_alloc where it could not.
+template <class Allocated> Allocated *allocated(Allocated *memory)
+{
+    if (!memory)
+        throw std::bad_alloc();
+    return memory;
+}
+
+/// An answer of libav as it is; std::bad_alloc where memory, std::system_error where open files ran out.
+int checked(int answer);
 
 /// An options dictionary that frees what libav left in it.
 class Options

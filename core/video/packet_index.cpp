@@ -43,7 +43,7 @@ struct Walk
 Walk walkPackets(VideoInput &input, PacketIndex &index)
 {
     Walk walk;
-    const libav::PacketPtr packet(av_packet_alloc());
+    const libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
     const AVCodecID codec = input.stream().codecpar->codec_id;
     const bool reorders = input.stream().codecpar->video_delay > 0;
     for (;;) {

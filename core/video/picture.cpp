@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/picture.h"
 
+#include "core/base/shortage.h"
 #include "core/video/picture_size.h"
 
 #include <fstream>
@@ -80,7 +81,9 @@ cv::Mat decode(const std::vector<std::uint8_t> &bytes)
     try {
         // Orientation ignored: cameras are calibrated on the sensor's own rows and columns.
         return cv::imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
-    } catch (const cv::Exception &) {
+    } catch (const cv::Exception &problem) {
+        if (problem.code == cv::Error::StsNoMem)
+            throw std::bad_alloc();
         return {};
     }
 }
@@ -134,7 +137,9 @@ Frame fromScreen(const std::uint32_t *pixels, int width, int height, std::ptrdif
     return FrameBuffer::toFrame(std::move(buffer), 0, time);
 }
 
-Result<Frame> readPicture(const std::filesystem::path &file)
+namespace {
+
+Result<Frame> readPictureChecked(const std::filesystem::path &file)
 {
     const auto bytes = readFile(file);
     if (!bytes)
@@ -161,6 +166,13 @@ Result<Frame> readPicture(const std::filesystem::path &file)
     for (int y = 0; y < bgr.rows; ++y)
         convertRow(bgr.ptr<cv::Vec3b>(y), bgr.cols, buffer->yRow(y), buffer->uRow(y), buffer->vRow(y));
     return FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0));
+}
+
+} // namespace
+
+Result<Frame> readPicture(const std::filesystem::path &file)
+{
+    return orShortage(cannotRead(file), [&file] { return readPictureChecked(file); });
 }
 
 } // namespace odo

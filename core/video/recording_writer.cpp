@@ -59,7 +59,7 @@ Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
     if (error < 0)
         return problem(libav::errorText(error));
     container->flags |= AVFMT_FLAG_FLUSH_PACKETS | AVFMT_FLAG_BITEXACT;
-    stream = avformat_new_stream(container, nullptr);
+    stream = libav::allocated(avformat_new_stream(container, nullptr));
     AVCodecParameters &parameters = *stream->codecpar;
     parameters.codec_type = AVMEDIA_TYPE_VIDEO;
     parameters.codec_id = AV_CODEC_ID_MJPEG;
@@ -112,7 +112,7 @@ Result<void> RecordingWriter::write(std::span<const std::uint8_t> jpeg, Nanoseco
     Impl &d = *m_impl;
     if (!d.container)
         return d.problem("writing has failed before");
-    const libav::PacketPtr packet(av_packet_alloc());
+    const libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
     packet->data = const_cast<std::uint8_t *>(jpeg.data()); // not owned, so that the muxer only reads it
     packet->size = static_cast<int>(jpeg.size());
     packet->flags = AV_PKT_FLAG_KEY;

@@ -14,7 +14,6 @@ namespace odo {
 
 namespace {
 
-constexpr std::int64_t maximumPixels = 100'000'000;
 constexpr std::uint8_t neutralChroma = 128;
 
 bool setChromaShifts(AVPixelFormat pixelFormat, FrameFormat &format)
@@ -152,7 +151,7 @@ Result<FrameFormat> streamFormat(const VideoInput &input)
     if (format.width <= 0 || format.height <= 0)
         return fail(ErrorCode::InvalidInput, what, "the size of its pictures could not be found out",
                     "copy it from the camera again");
-    if (static_cast<std::int64_t>(format.width) * format.height > maximumPixels)
+    if (static_cast<std::int64_t>(format.width) * format.height > libav::mostPixels)
         return fail(ErrorCode::InvalidInput, what, "its pictures have more than 100 megapixels",
                     "convert it to a smaller size");
     if (!setChromaShifts(pixelFormat, format) || parameters.color_space == AVCOL_SPC_RGB ||

@@ -115,7 +115,7 @@ Result<libav::CodecPtr> openEncoder(const FrameFormat &format, const VideoWriter
     if (!codec)
         return fail(ErrorCode::Internal, what, "the installed libavcodec has no encoder for it",
                     "install Debian's libavcodec with libx264");
-    libav::CodecPtr encoder(avcodec_alloc_context3(codec));
+    libav::CodecPtr encoder(libav::allocated(avcodec_alloc_context3(codec)));
     encoder->width = format.width;
     encoder->height = format.height;
     encoder->time_base = encodingTimeBase;
@@ -136,7 +136,7 @@ Result<libav::CodecPtr> openEncoder(const FrameFormat &format, const VideoWriter
 Result<EncodedStream> describeStream(const AVCodecContext &encoder, const FrameFormat &format)
 {
     EncodedStream stream;
-    stream.parameters.reset(avcodec_parameters_alloc());
+    stream.parameters.reset(libav::allocated(avcodec_parameters_alloc()));
     avcodec_parameters_from_context(stream.parameters.get(), &encoder);
     if (encoder.codec_id != AV_CODEC_ID_H264 || format.siting != ChromaSiting::Left ||
         format.chromaShiftY != 1)
@@ -160,7 +160,7 @@ Result<EncodedStream> describeStream(const AVCodecContext &encoder, const FrameF
 
 Result<libav::FramePtr> pictureOf(const Frame &frame, const AVCodecContext &encoder, std::int64_t timeUs)
 {
-    libav::FramePtr picture(av_frame_alloc());
+    libav::FramePtr picture(libav::allocated(av_frame_alloc()));
     picture->format = encoder.pix_fmt;
     picture->width = encoder.width;
     picture->height = encoder.height;

@@ -72,20 +72,20 @@ Result<void> VideoInput::openContainer()
     ioOptions.set("protocol_whitelist", "file");
     // "file:" keeps a name like "http:x.mkv" from being read as an address.
     const std::string address = "file:" + std::filesystem::absolute(m_file).string();
-    int error = avio_open2(&m_io, address.c_str(), AVIO_FLAG_READ, nullptr, ioOptions.get());
+    int error = libav::checked(avio_open2(&m_io, address.c_str(), AVIO_FLAG_READ, nullptr, ioOptions.get()));
     if (error < 0)
         return fail(ErrorCode::Io, couldNotOpen(m_file), libav::errorText(error),
                     "check that you may read the file");
 
-    m_container = avformat_alloc_context();
+    m_container = libav::allocated(avformat_alloc_context());
     m_container->pb = m_io;
     m_container->flags |= AVFMT_FLAG_CUSTOM_IO;
     m_container->io_open = refuseOtherFiles;
     libav::Options options;
     options.set("format_whitelist", ordinaryContainers);
     options.set("protocol_whitelist", "file");
-    error =
-        avformat_open_input(&m_container, nullptr, nullptr, options.get()); // frees the context when it fails
+    // Frees the context when it fails. That there is no memory libav also says of damaged lengths.
+    error = avformat_open_input(&m_container, nullptr, nullptr, options.get());
     if (error < 0)
         return fail(ErrorCode::InvalidInput, couldNotOpen(m_file),
                     "it is not a video of a kind that is read, or its header is damaged or missing (" +
@@ -99,7 +99,13 @@ Result<void> VideoInput::findStream()
     std::vector<AVChromaLocation> stated;
     for (unsigned i = 0; i < m_container->nb_streams; ++i)
         stated.push_back(m_container->streams[i]->codecpar->chroma_location);
-    const int error = avformat_find_stream_info(m_container, nullptr);
+    // It decodes pictures to find out; none that are too large to be read.
+    std::vector<AVDictionary *> limits(m_container->nb_streams, nullptr);
+    for (AVDictionary *&limit : limits)
+        av_dict_set_int(&limit, "max_pixels", libav::mostPixels, 0);
+    const int error = avformat_find_stream_info(m_container, limits.data());
+    for (AVDictionary *&limit : limits)
+        av_dict_free(&limit);
     const int best =
         error < 0 ? error : av_find_best_stream(m_container, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (best < 0 || (m_container->streams[best]->disposition & AV_DISPOSITION_ATTACHED_PIC) != 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/video_reader.h"
 
+#include "core/base/shortage.h"
 #include "core/video/ffv1_checksum.h"
 #include "core/video/jpeg_picture.h"
 #include "core/video/packet_index.h"
@@ -63,13 +64,13 @@ Result<libav::CodecPtr> openDecoder(const VideoInput &input)
         return fail(ErrorCode::InvalidInput, what,
                     std::string("there is no decoder for ") + avcodec_get_name(parameters.codec_id),
                     "convert it to H.264");
-    libav::CodecPtr decoder(avcodec_alloc_context3(codec));
-    int error = avcodec_parameters_to_context(decoder.get(), &parameters);
+    libav::CodecPtr decoder(libav::allocated(avcodec_alloc_context3(codec)));
+    int error = libav::checked(avcodec_parameters_to_context(decoder.get(), &parameters));
     decoder->pkt_timebase = input.stream().time_base;
     decoder->thread_count = 1; // one thread a file: the views of a trial are decoded side by side
-    decoder->max_pixels = 100'000'000;
+    decoder->max_pixels = libav::mostPixels;
     if (error >= 0)
-        error = avcodec_open2(decoder.get(), codec, nullptr);
+        error = libav::checked(avcodec_open2(decoder.get(), codec, nullptr));
     if (error < 0)
         return fail(ErrorCode::InvalidInput, what,
                     "its decoder would not start (" + libav::errorText(error) + ")", "convert it to H.264");
@@ -91,7 +92,7 @@ struct VideoReader::Impl
     std::size_t nextIndex = 0;       ///< of the frame that next() gives
     std::optional<Frame> ahead;      ///< decoded already, index >= nextIndex
     std::optional<PixelRect> region; ///< all that is wanted of the next frame
-    libav::PacketPtr packet{av_packet_alloc()};
+    libav::PacketPtr packet{libav::allocated(av_packet_alloc())};
     bool packetWaits = false;    ///< `packet` is read but not yet given to the decoder
     std::size_t packetsRead = 0; ///< place of the next packet to be read
     std::int64_t counted = 0;    ///< pictures since the start, where frames are told by counting
@@ -113,6 +114,7 @@ struct VideoReader::Impl
     std::optional<Frame> decodeJpegFrame();
     std::optional<Frame> decodeFrame();
     void decodeTo(std::size_t frame);
+    Result<std::optional<Frame>> decoded(std::size_t wanted);
     bool isAhead(std::size_t frame) const
     {
         return ahead && ahead->index == static_cast<std::int64_t>(frame);
@@ -198,16 +200,16 @@ bool VideoReader::Impl::sendPacket()
     }
     // A damaged packet is refused; its frame is then missing in what comes out, which next() reports.
     if (isWhole(*packet))
-        avcodec_send_packet(decoder.get(), packet.get());
+        libav::checked(avcodec_send_packet(decoder.get(), packet.get()));
     av_packet_unref(packet.get());
     return true;
 }
 
 libav::FramePtr VideoReader::Impl::decodePicture()
 {
-    libav::FramePtr picture(av_frame_alloc());
+    libav::FramePtr picture(libav::allocated(av_frame_alloc()));
     for (;;) {
-        const int error = avcodec_receive_frame(decoder.get(), picture.get());
+        const int error = libav::checked(avcodec_receive_frame(decoder.get(), picture.get()));
         if (error == 0)
             return picture;
         if (error == AVERROR_EOF || (error == AVERROR(EAGAIN) && !sendPacket()))
@@ -241,14 +243,14 @@ std::optional<Frame> VideoReader::Impl::decodeJpegFrame()
             frame.index = place;
             frame.time = index.times[static_cast<std::size_t>(place)];
             if (frame.validRegion)
-                frame.coded = std::make_shared<JpegPicture>(libav::PacketPtr(av_packet_clone(packet.get())),
+                frame.coded = std::make_shared<JpegPicture>(libav::PacketPtr(libav::allocated(av_packet_clone(packet.get()))),
                                                             jpegDecoder);
             return frame;
         }
-        libav::FramePtr picture(av_frame_alloc());
+        libav::FramePtr picture(libav::allocated(av_frame_alloc()));
         if (outcome == JpegDecoder::Outcome::NotSuitable &&
-            avcodec_send_packet(decoder.get(), packet.get()) == 0 &&
-            avcodec_receive_frame(decoder.get(), picture.get()) == 0)
+            libav::checked(avcodec_send_packet(decoder.get(), packet.get())) == 0 &&
+            libav::checked(avcodec_receive_frame(decoder.get(), picture.get())) == 0)
             if (auto found = frameFrom(std::move(picture), place))
                 return found;
     }
@@ -278,6 +280,23 @@ void VideoReader::Impl::decodeTo(std::size_t frame)
     }
 }
 
+/// The frame, when all before it are behind.
+Result<std::optional<Frame>> VideoReader::Impl::decoded(std::size_t wanted)
+{
+    decodeTo(wanted);
+    if (beganMidway && !isAhead(wanted)) {
+        // What the container calls a key frame was none (gradual refresh): only the long way is exact.
+        if (auto again = restart(); !again)
+            return tl::unexpected(again.error());
+        decodeTo(wanted);
+    }
+    beganMidway = false;
+    if (!isAhead(wanted))
+        return fail(ErrorCode::InvalidInput, "cannot decode " + name(wanted), "its data are damaged",
+                    "it is left out");
+    return std::exchange(ahead, std::nullopt);
+}
+
 /// Whether decoding on is the shortest way to this frame.
 bool VideoReader::Impl::isOnTheWay(std::size_t frame) const
 {
@@ -288,6 +307,11 @@ VideoReader::VideoReader(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {
 VideoReader::~VideoReader() = default;
 
 Result<std::unique_ptr<VideoReader>> VideoReader::open(const std::filesystem::path &file)
+{
+    return orShortage("cannot open the video " + file.string(), [&file] { return openChecked(file); });
+}
+
+Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesystem::path &file)
 {
     auto impl = std::make_unique<Impl>();
     impl->file = file;
@@ -332,18 +356,7 @@ Result<std::optional<Frame>> VideoReader::next(const std::optional<PixelRect> &r
     if (d.nextIndex >= d.index.frames.size())
         return std::nullopt;
     const std::size_t wanted = d.nextIndex++;
-    d.decodeTo(wanted);
-    if (d.beganMidway && !d.isAhead(wanted)) {
-        // What the container calls a key frame was none (gradual refresh): only the long way is exact.
-        if (auto again = d.restart(); !again)
-            return tl::unexpected(again.error());
-        d.decodeTo(wanted);
-    }
-    d.beganMidway = false;
-    if (!d.isAhead(wanted))
-        return fail(ErrorCode::InvalidInput, "cannot decode " + d.name(wanted), "its data are damaged",
-                    "it is left out");
-    return std::exchange(d.ahead, std::nullopt);
+    return orShortage("cannot decode " + d.name(wanted), [&d, wanted] { return d.decoded(wanted); });
 }
 
 Result<void> VideoReader::seek(std::int64_t frameIndex)
@@ -354,11 +367,13 @@ Result<void> VideoReader::seek(std::int64_t frameIndex)
                     "cannot show frame " + std::to_string(frameIndex) + " of " + d.file.string(),
                     "it has frames 0 to " + std::to_string(d.index.frames.size() - 1), "choose one of these");
     const auto frame = static_cast<std::size_t>(frameIndex);
-    if (!d.isOnTheWay(frame) && (d.index.counted || !d.startAt(d.index.keyPacketFor(frame))))
-        if (auto again = d.restart(); !again)
-            return again;
-    d.nextIndex = frame;
-    return {};
+    return orShortage("cannot show " + d.name(frame), [&d, frame]() -> Result<void> {
+        if (!d.isOnTheWay(frame) && (d.index.counted || !d.startAt(d.index.keyPacketFor(frame))))
+            if (auto again = d.restart(); !again)
+                return again;
+        d.nextIndex = frame;
+        return {};
+    });
 }
 
 std::int64_t VideoReader::keyFrameBefore(std::int64_t frameIndex) const

@@ -40,7 +40,7 @@ public:
 
     const VideoInfo &info() const;
     /// The next frame in order of presentation; nullopt at the end. A damaged frame is an Error that can be
-    /// skipped by calling again. A region asks for no more than this part; where decodesRegions() the frame
+    /// skipped by calling again (InvalidInput; Unavailable where memory ran out). A region asks for no more than this part; where decodesRegions() the frame
     /// may then hold only that (Frame::validRegion), in all else it is whole.
     Result<std::optional<Frame>> next(const std::optional<PixelRect> &region = std::nullopt);
     /// Whether asking for a region saves time: in MJPEG it does.
@@ -56,6 +56,7 @@ public:
 private:
     struct Impl;
     explicit VideoReader(std::unique_ptr<Impl> impl);
+    static Result<std::unique_ptr<VideoReader>> openChecked(const std::filesystem::path &file);
     std::unique_ptr<Impl> m_impl;
 };
 

@@ -108,7 +108,7 @@ Result<void> VideoWriter::Impl::addStream()
     if (!described)
         return tl::unexpected(described.error());
     filter = std::move(described->filter);
-    stream = avformat_new_stream(container, nullptr);
+    stream = libav::allocated(avformat_new_stream(container, nullptr));
     avcodec_parameters_copy(stream->codecpar, described->parameters.get());
     stream->codecpar->codec_tag = 0;
     stream->time_base = encodingTimeBase;
@@ -154,7 +154,7 @@ Result<void> VideoWriter::Impl::encode(const AVFrame *picture)
 {
     if (const int error = avcodec_send_frame(encoder.get(), picture); error < 0)
         return problem(error);
-    const libav::PacketPtr packet(av_packet_alloc());
+    const libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
     for (;;) {
         const int error = avcodec_receive_packet(encoder.get(), packet.get());
         if (error == AVERROR(EAGAIN) || error == AVERROR_EOF)

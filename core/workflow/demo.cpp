@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/demo.h"
 
+#include "core/base/shortage.h"
 #include "core/exchange/layout_csv.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -15,7 +16,6 @@
 #include "core/workflow/track_job.h"
 #include "core/workflow/truth_files.h"
 
-#include <thread>
 
 namespace odo {
 
@@ -138,17 +138,12 @@ private:
     {
         const SimulatedScene &scene = m_trials[t].scene;
         std::vector<Result<void>> results(scene.cameras.size());
-        std::vector<std::thread> threads;
-        for (std::size_t c = 0; c < scene.cameras.size(); ++c) {
+        sideBySide(scene.cameras.size(), [&](std::size_t c) {
             JobControl mine = control;
             if (c > 0)
                 mine.progress = nullptr; // the views go on side by side: the first speaks for all
-            threads.emplace_back([&, c, mine] {
-                results[c] = renderVideo(scene, int(c), videoFile(t, scene.cameras[c]), {}, mine);
-            });
-        }
-        for (std::thread &thread : threads)
-            thread.join();
+            results[c] = renderVideo(scene, int(c), videoFile(t, scene.cameras[c]), {}, mine);
+        });
         for (const auto &result : results) {
             if (!result)
                 return result;

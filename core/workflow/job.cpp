@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/job.h"
 
+#include "core/base/shortage.h"
+
 namespace odo {
 
 Result<void> runToEnd(Job &job, Project &project, const JobControl &control)
 {
-    if (auto prepared = job.prepare(project); !prepared)
-        return prepared;
-    if (auto done = job.run(control); !done)
-        return done;
-    return job.commit(project);
+    return orShortage(cannotDoThis, [&]() -> Result<void> {
+        if (auto prepared = job.prepare(project); !prepared)
+            return prepared;
+        if (auto done = job.run(control); !done)
+            return done;
+        return job.commit(project);
+    });
 }
 
 } // namespace odo

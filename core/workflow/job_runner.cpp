@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/job_runner.h"
 
+#include "core/base/shortage.h"
 #include "core/workflow/call_later.h"
 #include "core/workflow/job.h"
-
 
 namespace odo {
 
@@ -24,19 +24,23 @@ bool JobRunner::start(std::shared_ptr<Job> job)
         m_thread.join();
     m_job = std::move(job);
     m_cancel = CancelToken();
-    if (const auto prepared = m_job->prepare(m_project); !prepared) {
-        // Queued, so that the caller always hears of the end after start has returned.
-        callLater(this, [this, prepared] { finish(prepared); });
+    // Queued, so that the caller always hears of the end after start has returned.
+    const auto finishLater = [this](const Result<void> &result) { callLater(this, [this, result] { finish(result); }); };
+    if (const auto prepared = orShortage(cannotDoThis, [this] { return m_job->prepare(m_project); }); !prepared) {
+        finishLater(prepared);
         return true;
     }
     JobControl control{m_cancel, [this](double fraction, const std::string &text) {
                            const QString words = QString::fromStdString(text);
                            callLater(this, [this, fraction, words] { Q_EMIT progressed(fraction, words); });
                        }};
-    m_thread = std::thread([this, worker = m_job, control] {
-        const Result<void> result = worker->run(control);
-        callLater(this, [this, result] { finish(result); });
+    auto thread = startThread(cannotDoThis, [worker = m_job, control, finishLater] {
+        finishLater(orShortage(cannotDoThis, [&] { return worker->run(control); }));
     });
+    if (thread)
+        m_thread = std::move(*thread);
+    else
+        finishLater(tl::unexpected(thread.error()));
     return true;
 }
 
@@ -47,7 +51,8 @@ void JobRunner::finish(const Result<void> &result)
     if (m_thread.joinable())
         m_thread.join();
     const std::shared_ptr<Job> job = std::exchange(m_job, nullptr);
-    const Result<void> outcome = result ? job->commit(m_project) : result;
+    const Result<void> outcome =
+        result ? orShortage(cannotDoThis, [&] { return job->commit(m_project); }) : result;
     Q_EMIT finished(job, outcome ? std::nullopt : std::optional<Error>(outcome.error()));
 }
 

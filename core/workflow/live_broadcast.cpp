@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/live_broadcast.h"
 
+#include "core/base/shortage.h"
 #include "core/base/steady_now.h"
 
 #include <algorithm>
@@ -114,19 +115,25 @@ Result<std::unique_ptr<LiveBroadcast>> LiveBroadcast::create(const BroadcastTarg
             return tl::unexpected(set.error());
         }
     }
-    return std::unique_ptr<LiveBroadcast>(new LiveBroadcast(socket, target, robots));
+    std::unique_ptr<LiveBroadcast> broadcast(new LiveBroadcast(socket, target, robots));
+    auto thread = startThread("live positions to " + shown(target), [&live = *broadcast] { live.sendAll(); });
+    if (!thread)
+        return tl::unexpected(thread.error());
+    broadcast->m_thread = std::move(*thread);
+    return broadcast;
 }
 
 LiveBroadcast::LiveBroadcast(int socket, const BroadcastTarget &target, const std::vector<RobotRecord> &robots)
     : m_socket(socket), m_target(target), m_robots(robots), m_numbers(sslNumbers(robots)), m_yaws(robots.size()),
-      m_moments(momentsAhead), m_thread([this] { sendAll(); })
+      m_moments(momentsAhead)
 {
 }
 
 LiveBroadcast::~LiveBroadcast()
 {
     m_moments.close();
-    m_thread.join();
+    if (m_thread.joinable())
+        m_thread.join();
     close(m_socket);
 }
 

@@ -2,6 +2,7 @@
 #include "core/workflow/live_tracking.h"
 
 #include "core/base/percentile.h"
+#include "core/base/shortage.h"
 #include "core/base/steady_now.h"
 #include "core/tracking/colour_tracker.h"
 #include "core/workflow/view_tracking.h"
@@ -72,7 +73,10 @@ Result<std::unique_ptr<LiveTracker>> LiveTracker::create(const std::vector<LiveV
     }
     for (std::size_t v = 0; v < live->m_views.size(); ++v) {
         live->m_views[v].feed = std::move(feeds[v]);
-        live->m_views[v].thread = std::thread([&live = *live, v] { live.follow(v); });
+        auto thread = startThread("live tracking", [&live = *live, v] { live.follow(v); });
+        if (!thread)
+            return tl::unexpected(thread.error());
+        live->m_views[v].thread = std::move(*thread);
     }
     return live;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/view_tracking.h"
 
+#include "core/base/shortage.h"
 #include "core/project/instant_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -10,7 +11,6 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
-#include <thread>
 
 namespace odo {
 
@@ -116,11 +116,7 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
     SharedProgress progress(control, total);
 
     std::vector<Result<TrackedView>> results(views.size(), TrackedView{});
-    std::vector<std::thread> threads;
-    for (std::size_t v = 0; v < views.size(); ++v)
-        threads.emplace_back([&, v] { results[v] = trackView(views[v], robots, control, progress, light); });
-    for (std::thread &thread : threads)
-        thread.join();
+    sideBySide(views.size(), [&](std::size_t v) { results[v] = trackView(views[v], robots, control, progress, light); });
 
     std::vector<TrackedView> tracked;
     for (auto &result : results) {

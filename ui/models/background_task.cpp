@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/background_task.h"
 
+#include "core/base/shortage.h"
 #include "core/workflow/call_later.h"
 #include "ui/models/core_words.h"
-
 
 namespace odo {
 
@@ -24,14 +24,21 @@ bool BackgroundTask::start(Work work)
                                  const QString words = shownWords(text);
                                  callLater(this, [this, fraction, words] { Q_EMIT progressed(fraction, words); });
                              }};
-    m_thread = std::thread([this, control, work = std::move(work)] {
-        const Result<void> result = work(control);
+    const auto finishLater = [this](const Result<void> &result) {
         callLater(this, [this, result] {
-            m_thread.join();
+            if (m_thread.joinable())
+                m_thread.join();
             m_running = false;
             Q_EMIT finished(result ? std::nullopt : std::optional<Error>(result.error()));
         });
+    };
+    auto thread = startThread(cannotDoThis, [control, finishLater, work = std::move(work)] {
+        finishLater(orShortage(cannotDoThis, [&] { return work(control); }));
     });
+    if (thread)
+        m_thread = std::move(*thread);
+    else
+        finishLater(tl::unexpected(thread.error()));
     return true;
 }
 

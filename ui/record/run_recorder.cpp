@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/run_recorder.h"
 
+#include "core/base/shortage.h"
 #include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/workflow/call_later.h"
 #include "core/workflow/hash_job.h"
 #include "core/workflow/live_trial.h"
 #include "ui/models/core_words.h"
-
 
 namespace odo {
 namespace {
@@ -59,8 +59,14 @@ void RunRecorder::begin(const NextRun &run, const std::vector<std::string> &came
     m_stopHashing = CancelToken();
     m_endWanted = false; // nobody else is there just now
     m_state = State::Recording;
-    m_thread = std::thread(
-        [this, order = Order{run, cameras, std::move(session), from}]() mutable { work(std::move(order)); });
+    const QString trial = QString::fromStdString(run.trial);
+    auto thread = startThread(cannotDoThis, [this, order = Order{run, cameras, std::move(session), from}]() mutable {
+        work(std::move(order));
+    });
+    if (thread)
+        m_thread = std::move(*thread);
+    else
+        tellEnd(trial, tl::unexpected(thread.error()));
 }
 
 void RunRecorder::end()
@@ -104,7 +110,7 @@ void RunRecorder::work(Order order)
     const auto project = Project::openAgain(m_project, Project::Access::ReadWrite);
     if (!project)
         return tellEnd(trial, tl::unexpected(project.error()));
-    const Result<QStringList> warnings = record(order, **project);
+    const Result<QStringList> warnings = orShortage(cannotDoThis, [&] { return record(order, **project); });
     order.session.reset(); // others may need the cameras
     tellEnd(trial, warnings);
     makeHashes(**project);

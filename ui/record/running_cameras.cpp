@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/running_cameras.h"
 
+#include "core/base/shortage.h"
 #include "core/capture/awaited_source.h"
 #include "core/video/picture.h"
 #include "core/workflow/call_later.h"
 #include "ui/views/screen_image.h"
 
-
 namespace odo {
 
 RunningCameras::RunningCameras(Open open, QObject *parent)
-    : QObject(parent), m_open(std::move(open)), m_painter([this] { showPictures(); })
+    : QObject(parent), m_open(std::move(open))
 {
+    if (auto painter = startThread({}, [this] { showPictures(); })) // else start() tells
+        m_painter = std::move(*painter);
     m_worker.moveToThread(&m_thread);
     m_thread.start();
 }
@@ -20,7 +22,8 @@ RunningCameras::~RunningCameras()
 {
     stop();
     m_toShow.close();
-    m_painter.join();
+    if (m_painter.joinable())
+        m_painter.join();
     m_thread.quit(); // what was asked for before is done first
     m_thread.wait();
 }
@@ -33,6 +36,10 @@ void RunningCameras::onWorker(std::function<void()> work)
 void RunningCameras::start(std::vector<WantedCamera> cameras)
 {
     stop();
+    if (!m_painter.joinable() || !m_thread.isRunning()) {
+        callLater(this, [this] { Q_EMIT failed(noThread("the cameras")); });
+        return;
+    }
     m_cameras = std::move(cameras);
     m_cameras.resize(std::min(m_cameras.size(), mostViews));
     m_opening = true;
@@ -120,8 +127,8 @@ Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
         m_tracker = std::move(*tracker);
         return sending;
     }
-    m_tracker = std::move(
-        *LiveTracker::create(views, {}, subscribe(), listener)); // the pictures are shown all the same
+    if (auto pictures = LiveTracker::create(views, {}, subscribe(), listener)) // they are shown all the same
+        m_tracker = std::move(*pictures);
     return tl::unexpected(tracker.error());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/trial_content.h"
 
+#include "core/base/shortage.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/picture.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <future>
 
 namespace odo {
 
@@ -23,11 +23,7 @@ using Readers = std::vector<std::unique_ptr<VideoReader>>;
 
 void forEachView(const TrialScene &scene, const std::function<void(std::size_t view)> &work)
 {
-    std::vector<std::future<void>> begun;
-    for (std::size_t view = 0; view < scene.views.size(); ++view)
-        begun.push_back(std::async(std::launch::async, work, view));
-    for (std::future<void> &each : begun)
-        each.get();
+    sideBySide(scene.views.size(), work);
 }
 
 Readers openVideos(const TrialScene &scene)

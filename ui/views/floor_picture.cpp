@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/floor_picture.h"
 
+#include "core/base/shortage.h"
 #include "core/video/picture.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/call_later.h"
@@ -244,15 +245,23 @@ void FloorPictureMaker::begin()
     if (!std::exchange(m_isWanted, false))
         return;
     m_cancel = CancelToken();
-    m_thread = std::thread([this, scene = m_scene, extent = m_extent, side = m_sidePx, cancel = m_cancel] {
-        const FloorPicture picture = makeFloorPicture(*scene, extent, side, cancel);
+    const auto finishLater = [this, cancel = m_cancel](const FloorPicture &picture) {
         callLater(this, [this, picture, cancel] { finish(picture, cancel.isCancelled()); });
+    };
+    auto thread = startThread({}, [scene = m_scene, extent = m_extent, side = m_sidePx, cancel = m_cancel, finishLater] {
+        const auto made = orShortage({}, [&]() -> Result<FloorPicture> { return makeFloorPicture(*scene, extent, side, cancel); });
+        finishLater(made.value_or(FloorPicture())); // the map is of use without it
     });
+    if (thread)
+        m_thread = std::move(*thread);
+    else
+        finishLater({});
 }
 
 void FloorPictureMaker::finish(const FloorPicture &picture, bool givenUp)
 {
-    m_thread.join(); // it had nothing left to do
+    if (m_thread.joinable())
+        m_thread.join(); // it had nothing left to do
     if (givenUp) {
         begin();
         return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/frame_fetcher.h"
 
+#include "core/base/shortage.h"
 #include "core/video/picture.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/call_later.h"
@@ -71,7 +72,7 @@ private:
 
 struct FrameFetcher::Worker
 {
-    explicit Worker(FrameFetcher &fetcher) : owner(fetcher), thread([this] { work(); }) {}
+    explicit Worker(FrameFetcher &fetcher) : owner(fetcher), thread(startThread("the picture", [this] { work(); })) {}
     ~Worker()
     {
         {
@@ -79,11 +80,14 @@ struct FrameFetcher::Worker
             ending = true;
         }
         wake.notify_one();
-        thread.join();
+        if (thread)
+            thread->join();
     }
 
     void ask(Request request)
     {
+        if (!thread)
+            return deliver(request, {}, errorLine(thread.error()));
         {
             const std::lock_guard lock(mutex);
             newest = std::move(request);
@@ -115,7 +119,7 @@ struct FrameFetcher::Worker
     PictureCache cache;
     qint64 lastFrame = -1;
 
-    std::thread thread; // last: starts when the rest is there
+    Result<std::thread> thread; // last: starts when the rest is there
 };
 
 void FrameFetcher::Worker::work()
@@ -129,7 +133,12 @@ void FrameFetcher::Worker::work()
                 return;
             request = *std::exchange(newest, std::nullopt);
         }
-        serve(request);
+        const auto served = orShortage("the picture", [&]() -> Result<void> {
+            serve(request);
+            return {};
+        });
+        if (!served)
+            deliver(request, {}, errorLine(served.error()));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What core says is found again by its patterns: core is made to say it here, so that a sentence that is
 // changed there alone is noticed.
+#include "core/base/shortage.h"
 #include "core/base/units.h"
 #include "core/calibration/accuracy_words.h"
 #include "core/calibration/calibration_verdict.h"
@@ -272,11 +273,12 @@ std::vector<std::string> errorSentences()
 {
     const TrialScenePtr scene = exampleScene({});
     const FloorView &view = *scene->views.front().floorView;
-    std::vector<Error> errors{machineSleptError(std::chrono::minutes(5)), slowCameraError("Left", 12, 30)};
+    std::vector<Error> errors{machineSleptError(std::chrono::minutes(5)), slowCameraError("Left", 12, 30), noThread("the cameras")};
     const auto add = [&](const auto &result) {
         if (!result)
             errors.push_back(result.error());
     };
+    add(orShortage(cannotDoThis, []() -> Result<void> { throw std::bad_alloc(); }));
     QTemporaryDir folder;
     const std::filesystem::path file = folder.filePath(QStringLiteral("Hall.csv")).toStdString();
     add(Project::open(file, Project::Access::ReadWrite));

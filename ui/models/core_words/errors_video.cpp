@@ -26,6 +26,8 @@ std::span<const CorePattern> errorsVideo()
         {QT_TRANSLATE_NOOP("CoreWords", "there is no decoder for %1")},
         {QT_TRANSLATE_NOOP("CoreWords", "its decoder would not start (%1)")},
         {QT_TRANSLATE_NOOP("CoreWords", "convert it to H.264")},
+        {QT_TRANSLATE_NOOP("CoreWords", "its frame rate varies, pictures are %1 to %2 ms apart")},
+        {QT_TRANSLATE_NOOP("CoreWords", "each counts at its own time")},
         {QT_TRANSLATE_NOOP("CoreWords", "its data are damaged")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is left out")},
         {QT_TRANSLATE_NOOP("CoreWords", "the video has no picture")},

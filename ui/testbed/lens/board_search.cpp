@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/lens/board_search.h"
 
+#include "core/base/shortage.h"
 #include "core/workflow/call_later.h"
+#include "ui/models/error_words.h"
 #include "ui/testbed/lens/board_search_worker.h"
 #include "ui/testbed/lens/watched_camera.h"
 
@@ -35,6 +37,8 @@ BoardSearch::~BoardSearch()
 
 void BoardSearch::ask(std::function<void(BoardSearchWorker &)> what)
 {
+    if (!m_thread.isRunning())
+        return callLater(this, [this] { Q_EMIT troubled(errorLine(noThread("the picture"))); });
     callLater(m_worker, [worker = m_worker, what = std::move(what)] { what(*worker); });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/lens/lens_solver.h"
 
+#include "core/base/shortage.h"
 #include "core/workflow/call_later.h"
 #include "ui/models/core_words.h"
 
@@ -56,16 +57,23 @@ void LensSolver::start()
                 Q_EMIT progressed(fraction, words);
         });
     };
-    m_thread = std::thread([this, control, question = std::move(*m_next)] {
-        Result<LensAnswer> answer = answerTo(question, control);
+    const auto finishLater = [this](Result<LensAnswer> answer) {
         callLater(this, [this, answer = std::move(answer)] { finish(answer); });
+    };
+    auto thread = startThread(cannotDoThis, [control, finishLater, question = std::move(*m_next)] {
+        finishLater(orShortage(cannotDoThis, [&] { return answerTo(question, control); }));
     });
     m_next.reset();
+    if (thread)
+        m_thread = std::move(*thread);
+    else
+        finishLater(tl::unexpected(thread.error()));
 }
 
 void LensSolver::finish(const Result<LensAnswer> &answer)
 {
-    m_thread.join(); // it has nothing left to do
+    if (m_thread.joinable())
+        m_thread.join(); // it has nothing left to do
     if (m_next)
         return start();
     if (!m_wanted)

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <functional>
+#include <string>
+#include <thread>
+#include <type_traits>
+
+namespace odo {
+
+/// What to do when this computer has run out of memory, threads or open files: the standard library throws, and
+/// here that becomes an Error, code Unavailable, before it can end the program. Any thread.
+
+/// What a job is told as that ends by a shortage.
+inline constexpr const char *cannotDoThis = "cannot do this";
+
+/// Within a handler: the Error of a shortage that is being handled; any other exception is thrown on.
+Error shortageNow(std::string what);
+
+/// That there is no thread to be had, where something else than the standard library found out.
+Error noThread(std::string what);
+
+/// Does work that gives a Result; a shortage in it is its Error, any other exception goes on.
+template <class Work> std::invoke_result_t<Work &> orShortage(const std::string &what, Work &&work)
+{
+    try {
+        return work();
+    } catch (...) {
+        return tl::unexpected(shortageNow(what));
+    }
+}
+
+/// A new thread that does the work, or why there is none. What the work throws ends the program, as in any thread.
+template <class Work> Result<std::thread> startThread(const std::string &what, Work &&work)
+{
+    return orShortage(what, [&]() -> Result<std::thread> { return std::thread(std::forward<Work>(work)); });
+}
+
+/// Does the work of each of so many parts side by side, on as many threads as there are to be had; on the caller's
+/// where there are none. Returns when all are done; what one of them threw is thrown on here.
+void sideBySide(std::size_t parts, const std::function<void(std::size_t)> &work);
+
+} // namespace odo

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/shortage.h"
+
+#include "tests/fault/scarce.h"
+
+#include <QTest>
+#include <atomic>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+using namespace odo;
+using namespace odo::test;
+
+/// What the standard library throws where this computer has run out of something.
+class TestShortage : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void aShortageIsAnError_data()
+    {
+        QTest::addColumn<int>("code"); // of the system; 0: bad_alloc
+        QTest::addColumn<QByteArray>("why");
+        QTest::newRow("memory") << 0 << QByteArray("this computer has not enough free memory for it");
+        QTest::newRow("memory of the system") << ENOMEM << QByteArray("this computer has not enough free memory for it");
+        QTest::newRow("threads") << EAGAIN << QByteArray("this computer gives no further thread");
+        QTest::newRow("files") << EMFILE << QByteArray("too many files are open");
+        QTest::newRow("files of all programs") << ENFILE << QByteArray("too many files are open");
+    }
+    void aShortageIsAnError()
+    {
+        QFETCH(int, code);
+        QFETCH(QByteArray, why);
+        const auto result = orShortage("the work", [code]() -> Result<int> {
+            if (code == 0)
+                throw std::bad_alloc();
+            throw std::system_error(code, std::generic_category());
+        });
+        QVERIFY(!result);
+        QCOMPARE(result.error().code, ErrorCode::Unavailable);
+        QCOMPARE(result.error().message(), "the work: " + why.toStdString() + "; what was saved is safe; close other programs and try again");
+    }
+
+    void allElseGoesThrough()
+    {
+        QCOMPARE(orShortage("", []() -> Result<int> { return 7; }).value(), 7);
+        QCOMPARE(orShortage("", []() -> Result<int> { return fail(ErrorCode::Io, "a", "b", "c"); }).error().what, std::string("a"));
+        QVERIFY_EXCEPTION_THROWN(orShortage("", []() -> Result<int> { throw std::logic_error("x"); }), std::logic_error);
+        QVERIFY_EXCEPTION_THROWN(orShortage("", []() -> Result<int> { throw std::system_error(EACCES, std::generic_category()); }), std::system_error);
+    }
+
+    void aThreadThatIsNotToBeHadIsAnError()
+    {
+        std::atomic<int> done = 0;
+        auto thread = startThread("the work", [&done] { ++done; });
+        QVERIFY(thread);
+        thread->join();
+        const FailingRequest none(Scarce::Threads, 1);
+        const auto refused = startThread("the work", [&done] { ++done; });
+        QVERIFY(none.hasFailed());
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().message(), noThread("the work").message());
+        QCOMPARE(done.load(), 1);
+    }
+
+    /// Whichever thread is refused.
+    void partsAreAllDone()
+    {
+        for (std::uint64_t n = 0; n < 6; ++n) {
+            std::vector<int> done(4, 0);
+            const FailingRequest failing(Scarce::Threads, n);
+            sideBySide(done.size(), [&done](std::size_t part) { ++done[part]; });
+            QCOMPARE(done, std::vector<int>(4, 1));
+            QCOMPARE(failing.hasFailed(), n > 0 && n < 5);
+        }
+        sideBySide(0, [](std::size_t) { QFAIL("there is no part"); });
+    }
+
+    void whatAPartThrowsComesOut()
+    {
+        std::atomic<int> done = 0;
+        const auto work = [&done](std::size_t part) {
+            if (part == 1)
+                throw std::bad_alloc();
+            ++done;
+        };
+        QVERIFY_EXCEPTION_THROWN(sideBySide(4, work), std::bad_alloc);
+        QCOMPARE(done.load(), 3);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestShortage)
+#include "tst_shortage.moc"
