@@ -8,6 +8,8 @@ namespace odo {
 
 namespace {
 
+constexpr std::size_t firstPackets = 5;
+
 constexpr AVRational nanosecondBase{1, 1'000'000'000};
 constexpr std::int64_t longestVideoNs = 100LL * 24 * 3600 * 1'000'000'000LL;
 
@@ -58,6 +60,8 @@ Walk walkPackets(VideoInput &input, PacketIndex &index)
         walk.dtsMissing |= packet->dts == AV_NOPTS_VALUE;
         const std::int64_t pts = timeStampOf(*packet);
         index.packets.push_back({pts, packet->dts, (packet->flags & AV_PKT_FLAG_KEY) != 0});
+        if (codec == AV_CODEC_ID_MJPEG && index.firstJpegs.size() < firstPackets)
+            index.firstJpegs.emplace_back(packet->data, packet->data + packet->size);
         if (!isNeverShown(*packet, codec)) {
             index.frames.push_back({pts, index.packets.size() - 1});
             walk.decodeTimes.push_back(packet->dts);

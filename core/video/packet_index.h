@@ -29,6 +29,7 @@ struct PacketIndex
     /// Packets do not say when their frame is shown: frames can only be told by counting them from the start.
     bool counted = false;
     std::string warning;
+    std::vector<std::vector<std::uint8_t>> firstJpegs; ///< of MJPEG: the first packets
 
     /// The packet to begin decoding with so that this frame comes out: the last key frame before it both in
     /// the file and in presentation (frames that follow a key frame in the file but are shown before it need

@@ -2,12 +2,15 @@
 #include "core/video/stream_format.h"
 
 #include "core/video/h264_siting.h"
+#include "core/video/jpeg_file.h"
 
 extern "C" {
 #include <libavutil/pixdesc.h>
 }
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <vector>
 
 namespace odo {
@@ -165,6 +168,28 @@ Result<FrameFormat> streamFormat(const VideoInput &input)
     format.matrix = matrixOf(parameters);
     format.siting = sitingOf(input);
     return format;
+}
+
+void judgeByMost(const std::vector<std::vector<std::uint8_t>> &jpegs, FrameFormat &format, AVPixelFormat &pixelFormat)
+{
+    const auto layoutOf = [](const FrameFormat &of) { return std::array{of.width, of.height, of.chromaShiftX, of.chromaShiftY}; };
+    std::map<std::array<int, 4>, std::size_t> votes;
+    for (const auto &jpeg : jpegs) {
+        if (const auto said = jpegFormat(jpeg))
+            ++votes[layoutOf(*said)];
+    }
+    const auto most = std::ranges::max_element(votes, {}, [](const auto &vote) { return vote.second; });
+    if (most == votes.end() || 2 * most->second <= jpegs.size() || most->first == layoutOf(format))
+        return;
+    const auto [width, height, shiftX, shiftY] = most->first;
+    if (std::int64_t(width) * height > libav::mostPixels)
+        return;
+    format.width = width;
+    format.height = height;
+    format.chromaShiftX = shiftX;
+    format.chromaShiftY = shiftY;
+    pixelFormat = shiftX == 0 ? (shiftY == 0 ? AV_PIX_FMT_YUVJ444P : AV_PIX_FMT_YUVJ440P)
+                              : (shiftY == 0 ? AV_PIX_FMT_YUVJ422P : AV_PIX_FMT_YUVJ420P);
 }
 
 bool fits(const AVFrame &picture, const FrameFormat &format, AVPixelFormat pixelFormat)

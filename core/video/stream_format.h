@@ -11,6 +11,10 @@ namespace odo {
 /// grey, more than 100 megapixels. `videoName` is for the error's words.
 Result<FrameFormat> streamFormat(const VideoInput &input);
 
+/// Size and chroma of an MJPEG stream as most of these of its pictures have it by their headers, where they agree: libav
+/// judges a stream by one picture, which may be a damaged one.
+void judgeByMost(const std::vector<std::vector<std::uint8_t>> &jpegs, FrameFormat &format, AVPixelFormat &pixelFormat);
+
 /// A decoded picture as a Frame that keeps it alive; its planes are referred to, except for semi-planar
 /// chroma (taken apart) and grey (given chroma 128). Index and time are left to the caller. The picture must
 /// have the format's size and pixel format.

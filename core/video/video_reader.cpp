@@ -318,7 +318,7 @@ Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesys
     auto input = VideoInput::open(file);
     if (!input)
         return tl::unexpected(input.error());
-    const auto format = streamFormat(**input);
+    auto format = streamFormat(**input);
     if (!format)
         return tl::unexpected(format.error());
     auto decoder = openDecoder(**input);
@@ -327,8 +327,10 @@ Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesys
     auto index = indexPackets(**input);
     if (!index)
         return tl::unexpected(index.error());
-    impl->info = describe(**input, *index, *format);
     impl->pixelFormat = static_cast<AVPixelFormat>((*input)->stream().codecpar->format);
+    judgeByMost(index->firstJpegs, *format, impl->pixelFormat);
+    index->firstJpegs.clear();
+    impl->info = describe(**input, *index, *format);
     impl->input = std::move(*input);
     impl->index = std::move(*index);
     impl->decoder = std::move(*decoder);

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files that say that they have enormous pictures: refused by what they say, without asking for the memory.
+#include "coded_frames.h"
+#include "core/video/picture.h"
+#include "core/video/video_reader.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <fstream>
+#include <sys/resource.h>
+#include <unistd.h>
+
+using namespace odo;
+using namespace odo::test;
+using namespace std::string_literals;
+
+namespace {
+
+/// While it lives, this program gets so much more memory and no more.
+class MemoryLimit
+{
+public:
+    explicit MemoryLimit(rlim_t moreBytes)
+    {
+        getrlimit(RLIMIT_AS, &m_before);
+        std::ifstream statm("/proc/self/statm");
+        rlim_t pages = 0;
+        statm >> pages;
+        rlimit small = m_before;
+        small.rlim_cur = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + moreBytes;
+        setrlimit(RLIMIT_AS, &small);
+    }
+    ~MemoryLimit() { setrlimit(RLIMIT_AS, &m_before); }
+
+private:
+    rlimit m_before{};
+};
+
+constexpr rlim_t enough = 100'000'000; // ten thousand times a picture of these files; the least of the said ones takes 300 MB
+
+std::string bigEndian(unsigned value)
+{
+    return {static_cast<char>(value >> 8), static_cast<char>(value)};
+}
+
+} // namespace
+
+class TestHugePictures : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void picturesAreRefusedByTheirHeader_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        const auto row = [](const char *name, const std::string &content) { QTest::newRow(name) << QByteArray::fromStdString(content); };
+        row("PNG 60000x60000", "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xea\x60\0\0\xea\x60\x08\x02\0\0\0"s);
+        row("PNG 60000x2000", "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xea\x60\0\0\x07\xd0\x08\x02\0\0\0"s);
+        row("JPEG 65000x65000", "\xff\xd8\xff\xe0\0\x04\0\0\xff\xc0\0\x11\x08\xfd\xe8\xfd\xe8\x03\0\0\0\0"s);
+        row("PNM 99999x99999", "P6\n99999 99999 255\n"s);
+    }
+    void picturesAreRefusedByTheirHeader()
+    {
+        QFETCH(QByteArray, content);
+        store("huge.png", content.toStdString());
+        const MemoryLimit limit(enough);
+        const auto frame = readPicture(path("huge.png"));
+        QVERIFY(!frame);
+        QCOMPARE(frame.error().code, ErrorCode::InvalidInput);
+        QVERIFY2(frame.error().message().find("more than 100 megapixels are not read; make it smaller") != std::string::npos,
+                 frame.error().message().c_str());
+    }
+
+    /// The header of the file says 192x96, that of each picture something else.
+    void picturesOfAVideoAreLeftOut_data()
+    {
+        QTest::addColumn<int>("side");
+        QTest::newRow("16000x16000") << 16000; // libav itself refuses nothing below 17000
+        QTest::newRow("60000x60000") << 60000;
+    }
+    void picturesOfAVideoAreLeftOut()
+    {
+        QFETCH(int, side);
+        VideoWriterOptions options;
+        options.codec = VideoCodec::Mjpeg;
+        QCOMPARE(writeCoded(path("whole.mkv"), evenTimes(6, 30), options), QString());
+        std::ifstream in(path("whole.mkv"), std::ios::binary);
+        std::string bytes{std::istreambuf_iterator<char>(in), {}};
+        const std::string frameHeader = "\xff\xc0\0\x11\x08"s + bigEndian(96) + bigEndian(192);
+        int patched = 0;
+        for (std::size_t at = bytes.find(frameHeader); at != std::string::npos; at = bytes.find(frameHeader, at + 1), ++patched)
+            bytes.replace(at + 5, 4, bigEndian(unsigned(side)) + bigEndian(unsigned(side)));
+        QCOMPARE(patched, 6);
+        store("huge.mkv", bytes);
+        const MemoryLimit limit(enough);
+        const auto reader = VideoReader::open(path("huge.mkv"));
+        if (!reader) {
+            QCOMPARE(reader.error().code, ErrorCode::InvalidInput);
+            return;
+        }
+        for (int i = 0; i < 6; ++i) {
+            const auto frame = (*reader)->next();
+            QVERIFY(!frame);
+            QCOMPARE(frame.error().why, std::string("its data are damaged"));
+        }
+    }
+
+    /// What memory is really too little for is told, and can be tried again.
+    void tooLittleMemoryIsSaid()
+    {
+        FrameFormat large{4000, 4000};
+        large.fullRange = true;
+        VideoWriterOptions options;
+        options.codec = VideoCodec::Mjpeg;
+        QCOMPARE(writeCoded(path("large.mkv"), evenTimes(2, 30), options, large), QString());
+        const auto reader = VideoReader::open(path("large.mkv"));
+        QVERIFY(reader);
+        {
+            const MemoryLimit limit(1'000'000);
+            const auto frame = (*reader)->next();
+            QVERIFY(!frame);
+            QCOMPARE(frame.error().code, ErrorCode::Unavailable);
+            QCOMPARE(frame.error().message(), "cannot decode frame 0 of " + path("large.mkv").string() +
+                                                  ": this computer has not enough free memory for it; what was saved is safe; close other programs and try again");
+        }
+        QVERIFY((*reader)->frameAt(0));
+    }
+
+private:
+    std::filesystem::path path(const std::string &name) const { return std::filesystem::path(m_folder.path().toStdString()) / name; }
+    void store(const std::string &name, const std::string &content) const { std::ofstream(path(name), std::ios::binary) << content; }
+    QTemporaryDir m_folder;
+};
+
+QTEST_GUILESS_MAIN(TestHugePictures)
+#include "tst_huge_pictures.moc"
