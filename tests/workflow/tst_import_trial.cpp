@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/import_trial_job.h"
+#include "tests/video/coded_frames.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+/// What the user is told of a video that is imported. (How views get in step: tst_import_in_step.)
+class TestImportTrial : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_project = std::move(*Project::create(path("class.odo"), "Class"));
+    }
+
+    /// As telephones record, where each picture has a time of its own.
+    void anUnevenRateIsTold()
+    {
+        std::vector<Nanoseconds> times;
+        for (int i = 0; i < 60; ++i)
+            times.push_back(std::chrono::milliseconds(40 * i + (i % 5 == 4 ? 25 : 0)));
+        const auto warnings = imported("uneven", times);
+        QCOMPARE(warnings, std::vector<std::string>{"video 'uneven.mkv': its frame rate varies, pictures are 15 to 65 ms apart; each counts at its own time"});
+        const auto stored = m_project->trials().recordings(m_project->trials().find("uneven")->id)->front().frameTimes;
+        QCOMPARE(stored, times);
+    }
+
+    void evenAndMissingPicturesAreNoUnevenRate()
+    {
+        QVERIFY(imported("even", evenTimes(60, 30)).empty());
+        std::vector<Nanoseconds> rounded; // as most files have them
+        for (int i = 0; i < 60; ++i)
+            rounded.push_back(std::chrono::milliseconds(std::lround(i * 1000 / 30.0)));
+        QVERIFY(imported("rounded", rounded).empty());
+        rounded.erase(rounded.begin() + 20, rounded.begin() + 23);
+        rounded.erase(rounded.begin() + 30);
+        QVERIFY(imported("missing", rounded).empty());
+        QVERIFY(imported("one picture", {Nanoseconds(0)}).empty());
+    }
+
+    void aVideoThatEndsEarlyIsTold()
+    {
+        QVERIFY(imported("whole", evenTimes(60, 30)).empty());
+        std::filesystem::copy_file(path("whole.mkv"), path("cut.mkv"));
+        std::filesystem::resize_file(path("cut.mkv"), std::filesystem::file_size(path("cut.mkv")) / 2);
+        const auto warnings = importFile("cut");
+        QCOMPARE(warnings.size(), std::size_t(1));
+        QVERIFY2(warnings.front().starts_with("video 'cut.mkv': ends early at "), warnings.front().c_str());
+    }
+
+private:
+    std::filesystem::path path(const std::string &name) const { return std::filesystem::path(m_folder.path().toStdString()) / name; }
+    std::vector<std::string> imported(const std::string &trial, const std::vector<Nanoseconds> &times)
+    {
+        if (const QString problem = writeCoded(path(trial + ".mkv"), times, {}); !problem.isEmpty())
+            return {problem.toStdString()};
+        return importFile(trial);
+    }
+    std::vector<std::string> importFile(const std::string &trial)
+    {
+        ImportSettings settings;
+        settings.trial = trial;
+        settings.videos = {{"A", path(trial + ".mkv")}};
+        ImportTrialJob job(std::move(settings));
+        const auto done = runToEnd(job, *m_project, {});
+        return done ? job.warnings() : std::vector<std::string>{done.error().message()};
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<Project> m_project;
+};
+
+QTEST_GUILESS_MAIN(TestImportTrial)
+#include "tst_import_trial.moc"
