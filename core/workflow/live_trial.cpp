@@ -56,6 +56,7 @@ Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecor
 Result<void> LiveTrial::addTo(Project &project, const std::vector<std::string> &cameras)
 {
     std::vector<RecordingRecord> records;
+    std::vector<std::filesystem::path> files; // cameras of different names may have the same one on the disk
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         const bool isNew = !project.cameras().find(cameras[i]);
         const auto camera = findOrAddCamera(project, cameras[i]);
@@ -65,7 +66,8 @@ Result<void> LiveTrial::addTo(Project &project, const std::vector<std::string> &
             m_newCameras.push_back(camera->id);
         const CameraDescription &description = m_session.description(i);
         View view;
-        view.file = freeMediaPath(project.mediaFolder(), m_trial.name + "_" + cameras[i], ".mkv");
+        view.file = freeMediaPath(project.mediaFolder(), m_trial.name + "_" + cameras[i], ".mkv", files);
+        files.push_back(view.file);
         view.record.camera = camera->id;
         view.record.path = std::filesystem::absolute(view.file).string(); // stored relative to the project
         view.record.widthPx = description.widthPx;

@@ -56,11 +56,11 @@ Result<std::string> copyHashed(const std::filesystem::path &source, const std::f
 } // namespace
 
 std::filesystem::path freeMediaPath(const std::filesystem::path &folder, const std::string &name,
-                                    const std::string &ending)
+                                    const std::string &ending, const std::vector<std::filesystem::path> &taken)
 {
     const std::string stem = safeName(name).toStdString();
     std::filesystem::path path = folder / (stem + ending);
-    for (int number = 2; std::filesystem::exists(path); ++number)
+    for (int number = 2; std::filesystem::exists(path) || std::ranges::find(taken, path) != taken.end(); ++number)
         path = folder / (stem + "_" + std::to_string(number) + ending);
     return path;
 }

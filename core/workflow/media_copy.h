@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace odo {
 
@@ -24,8 +25,9 @@ struct MediaCopy
 Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::filesystem::path &mediaFolder,
                                 const std::string &name, const JobControl &control);
 
-/// A file name in a folder that is not taken yet, made of a name that is made safe for every file system.
+/// A file name in a folder that is neither there nor among those taken, made of a name that is made safe for every file
+/// system and cut to 80 letters, so that different names may give the same.
 std::filesystem::path freeMediaPath(const std::filesystem::path &folder, const std::string &name,
-                                    const std::string &ending);
+                                    const std::string &ending, const std::vector<std::filesystem::path> &taken = {});
 
 } // namespace odo

@@ -35,11 +35,11 @@ struct Sitting
             b, PlayedCamera::Kind{.beginning = beginning, .clockStart = -3600s, .phase = 7ms}));
         session = std::make_unique<CaptureSession>(std::move(cameras), CaptureSettings{0s});
     }
-    Result<std::shared_ptr<LiveTrial>> begin()
+    Result<std::shared_ptr<LiveTrial>> begin(const std::string &name = "run", const std::vector<std::string> &cameras = {"A", "B"})
     {
         TrialRecord trial;
-        trial.name = "run";
-        return LiveTrial::begin(*project, trial, {"A", "B"}, *session);
+        trial.name = name;
+        return LiveTrial::begin(*project, trial, cameras, *session);
     }
     /// Has both cameras take a lot more, and waits until it stands in the project.
     void record(LiveTrial &live, std::size_t lots)
@@ -79,6 +79,8 @@ private Q_SLOTS:
     void standsInTheProjectFromItsBeginning();
     void aCameraThatTookTooFewPicturesIsTold();
     void oneThatIsGivenUpLeavesNothingBehind();
+    void viewsNeverShareAFile_data();
+    void viewsNeverShareAFile();
     void aViewWithoutPicturesIsLeftOut();
     void withoutAnyPictureItFails();
     void whatWasCutOffIsRecovered();
@@ -140,6 +142,34 @@ void TestLiveTrial::oneThatIsGivenUpLeavesNothingBehind()
     QVERIFY(sitting.project->cameras().all()->empty());
     QVERIFY(sitting.media().empty());
     QVERIFY(sitting.begin()); // the next one may begin
+}
+
+void TestLiveTrial::viewsNeverShareAFile_data()
+{
+    QTest::addColumn<QString>("trial");
+    QTest::addColumn<QString>("first");
+    QTest::addColumn<QString>("second");
+    QTest::newRow("names that differ in what no file has") << QStringLiteral("run") << QStringLiteral("A?") << QStringLiteral("A*");
+    QTest::newRow("longer than a file's name") << QString(100, u'x') << QStringLiteral("A") << QStringLiteral("B");
+}
+
+/// Their names become files' names, in which they may be the same.
+void TestLiveTrial::viewsNeverShareAFile()
+{
+    QFETCH(QString, trial);
+    QFETCH(QString, first);
+    QFETCH(QString, second);
+    Sitting sitting;
+    const auto live = sitting.begin(trial.toStdString(), {first.toStdString(), second.toStdString()});
+    QVERIFY2(live, live ? "" : live.error().message().c_str());
+    sitting.a->pictures(lot);
+    sitting.b->pictures(lot);
+    const auto recordings = sitting.project->trials().recordings(sitting.project->trials().find(trial.toStdString())->id);
+    for (const RecordingRecord &recording : *recordings)
+        QTRY_VERIFY((*live)->append(*sitting.project) && sitting.project->trials().rawTimes(recording.id)->pictures.size() == lot);
+    QVERIFY(runToEnd(**live, *sitting.project, {}));
+    QVERIFY2((*live)->warnings().empty(), (*live)->warnings().empty() ? "" : (*live)->warnings().front().c_str());
+    QCOMPARE(sitting.media().size(), 2);
 }
 
 void TestLiveTrial::aViewWithoutPicturesIsLeftOut()
