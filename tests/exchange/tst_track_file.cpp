@@ -2,12 +2,13 @@
 #include "core/exchange/track_file.h"
 
 #include "tests/support/c_locales.h"
+#include "tests/support/patience.h"
 
-#include <QElapsedTimer>
 #include <QFile>
 #include <QLocale>
 #include <QTemporaryDir>
 #include <QTest>
+#include <ctime>
 #include <limits>
 
 using namespace odo;
@@ -128,6 +129,7 @@ private Q_SLOTS:
             ":5: track 'B' has 1 position; choose a file with three positions or more");
         row("9 entries", tum + "1 2 3 0 0 0 0 1 9\n",
             ":2: it has 9 entries instead of the 8 of TUM; write timestamp tx ty tz qx qy qz qw, or begin the file with the line t_s,x_mm,y_mm");
+        row("UTF-16", QByteArray("\xff\xfet\0_\0s\0", 8), "': it is written in UTF-16; save it again as \"CSV UTF-8\" or as a UTF-8 text");
         row("NaN in TUM", tum + "1 nan 2 0 0 0 0 1\n", ":2: 'nan' is not a finite number; write it with digits, like 12.5, or leave the place blank");
         row("NaN in CSV", csv + "1,NaN,2\n", ":3: 'NaN' is not a finite number; write it with digits, like 12.5, or leave the place blank");
         row("too large for a number", csv + "1,1e999,2\n", ":3: '1e999' is not a finite number; write it with digits, like 12.5, or leave the place blank");
@@ -179,6 +181,20 @@ private Q_SLOTS:
         control.progress = [&](double, const std::string &) { control.cancel.cancel(); };
         const auto stopped = readTrackFile(fileOf(text), control);
         QVERIFY(!stopped && stopped.error().code == ErrorCode::Cancelled);
+    }
+    /// Of a line, of a header, and of a whole table of which three are meant.
+    void aMillionColumns()
+    {
+        constexpr qsizetype million = 1'000'000;
+        QCOMPARE(shown("t_s,x_mm,y_mm\n0,1,2\n1" + QByteArray(",1").repeated(million) + '\n'),
+                 QStringLiteral(":3: it has 1000001 cells where the header has 3; give each line as many cells as the header"));
+        QVERIFY(shown(QByteArray("a,").repeated(million) + '\n').startsWith(QStringLiteral(":1: it has no header with a time, x and y")));
+        const std::clock_t begin = std::clock();
+        const QByteArray wide = ",\"n\"" + QByteArray(",0").repeated(million);
+        QCOMPARE(shown("t_s,x_m,y_m" + QByteArray(",n").repeated(million + 1) + "\n0,0,-1" + wide + "\n0.1,0.5,-1.5" + wide + "\n0.2,1,-2" + wide + '\n'),
+                 QStringLiteral("csv") + same);
+        const double tookS = double(std::clock() - begin) / CLOCKS_PER_SEC;
+        QVERIFY2(tookS < test::slowness, qPrintable(QString::number(tookS)));
     }
     void sameInEveryLocale()
     {
