@@ -2,6 +2,7 @@
 #include "ui/compare/run_chooser.h"
 
 #include "ui/models/name_list_model.h"
+#include "ui/views/number_box.h"
 #include "ui/views/theme_icon.h"
 
 #include <QComboBox>
@@ -66,7 +67,7 @@ RunChooser::RunChooser(QWidget *parent)
       m_swap(flatButton(QStringLiteral("swap"), tr("Swap the two runs"))),
       m_more(flatButton(QStringLiteral("add"), tr("Further runs"))), m_menu(new QMenu(this)),
       m_shiftName(new QLabel(tr("&Shift"))), m_placeName(new QLabel(tr("Pla&ce"))),
-      m_shift(new QDoubleSpinBox), m_place(new QDoubleSpinBox)
+      m_shift(new NumberBox), m_place(new NumberBox)
 {
     m_more->setPopupMode(QToolButton::InstantPopup);
     m_more->setMenu(m_menu);

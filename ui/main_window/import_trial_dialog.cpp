@@ -4,12 +4,12 @@
 #include "ui/views/check_list.h"
 #include "ui/main_window/view_steps.h"
 #include "ui/views/badge_label.h"
+#include "ui/views/number_box.h"
 #include "ui/views/path_field.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -29,7 +29,7 @@ ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     : QDialog(parent), m_cameras(offer.cameras), m_teamsRobots(offer.teamsRobots), m_name(new QLineEdit(offer.name)), m_team(new QComboBox),
       m_task(new QComboBox), m_robots(new CheckList(tr("Robots in the trial"))), m_videoGrid(new QGridLayout),
       m_addView(new QPushButton(tr("Add &view"))), m_steps(new ViewSteps),
-      m_rateTold(new QCheckBox(tr("Camera's real &rate"))), m_rate(new QDoubleSpinBox),
+      m_rateTold(new QCheckBox(tr("Camera's real &rate"))), m_rate(new NumberBox),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Import trial from videos"));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/robot_dialog.h"
 
+#include "ui/views/number_box.h"
 #include "ui/views/robot_colours.h"
 #include "ui/views/theme.h"
 
 #include <QColorDialog>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -23,7 +23,7 @@ constexpr int swatchSide = 16;
 
 RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     : QDialog(parent), m_videos(std::move(videos)), m_name(new QLineEdit), m_colourButton(new QPushButton),
-      m_drawing(new QComboBox), m_heightMode(new QComboBox), m_height(new QDoubleSpinBox),
+      m_drawing(new QComboBox), m_heightMode(new QComboBox), m_height(new NumberBox),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Add robot"));

@@ -2,9 +2,9 @@
 #include "ui/main_window/view_steps.h"
 
 #include "ui/views/elided_label.h"
+#include "ui/views/number_box.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 
 namespace odo {
@@ -26,7 +26,7 @@ void ViewSteps::addView()
     if (++m_views == 1)
         return;
     const int number = static_cast<int>(m_views);
-    Row row{new ElidedLabel, new QComboBox, new QDoubleSpinBox};
+    Row row{new ElidedLabel, new QComboBox, new NumberBox};
     row.how->addItem(tr("From the motion or a flash"), static_cast<int>(Sync::Automatic));
     row.how->addItem(tr("Begun together"), static_cast<int>(Sync::None));
     row.how->addItem(tr("By hand: begun later by"), static_cast<int>(Sync::Told));

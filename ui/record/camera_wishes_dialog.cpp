@@ -3,6 +3,7 @@
 
 #include "ui/models/core_words.h"
 #include "ui/models/live_cameras.h"
+#include "ui/views/number_box.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -32,7 +33,7 @@ QString pictureOf(const QString &words)
 
 QDoubleSpinBox *freeNumber(double most, const QString &unit)
 {
-    auto *box = new QDoubleSpinBox;
+    auto *box = new NumberBox;
     box->setRange(0, most);
     box->setSuffix(QStringLiteral(" ") + unit);
     box->setSpecialValueText(CameraWishesDialog::tr("as the camera has it"));

@@ -7,6 +7,7 @@
 #include "ui/testbed/check/floor_sketch.h"
 #include "ui/testbed/check/planned_camera_form.h"
 #include "ui/views/card.h"
+#include "ui/views/number_box.h"
 #include "ui/views/plain_button.h"
 
 #include <QCheckBox>
@@ -44,7 +45,7 @@ SketchedCamera sketched(const QString &name, const MappedCamera &camera)
 
 AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<CheckCamera> &cameras, double robotHeightM, QWidget *parent)
     : QDialog(parent), m_layout(layout), m_sketch(new FloorSketch), m_list(new QListWidget), m_form(new PlannedCameraForm), m_show(new QComboBox),
-      m_robotHeight(new QDoubleSpinBox), m_reach(new QDoubleSpinBox), m_above(new QCheckBox(tr("may hang &over the floor"))),
+      m_robotHeight(new NumberBox), m_reach(new NumberBox), m_above(new QCheckBox(tr("may hang &over the floor"))),
       m_add(plainButton(tr("&Plan a camera"))), m_remove(plainButton(tr("&Remove"))), m_best(plainButton(tr("&Best place"))), m_summary(new QLabel),
       m_problem(new QLabel)
 {

@@ -10,6 +10,7 @@
 #include "ui/testbed/floor/snap_words.h"
 #include "ui/views/badge_label.h"
 #include "ui/views/card.h"
+#include "ui/views/number_box.h"
 #include "ui/views/table_list.h"
 
 #include <QCheckBox>
@@ -45,8 +46,8 @@ QString tenths(double metres)
 } // namespace
 
 LengthPage::LengthPage(QWidget *parent)
-    : QWidget(parent), m_canvas(new MarkerCanvas), m_table(new QTableWidget(2, ColumnCount)), m_told(new QDoubleSpinBox),
-      m_height(new QDoubleSpinBox), m_unit(new QComboBox), m_snap(new QCheckBox(tr("Take what lies &near a click"))), m_length(new QLabel),
+    : QWidget(parent), m_canvas(new MarkerCanvas), m_table(new QTableWidget(2, ColumnCount)), m_told(new NumberBox),
+      m_height(new NumberBox), m_unit(new QComboBox), m_snap(new QCheckBox(tr("Take what lies &near a click"))), m_length(new QLabel),
       m_words(new QLabel), m_badge(new BadgeLabel({}))
 {
     m_canvas->setAccessibleName(tr("Picture with both ends; arrow keys move the chosen one, Space snaps it"));

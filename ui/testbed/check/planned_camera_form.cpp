@@ -2,6 +2,7 @@
 #include "ui/testbed/check/planned_camera_form.h"
 
 #include "core/base/units.h"
+#include "ui/views/number_box.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -58,7 +59,7 @@ PlannedCameraForm::PlannedCameraForm(QWidget *parent)
 
 QDoubleSpinBox *PlannedCameraForm::makeNumber(const QString &name, double least, double most, double step, const QString &unit)
 {
-    auto *number = new QDoubleSpinBox;
+    auto *number = new NumberBox;
     number->setRange(least, most);
     number->setDecimals(0);
     number->setSingleStep(step);

@@ -6,6 +6,7 @@
 #include "core/exchange/layout_csv.h"
 #include "core/geometry/point_layout.h"
 #include "ui/models/error_words.h"
+#include "ui/models/typed_number.h"
 #include "ui/testbed/floor/layout_drawing.h"
 #include "ui/views/path_field.h"
 #include "ui/views/plain_button.h"
@@ -44,11 +45,7 @@ QString freeName(QString name, const QStringList &taken)
 /// A person writes 1 200,5 or 1200.5.
 double millimetresOf(const QString &text)
 {
-    bool read = false;
-    double mm = QLocale().toDouble(text.trimmed(), &read);
-    if (!read)
-        mm = QLocale::c().toDouble(text.trimmed(), &read);
-    return read ? mm : std::numeric_limits<double>::quiet_NaN();
+    return typedNumber(text).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 } // namespace

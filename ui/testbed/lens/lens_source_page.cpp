@@ -4,11 +4,11 @@
 #include "core/base/units.h"
 #include "ui/testbed/targets/target_dialog.h"
 #include "ui/views/live_camera_box.h"
+#include "ui/views/number_box.h"
 #include "ui/views/path_field.h"
 #include "ui/views/plain_button.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -30,7 +30,7 @@ constexpr int indent = 24;
 
 LensSourcePage::LensSourcePage(const QStringList &cameras, const QString &current, const LiveCameras &live,
                                QWidget *parent)
-    : QWidget(parent), m_camera(new QComboBox), m_live(new LiveCameraBox(live)), m_square(new QDoubleSpinBox),
+    : QWidget(parent), m_camera(new QComboBox), m_live(new LiveCameraBox(live)), m_square(new NumberBox),
       m_fromLive(new QRadioButton(tr("Be&fore the camera: hold the board, pictures are taken by themselves"))),
       m_fromFiles(new QRadioButton(tr("From &pictures or a video that you have taken"))), m_files(new QListWidget),
       m_fileBox(makeFiles())

@@ -5,6 +5,7 @@
 #include "ui/models/core_words.h"
 #include "ui/testbed/targets/target_painter.h"
 #include "ui/testbed/targets/target_preview.h"
+#include "ui/views/number_box.h"
 #include "ui/views/theme.h"
 
 #include <QComboBox>
@@ -29,7 +30,7 @@ constexpr double smallestMm = 5, largestMm = 400;
 
 QDoubleSpinBox *lengthBox(double mm)
 {
-    auto *box = new QDoubleSpinBox;
+    auto *box = new NumberBox;
     box->setRange(smallestMm, largestMm);
     box->setDecimals(1);
     box->setSuffix(TargetDialog::tr(" mm"));

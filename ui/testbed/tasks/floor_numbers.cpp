@@ -2,6 +2,7 @@
 #include "ui/testbed/tasks/floor_numbers.h"
 
 #include "core/base/units.h"
+#include "ui/models/typed_number.h"
 
 #include <QLocale>
 #include <cmath>
@@ -21,11 +22,7 @@ QString placeText(double metres)
 
 double placeOf(const QString &text)
 {
-    bool read = false;
-    double mm = QLocale().toDouble(text.trimmed(), &read);
-    if (!read)
-        mm = QLocale::c().toDouble(text.trimmed(), &read);
-    return read ? fromMillimetres(mm) : std::numeric_limits<double>::quiet_NaN();
+    return fromMillimetres(typedNumber(text).value_or(std::numeric_limits<double>::quiet_NaN()));
 }
 
 } // namespace odo

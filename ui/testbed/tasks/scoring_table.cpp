@@ -3,6 +3,7 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/models/score_text.h"
+#include "ui/models/typed_number.h"
 #include "ui/views/plain_button.h"
 
 #include <QComboBox>
@@ -23,11 +24,7 @@ enum Column { FigureColumn, FullColumn, NoneColumn, PointsColumn, ColumnCount };
 
 double numberOf(const QString &text)
 {
-    bool read = false;
-    double number = QLocale().toDouble(text.trimmed(), &read);
-    if (!read)
-        number = QLocale::c().toDouble(text.trimmed(), &read);
-    return read ? number : std::numeric_limits<double>::quiet_NaN();
+    return typedNumber(text).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 QString textOfNumber(double number)

@@ -9,6 +9,7 @@
 #include "ui/testbed/tasks/task_canvas.h"
 #include "ui/testbed/tasks/template_form.h"
 #include "ui/testbed/tasks/zone_table.h"
+#include "ui/views/number_box.h"
 #include "ui/views/path_field.h"
 #include "ui/views/plain_button.h"
 
@@ -31,7 +32,7 @@ constexpr int columnWidth = 480;
 /// 0 stands for none.
 QDoubleSpinBox *limitBox(const QString &unit, double most, std::optional<double> limit)
 {
-    auto *box = new QDoubleSpinBox;
+    auto *box = new NumberBox;
     box->setRange(0, most);
     box->setDecimals(2);
     box->setSingleStep(0.5);

@@ -2,6 +2,7 @@
 #include "ui/testbed/tasks/template_form.h"
 
 #include "core/base/units.h"
+#include "ui/views/number_box.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -51,7 +52,7 @@ TemplateForm::TemplateForm(QWidget *parent)
         place->setMinimum(-mostMm);
     m_length = addLength(tr("&Length"));
     m_width = addLength(tr("&Width"));
-    m_direction = new QDoubleSpinBox;
+    m_direction = new NumberBox;
     m_direction->setRange(-360, 360);
     m_direction->setDecimals(0);
     m_direction->setSuffix(QStringLiteral("°"));
@@ -71,7 +72,7 @@ TemplateForm::TemplateForm(QWidget *parent)
 
 QDoubleSpinBox *TemplateForm::addLength(const QString &words)
 {
-    auto *length = new QDoubleSpinBox;
+    auto *length = new NumberBox;
     length->setRange(1, mostMm);
     length->setDecimals(0);
     length->setSingleStep(50);

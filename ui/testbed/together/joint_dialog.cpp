@@ -5,6 +5,7 @@
 #include "ui/models/breakable_text.h"
 #include "ui/models/core_words.h"
 #include "ui/views/card.h"
+#include "ui/views/number_box.h"
 #include "ui/views/table_list.h"
 
 #include <QDialogButtonBox>
@@ -47,7 +48,7 @@ QString millimetres(double metres) { return QLocale().toString(toMillimetres(met
 } // namespace
 
 JointDialog::JointDialog(const QString &layout, Prepare prepare, QWidget *parent)
-    : QDialog(parent), m_prepare(std::move(prepare)), m_tape(new QDoubleSpinBox),
+    : QDialog(parent), m_prepare(std::move(prepare)), m_tape(new NumberBox),
       m_cameras(makeTable({tr("Camera"), tr("Known to, before"), tr("Known to, together"), tr("Moves by")}, tr("Cameras"))),
       m_markers(makeTable({tr("Marker"), tr("Cameras"), tr("Off by, mm"), tr("Verdict")}, tr("Markers"))), m_verdict(new QLabel),
       m_advice(new QLabel)
