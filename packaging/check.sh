@@ -9,11 +9,5 @@ packaging/build.sh
 export ODOGRAPH_VM_CACHE="${ODOGRAPH_VM_CACHE:-${XDG_CACHE_HOME:-${HOME:-/nonexistent}/.cache}/odograph/vm}"
 tests/vm/vm_prepare || true
 
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-mkdir -m 700 "$scratch/runtime"
-unset DISPLAY WAYLAND_DISPLAY
-export QT_QPA_PLATFORM=offscreen LC_ALL=C.UTF-8
-export XDG_CONFIG_HOME="$scratch/config" XDG_DATA_HOME="$scratch/data" XDG_CACHE_HOME="$scratch/cache" \
-    XDG_STATE_HOME="$scratch/state" XDG_RUNTIME_DIR="$scratch/runtime"
+source packaging/headless.sh
 ctest --preset release --parallel "$(nproc)" "$@"

@@ -19,6 +19,10 @@ if(ODOGRAPH_SANITIZE)
   target_link_options(odograph_options INTERFACE -fsanitize=${ODOGRAPH_SANITIZE})
 endif()
 
+if(ODOGRAPH_COVERAGE)
+  target_link_options(odograph_options INTERFACE --coverage)
+endif()
+
 # One precompiled header for the parts below Qt, one for those with it; each is compiled once and reused.
 function(odograph_precompile target qt)
   if(qt)
