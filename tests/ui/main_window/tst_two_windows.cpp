@@ -52,6 +52,19 @@ private Q_SLOTS:
         QVERIFY(second.workspace().project()->setTitle("Year 9 robotics"));
     }
 
+    void aSyncedFolderIsToldOf()
+    {
+        const std::filesystem::path folder = std::filesystem::path(m_folder.path().toStdString()) / "Dropbox";
+        std::filesystem::create_directory(folder);
+        std::filesystem::copy_file(m_project, folder / "example.odo");
+        MainWindow window;
+        QVERIFY(window.openProject(folder / "example.odo"));
+        QVERIFY(!window.workspace().isReadOnly());
+        QVERIFY2(message(window).startsWith(QLatin1String("project 'example.odo': it lies in a folder that Dropbox copies")),
+                 qPrintable(message(window)));
+        std::filesystem::remove_all(folder);
+    }
+
     void theSameWindowOpensItAgain()
     {
         MainWindow window;
