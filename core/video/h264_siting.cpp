@@ -75,12 +75,12 @@ Bytes findParameterSet(Bytes data)
 
 void skipScalingList(BitReader &reader, int size)
 {
-    int last = 8, next = 8;
+    unsigned last = 8, next = 8;
     for (int i = 0; i < size && !reader.exhausted(); ++i) {
         if (next != 0) {
             const unsigned code = reader.golomb();
-            const int delta = code % 2 == 1 ? static_cast<int>(code / 2 + 1) : -static_cast<int>(code / 2);
-            next = (last + delta + 256) % 256;
+            const unsigned delta = code % 2 == 1 ? code / 2 + 1 : 0U - code / 2; // of any size where the file is damaged
+            next = (last + delta) % 256;
         }
         last = next == 0 ? last : next;
     }

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void refusedPixelFormats_data();
     void refusedPixelFormats();
     void sitingOfArbitraryBytes();
+    void sitingBehindAnOddListOfScales();
 
 private:
     std::filesystem::path path(const std::string &name) const
@@ -166,6 +167,26 @@ void TestForeignFiles::sitingOfArbitraryBytes()
         const auto location = h264ChromaLocation(bytes);
         QVERIFY(!location || *location <= 5);
     }
+}
+
+/// The difference in a list of scales may be any number in a damaged one (an overflow, seen by the undefined-behaviour sanitizer). What
+/// follows is read as ever: the location that is told here is 3.
+void TestForeignFiles::sitingBehindAnOddListOfScales()
+{
+    std::vector<std::uint8_t> bytes{0, 0, 1, 0x67, 100, 0, 30};
+    const QByteArray zeros(31, '0'), ones(30, '1');
+    QByteArray bits = "1" "010" "1" "1" "0" "1"; // id, 4:2:0, depths, not bypassed, there are lists of scales
+    bits += "1" + zeros + "1" + ones + "0";      // the first one: 8 + 2147483647 modulo 256 is 7
+    bits += QByteArray(15, '1');                 // and no more differences
+    bits += QByteArray(7, '0');                  // the other lists are not there
+    bits += "1" "1" "1" "1" "0" "1" "1" "1" "1" "0"; // numbers of frames, order, its bits, references, no gaps, size, whole frames, no cropping
+    bits += "1" "0" "0" "0" "1" "00100" "00100"; // the VUI: nothing of aspect, overscan and signal, but where chroma lies
+    bits += QByteArray((8 - bits.size() % 8) % 8 + 8, '1');
+    for (qsizetype at = 0; at < bits.size(); at += 8)
+        bytes.push_back(static_cast<std::uint8_t>(bits.mid(at, 8).toUInt(nullptr, 2)));
+    const auto location = h264ChromaLocation(bytes);
+    QVERIFY(location);
+    QCOMPARE(*location, 3U);
 }
 
 QTEST_GUILESS_MAIN(TestForeignFiles)
