@@ -59,11 +59,12 @@ Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial)
         recording.path = path;
         const std::filesystem::path file = project.resolve(recording);
         const auto used = project.trials().isFileUsed(path);
-        if (!used || *used || !isOwnMedia(file, project.mediaFolder()))
+        if (used.value_or(false) || !isOwnMedia(file, project.mediaFolder()))
             continue;
         std::error_code problem;
-        std::filesystem::remove(file, problem);
-        if (problem)
+        if (used)
+            std::filesystem::remove(file, problem);
+        if (!used || problem) // what nobody can tell is in use stays, and is told
             m_left.push_back(file.string());
     }
     return {};

@@ -204,6 +204,8 @@ UseCase emptyingTheBin()
             EmptyBinJob job(*content);
             if (auto done = runToEnd(job, **project, {}); !done)
                 return done;
+            if (!job.left().empty())
+                return fail(ErrorCode::Io, "file '" + job.left().front() + "'", "it could not be deleted", "delete it");
             acknowledge();
         }
         return {};
