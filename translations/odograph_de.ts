@@ -6692,8 +6692,8 @@
         <translation>Zwei Fahrten vergleichen</translation>
     </message>
     <message>
-        <source>Press Ctrl+4. Choose two runs above the pictures: where was one faster, and is that more than the error? What is grey is not.</source>
-        <translation>Drücken Sie Strg+4. Wählen Sie über den Bildern zwei Fahrten: Wo war eine schneller, und ist das mehr als der Fehler? Was grau ist, ist es nicht.</translation>
+        <source>Press Ctrl+4. Choose two runs at the right: where was one faster, and is that more than the error? What is grey is not.</source>
+        <translation>Drücken Sie Strg+4. Wählen Sie rechts zwei Fahrten: Wo war eine schneller, und ist das mehr als der Fehler? Was grau ist, ist es nicht.</translation>
     </message>
     <message>
         <source>Find it again</source>

@@ -6692,8 +6692,8 @@
         <translation>Comparar dos recorridos</translation>
     </message>
     <message>
-        <source>Press Ctrl+4. Choose two runs above the pictures: where was one faster, and is that more than the error? What is grey is not.</source>
-        <translation>Pulse Ctrl+4. Elija dos recorridos encima de las imágenes: ¿dónde fue más rápido uno, y es eso más que el error? Lo que está en gris no lo es.</translation>
+        <source>Press Ctrl+4. Choose two runs at the right: where was one faster, and is that more than the error? What is grey is not.</source>
+        <translation>Pulse Ctrl+4. Elija dos recorridos a la derecha: ¿dónde fue más rápido uno, y es eso más que el error? Lo que está en gris no lo es.</translation>
     </message>
     <message>
         <source>Find it again</source>

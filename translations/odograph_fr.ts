@@ -6692,8 +6692,8 @@
         <translation>Comparer deux passages</translation>
     </message>
     <message>
-        <source>Press Ctrl+4. Choose two runs above the pictures: where was one faster, and is that more than the error? What is grey is not.</source>
-        <translation>Appuyez sur Ctrl+4. Choisissez deux passages au-dessus des images&#xa0;: où l’un était-il plus rapide, et l’écart dépasse-t-il la marge d’erreur&#xa0;? Ce qui est gris, non.</translation>
+        <source>Press Ctrl+4. Choose two runs at the right: where was one faster, and is that more than the error? What is grey is not.</source>
+        <translation>Appuyez sur Ctrl+4. Choisissez deux passages à droite&#xa0;: où l’un était-il plus rapide, et l’écart dépasse-t-il la marge d’erreur&#xa0;? Ce qui est gris, non.</translation>
     </message>
     <message>
         <source>Find it again</source>

@@ -6690,8 +6690,8 @@
         <translation>두 주행 비교하기</translation>
     </message>
     <message>
-        <source>Press Ctrl+4. Choose two runs above the pictures: where was one faster, and is that more than the error? What is grey is not.</source>
-        <translation>Ctrl+4를 누르십시오. 영상 위에서 두 주행을 선택하십시오. 어디에서 한쪽이 더 빨랐고, 그 차이가 오차보다 큽니까? 회색은 그렇지 않다는 뜻입니다.</translation>
+        <source>Press Ctrl+4. Choose two runs at the right: where was one faster, and is that more than the error? What is grey is not.</source>
+        <translation>Ctrl+4를 누르십시오. 오른쪽에서 두 주행을 선택하십시오. 어디에서 한쪽이 더 빨랐고, 그 차이가 오차보다 큽니까? 회색은 그렇지 않다는 뜻입니다.</translation>
     </message>
     <message>
         <source>Find it again</source>

@@ -6690,8 +6690,8 @@
         <translation>比较两次运行</translation>
     </message>
     <message>
-        <source>Press Ctrl+4. Choose two runs above the pictures: where was one faster, and is that more than the error? What is grey is not.</source>
-        <translation>按 Ctrl+4。在画面上方选择两次运行：哪一次在哪里更快，差别是否超过误差？灰色的就没有超过。</translation>
+        <source>Press Ctrl+4. Choose two runs at the right: where was one faster, and is that more than the error? What is grey is not.</source>
+        <translation>按 Ctrl+4。在右侧选择两次运行：哪一次在哪里更快，差别是否超过误差？灰色的就没有超过。</translation>
     </message>
     <message>
         <source>Find it again</source>

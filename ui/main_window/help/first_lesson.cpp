@@ -79,7 +79,7 @@ std::vector<LessonStep> firstLesson(const ProjectPages &pages)
          Words::tr("Press Ctrl+Z. Whatever you change is saved at once, and can be taken back."),
          [&pages] { return [&pages, before = judged(pages)] { return judged(pages) < before || before == 0; }; }},
         {Words::tr("Compare two runs"),
-         Words::tr("Press Ctrl+4. Choose two runs above the pictures: where was one faster, and is that more than the error? "
+         Words::tr("Press Ctrl+4. Choose two runs at the right: where was one faster, and is that more than the error? "
                    "What is grey is not."),
          [&pages] { return inMode(pages, ProjectPages::Mode::Compare); }},
         {Words::tr("Find it again"),
