@@ -6179,6 +6179,98 @@
         <source>each counts at its own time</source>
         <translation>jedes zählt zu seiner eigenen Zeit</translation>
     </message>
+    <message>
+        <source>frame times of &apos;%1&apos;</source>
+        <translation>Bildzeiten von &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>calibration %1 of the project</source>
+        <translation>Kalibrierung %1 des Projekts</translation>
+    </message>
+    <message>
+        <source>observations %1 of the project</source>
+        <translation>Beobachtungen %1 des Projekts</translation>
+    </message>
+    <message>
+        <source>truth of trial %1</source>
+        <translation>Wahrheit des Versuchs %1</translation>
+    </message>
+    <message>
+        <source>the list of changes</source>
+        <translation>die Änderungsliste</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <translation>Einmessung der Kamera &apos;%1&apos; über &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>checking halves against one another</source>
+        <translation>die Hälften werden gegeneinander geprüft</translation>
+    </message>
+    <message>
+        <source>completing a recording that was cut off</source>
+        <translation>eine abgebrochene Aufnahme wird vervollständigt</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>fitting the lens to %1 pictures</source>
+        <translation>das Objektiv wird an %1 Bilder angepasst</translation>
+    </message>
+    <message>
+        <source>looking about the best place</source>
+        <translation>die Umgebung des besten Orts wird abgesucht</translation>
+    </message>
+    <message>
+        <source>looking for the board in %1</source>
+        <translation>die Tafel wird gesucht in %1</translation>
+    </message>
+    <message>
+        <source>making the hash of %1</source>
+        <translation>die Prüfsumme wird gebildet: %1</translation>
+    </message>
+    <message>
+        <source>packing %1</source>
+        <translation>gepackt wird: %1</translation>
+    </message>
+    <message>
+        <source>unpacking</source>
+        <translation>wird entpackt</translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation>gelesen wird: %1</translation>
+    </message>
+    <message>
+        <source>reading line %1</source>
+        <translation>Zeile %1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>removing %1</source>
+        <translation>entfernt wird: %1</translation>
+    </message>
+    <message>
+        <source>tracking, picture %1 of %2</source>
+        <translation>Verfolgung, Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>The world axes were changed afterwards</source>
+        <translation>Die Achsen der Welt wurden nachher geändert</translation>
+    </message>
+    <message>
+        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
+        <translation>Die Achsen der Welt wurden nachher geändert, und alle Längen mit %1 multipliziert</translation>
+    </message>
+    <message>
+        <source>It was made through registration %1 of the project</source>
+        <translation>Sie wurde über die Einmessung %1 des Projekts gemacht</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

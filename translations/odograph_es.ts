@@ -6179,6 +6179,98 @@
         <source>each counts at its own time</source>
         <translation>cada una cuenta en su propio instante</translation>
     </message>
+    <message>
+        <source>frame times of &apos;%1&apos;</source>
+        <translation>tiempos de los fotogramas de &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>calibration %1 of the project</source>
+        <translation>calibración %1 del proyecto</translation>
+    </message>
+    <message>
+        <source>observations %1 of the project</source>
+        <translation>observaciones %1 del proyecto</translation>
+    </message>
+    <message>
+        <source>truth of trial %1</source>
+        <translation>verdad del ensayo %1</translation>
+    </message>
+    <message>
+        <source>the list of changes</source>
+        <translation>la lista de cambios</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <translation>registro de la cámara &apos;%1&apos; mediante &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>punto %1</translation>
+    </message>
+    <message>
+        <source>checking halves against one another</source>
+        <translation>comprobando las mitades entre sí</translation>
+    </message>
+    <message>
+        <source>completing a recording that was cut off</source>
+        <translation>completando una grabación interrumpida</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>listo</translation>
+    </message>
+    <message>
+        <source>fitting the lens to %1 pictures</source>
+        <translation>ajustando la lente a %1 imágenes</translation>
+    </message>
+    <message>
+        <source>looking about the best place</source>
+        <translation>buscando alrededor del mejor lugar</translation>
+    </message>
+    <message>
+        <source>looking for the board in %1</source>
+        <translation>buscando el tablero en %1</translation>
+    </message>
+    <message>
+        <source>making the hash of %1</source>
+        <translation>calculando la suma de comprobación de %1</translation>
+    </message>
+    <message>
+        <source>packing %1</source>
+        <translation>empaquetando %1</translation>
+    </message>
+    <message>
+        <source>unpacking</source>
+        <translation>desempaquetando</translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation>leyendo %1</translation>
+    </message>
+    <message>
+        <source>reading line %1</source>
+        <translation>leyendo la línea %1</translation>
+    </message>
+    <message>
+        <source>removing %1</source>
+        <translation>eliminando %1</translation>
+    </message>
+    <message>
+        <source>tracking, picture %1 of %2</source>
+        <translation>rastreo, imagen %1 de %2</translation>
+    </message>
+    <message>
+        <source>The world axes were changed afterwards</source>
+        <translation>Los ejes del mundo se cambiaron después</translation>
+    </message>
+    <message>
+        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
+        <translation>Los ejes del mundo se cambiaron después, y todas las longitudes se multiplicaron por %1</translation>
+    </message>
+    <message>
+        <source>It was made through registration %1 of the project</source>
+        <translation>Se hizo mediante el registro %1 del proyecto</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6179,6 +6179,98 @@
         <source>each counts at its own time</source>
         <translation>chacune compte à son propre instant</translation>
     </message>
+    <message>
+        <source>frame times of &apos;%1&apos;</source>
+        <translation>temps des images de &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>calibration %1 of the project</source>
+        <translation>étalonnage %1 du projet</translation>
+    </message>
+    <message>
+        <source>observations %1 of the project</source>
+        <translation>observations %1 du projet</translation>
+    </message>
+    <message>
+        <source>truth of trial %1</source>
+        <translation>vérité de l’essai %1</translation>
+    </message>
+    <message>
+        <source>the list of changes</source>
+        <translation>la liste des modifications</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <translation>localisation de la caméra &apos;%1&apos; par &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>point %1</translation>
+    </message>
+    <message>
+        <source>checking halves against one another</source>
+        <translation>contrôle des moitiés l’une par l’autre</translation>
+    </message>
+    <message>
+        <source>completing a recording that was cut off</source>
+        <translation>un enregistrement interrompu est complété</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>terminé</translation>
+    </message>
+    <message>
+        <source>fitting the lens to %1 pictures</source>
+        <translation>ajustement de l’objectif à %1 photos</translation>
+    </message>
+    <message>
+        <source>looking about the best place</source>
+        <translation>recherche autour de la meilleure place</translation>
+    </message>
+    <message>
+        <source>looking for the board in %1</source>
+        <translation>recherche de la mire dans %1</translation>
+    </message>
+    <message>
+        <source>making the hash of %1</source>
+        <translation>calcul de l’empreinte de %1</translation>
+    </message>
+    <message>
+        <source>packing %1</source>
+        <translation>empaquetage de %1</translation>
+    </message>
+    <message>
+        <source>unpacking</source>
+        <translation>dépaquetage</translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation>lecture de %1</translation>
+    </message>
+    <message>
+        <source>reading line %1</source>
+        <translation>lecture de la ligne %1</translation>
+    </message>
+    <message>
+        <source>removing %1</source>
+        <translation>suppression de %1</translation>
+    </message>
+    <message>
+        <source>tracking, picture %1 of %2</source>
+        <translation>suivi, image %1 sur %2</translation>
+    </message>
+    <message>
+        <source>The world axes were changed afterwards</source>
+        <translation>Les axes du monde ont été changés ensuite</translation>
+    </message>
+    <message>
+        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
+        <translation>Les axes du monde ont été changés ensuite, et toutes les longueurs multipliées par %1</translation>
+    </message>
+    <message>
+        <source>It was made through registration %1 of the project</source>
+        <translation>Elle a été faite par la localisation %1 du projet</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6177,6 +6177,98 @@
         <source>each counts at its own time</source>
         <translation>각 그림은 그 자신의 시각으로 계산됩니다</translation>
     </message>
+    <message>
+        <source>frame times of &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;의 프레임 시간</translation>
+    </message>
+    <message>
+        <source>calibration %1 of the project</source>
+        <translation>프로젝트의 보정 %1</translation>
+    </message>
+    <message>
+        <source>observations %1 of the project</source>
+        <translation>프로젝트의 관측 %1</translation>
+    </message>
+    <message>
+        <source>truth of trial %1</source>
+        <translation>시행 %1의 참값</translation>
+    </message>
+    <message>
+        <source>the list of changes</source>
+        <translation>변경 내역</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <translation>&apos;%2&apos;을(를) 통한 카메라 &apos;%1&apos;의 정합</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>점 %1</translation>
+    </message>
+    <message>
+        <source>checking halves against one another</source>
+        <translation>절반끼리 서로 검증하는 중</translation>
+    </message>
+    <message>
+        <source>completing a recording that was cut off</source>
+        <translation>중단된 녹화를 완성하는 중</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>완료</translation>
+    </message>
+    <message>
+        <source>fitting the lens to %1 pictures</source>
+        <translation>사진 %1장에 렌즈를 맞추는 중</translation>
+    </message>
+    <message>
+        <source>looking about the best place</source>
+        <translation>가장 좋은 위치의 둘레를 찾는 중</translation>
+    </message>
+    <message>
+        <source>looking for the board in %1</source>
+        <translation>%1에서 보드를 찾는 중</translation>
+    </message>
+    <message>
+        <source>making the hash of %1</source>
+        <translation>%1의 해시를 만드는 중</translation>
+    </message>
+    <message>
+        <source>packing %1</source>
+        <translation>%1 묶는 중</translation>
+    </message>
+    <message>
+        <source>unpacking</source>
+        <translation>푸는 중</translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation>%1 읽는 중</translation>
+    </message>
+    <message>
+        <source>reading line %1</source>
+        <translation>%1행 읽는 중</translation>
+    </message>
+    <message>
+        <source>removing %1</source>
+        <translation>%1 삭제 중</translation>
+    </message>
+    <message>
+        <source>tracking, picture %1 of %2</source>
+        <translation>추적 중, 영상 %2장 중 %1</translation>
+    </message>
+    <message>
+        <source>The world axes were changed afterwards</source>
+        <translation>이후 월드 축이 바뀌었습니다</translation>
+    </message>
+    <message>
+        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
+        <translation>이후 월드 축이 바뀌었고 모든 길이에 %1을(를) 곱했습니다</translation>
+    </message>
+    <message>
+        <source>It was made through registration %1 of the project</source>
+        <translation>프로젝트의 정합 %1을(를) 통해 이루어졌습니다</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

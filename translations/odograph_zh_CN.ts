@@ -6177,6 +6177,98 @@
         <source>each counts at its own time</source>
         <translation>每张图片按其自身的时间计算</translation>
     </message>
+    <message>
+        <source>frame times of &apos;%1&apos;</source>
+        <translation>“%1”的帧时间</translation>
+    </message>
+    <message>
+        <source>calibration %1 of the project</source>
+        <translation>项目的标定 %1</translation>
+    </message>
+    <message>
+        <source>observations %1 of the project</source>
+        <translation>项目的观测 %1</translation>
+    </message>
+    <message>
+        <source>truth of trial %1</source>
+        <translation>试验 %1 的真值</translation>
+    </message>
+    <message>
+        <source>the list of changes</source>
+        <translation>更改记录</translation>
+    </message>
+    <message>
+        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <translation>通过“%2”对相机“%1”的配准</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>点 %1</translation>
+    </message>
+    <message>
+        <source>checking halves against one another</source>
+        <translation>正在用两半相互校验</translation>
+    </message>
+    <message>
+        <source>completing a recording that was cut off</source>
+        <translation>正在补全中断的录像</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>fitting the lens to %1 pictures</source>
+        <translation>正在用 %1 张图片拟合镜头</translation>
+    </message>
+    <message>
+        <source>looking about the best place</source>
+        <translation>正在最佳位置周围搜索</translation>
+    </message>
+    <message>
+        <source>looking for the board in %1</source>
+        <translation>正在 %1 中寻找标定板</translation>
+    </message>
+    <message>
+        <source>making the hash of %1</source>
+        <translation>正在计算 %1 的校验值</translation>
+    </message>
+    <message>
+        <source>packing %1</source>
+        <translation>正在打包 %1</translation>
+    </message>
+    <message>
+        <source>unpacking</source>
+        <translation>正在解包</translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation>正在读取 %1</translation>
+    </message>
+    <message>
+        <source>reading line %1</source>
+        <translation>正在读取第 %1 行</translation>
+    </message>
+    <message>
+        <source>removing %1</source>
+        <translation>正在删除 %1</translation>
+    </message>
+    <message>
+        <source>tracking, picture %1 of %2</source>
+        <translation>正在跟踪，第 %1 幅，共 %2 幅</translation>
+    </message>
+    <message>
+        <source>The world axes were changed afterwards</source>
+        <translation>之后更改过世界坐标轴</translation>
+    </message>
+    <message>
+        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
+        <translation>之后更改过世界坐标轴，并把所有长度乘以 %1</translation>
+    </message>
+    <message>
+        <source>It was made through registration %1 of the project</source>
+        <translation>它是通过项目的配准 %1 作出的</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -125,6 +125,7 @@ void TestCoreSentences::sourcesAreRead_data()
     add("list", R"(m_warnings.push_back(name + ": cold"); somewhat["gone"] = 1;)", "Q: cold");
     add("in braces", R"(return {ErrorCode::Io, n + " is off", "turn it on"};)", "Q is off|turn it on");
     add("one of a list", R"(m_told.push_back({file, "it is cut" + off}))", "it is cutQ");
+    add("a job's progress", R"(m_control.report(0.5, "reading " + file); report("not this");)", "reading Q");
     add("printed", R"(std::snprintf(why, sizeof why, "of %.1f s %zu %% went", a, b);)", "of Q s Q % went");
     add("without an end", R"(fail(c, "cut off", ()", "cut off");
 }

@@ -224,8 +224,11 @@ std::vector<Tokens> putInto(Tokens tokens, std::size_t at)
 std::vector<Tokens> expressionsAt(Tokens tokens, std::size_t at, const QStringList &makers)
 {
     const QString &name = tokens[at].text;
-    const bool makesError = makers.contains(name) && isSign(tokens, at + 1, QStringLiteral("("));
-    if (makesError || (name == QLatin1String("Error") && tokens[at + 1].opens()))
+    const bool isCall = isSign(tokens, at + 1, QStringLiteral("("));
+    const bool reports =
+        name == QLatin1String("report") && at > 0 && isSign(tokens, at - 1, QStringLiteral("."));
+    if ((isCall && (reports || makers.contains(name))) ||
+        (name == QLatin1String("Error") && tokens[at + 1].opens()))
         return arguments(tokens, at + 1);
     if (name == QLatin1String("snprintf") && at + 2 < tokens.size() && isNameOfWords(tokens[at + 2].text))
         return arguments(tokens, at + 1);

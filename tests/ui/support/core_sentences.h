@@ -18,10 +18,11 @@ struct CoreSentence
 /// declares to return one, and its lambdas that return what those make.
 QStringList errorMakers(const QString &source);
 
-/// The sentences of a source of C++: what makers of errors are given, what follows an ErrorCode, and what is
-/// put into something whose name is one of words: it ends with why, advice, warning or the like. Of `a ? "b"
-/// : "c"` come both. What has no word of three letters is left out. No compiler: literals, sums, choices and
-/// brackets are understood, anything else is a Q, as is a figure in what snprintf writes.
+/// The sentences of a source of C++: what makers of errors are given, what follows an ErrorCode, what a job
+/// reports to be doing, and what is /// put into something whose name is one of words: it ends with why,
+/// advice, warning or the like. Of `a ? "b" : "c"` come both. What has no word of three letters is left out.
+/// No compiler: literals, sums, choices and brackets are understood, anything else is a Q, as is a figure in
+/// what snprintf writes.
 QList<CoreSentence> sentencesIn(const QString &source, const QString &place, const QStringList &makers);
 
 /// The sentences of all sources below a folder of the tree. Makers that a header declares are known in all of

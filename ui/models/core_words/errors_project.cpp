@@ -205,6 +205,11 @@ std::span<const CorePattern> errorsProject()
         {QT_TRANSLATE_NOOP("CoreWords", "%1 is missing")},
         {QT_TRANSLATE_NOOP("CoreWords", "put the file back in its place, and open the project again")},
         {QT_TRANSLATE_NOOP("CoreWords", "camera '%1' is not registered to the floor")},
+        {QT_TRANSLATE_NOOP("CoreWords", "frame times of '%1'")},
+        {QT_TRANSLATE_NOOP("CoreWords", "calibration %1 of the project")},
+        {QT_TRANSLATE_NOOP("CoreWords", "observations %1 of the project")},
+        {QT_TRANSLATE_NOOP("CoreWords", "truth of trial %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "the list of changes")},
     };
     return patterns;
 }

@@ -159,6 +159,7 @@ std::span<const CorePattern> errorsVideo()
         {QT_TRANSLATE_NOOP("CoreWords", "ends early at %1")},
         {QT_TRANSLATE_NOOP("CoreWords", "the file has no time stamps")},
         {QT_TRANSLATE_NOOP("CoreWords", "an even %1 frames/s is assumed")},
+        {QT_TRANSLATE_NOOP("CoreWords", "cannot read the picture %1")},
     };
     return patterns;
 }

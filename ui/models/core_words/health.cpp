@@ -42,6 +42,19 @@ std::span<const CorePattern> health()
         {QT_TRANSLATE_NOOP("CoreWords", "taking over the set-up")},
         {QT_TRANSLATE_NOOP("CoreWords", "Simulated camera %1")},
         {QT_TRANSLATE_NOOP("CoreWords", "%1 at %2 frames/s")},
+        {QT_TRANSLATE_NOOP("CoreWords", "checking halves against one another")},
+        {QT_TRANSLATE_NOOP("CoreWords", "completing a recording that was cut off")},
+        {QT_TRANSLATE_NOOP("CoreWords", "done")},
+        {QT_TRANSLATE_NOOP("CoreWords", "fitting the lens to %1 pictures")},
+        {QT_TRANSLATE_NOOP("CoreWords", "looking about the best place")},
+        {QT_TRANSLATE_NOOP("CoreWords", "looking for the board in %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "making the hash of %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "packing %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "unpacking")},
+        {QT_TRANSLATE_NOOP("CoreWords", "reading %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "reading line %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "removing %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "tracking, picture %1 of %2")},
     };
     return patterns;
 }

@@ -55,6 +55,9 @@ std::span<const CorePattern> registration()
         {QT_TRANSLATE_NOOP("CoreWords", "No place was measured by both analyses")},
         {QT_TRANSLATE_NOOP("CoreWords", "Positions change by %1 mm RMS, at most by %2 mm (at %3 s)")},
         {QT_TRANSLATE_NOOP("CoreWords", "Spikes: %1 instead of %2")},
+        {QT_TRANSLATE_NOOP("CoreWords", "The world axes were changed afterwards")},
+        {QT_TRANSLATE_NOOP("CoreWords", "The world axes were changed afterwards, and all lengths multiplied by %1")},
+        {QT_TRANSLATE_NOOP("CoreWords", "It was made through registration %1 of the project")},
     };
     return patterns;
 }
