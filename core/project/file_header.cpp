@@ -44,6 +44,24 @@ bool namesAnotherFile(const std::filesystem::path &journal)
     return input.read(end.data(), static_cast<std::streamsize>(end.size())) && end == mark;
 }
 
+/// Whether what lies beside a project leads to another file, which SQLite would then write to or remove.
+bool leadsElsewhere(const std::filesystem::path &file)
+{
+    std::error_code problem;
+    std::filesystem::path real = std::filesystem::weakly_canonical(file, problem); // SQLite looks beside that one
+    if (problem)
+        real = file;
+    for (const char *side : {"-journal", "-wal", "-shm"}) {
+        std::filesystem::path other = real;
+        other += side;
+        if (std::filesystem::is_symlink(other, problem))
+            return true;
+        if (side == std::string_view("-journal") && std::filesystem::is_regular_file(other, problem) && namesAnotherFile(other))
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersion)
@@ -88,9 +106,7 @@ Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersio
                     "it was written by a newer Odograph (format " + std::to_string(version) +
                         ", this one knows formats up to " + std::to_string(newestVersion) + ")",
                     "open it with that Odograph, or update this one");
-    std::filesystem::path journal = file;
-    journal += "-journal";
-    if (std::filesystem::is_regular_file(journal, problem) && namesAnotherFile(journal))
+    if (leadsElsewhere(file))
         return fail(ErrorCode::InvalidInput, what, "the journal beside it names another file",
                     "copy it again from where it came, or restore a backup copy");
     // While a write-ahead log lies beside it, the file itself may lag behind.

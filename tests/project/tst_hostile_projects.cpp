@@ -119,6 +119,26 @@ private Q_SLOTS:
         QVERIFY(Project::open(m_file, Access::ReadWrite));
     }
 
+    /// SQLite would take what a link leads to for a log of its own, and empty it.
+    void aLogThatIsALinkIsRefused()
+    {
+        const std::filesystem::path own = path("own.txt");
+        for (const char *side : {"a.odo-wal", "a.odo-shm", "a.odo-journal"}) {
+            store(own, "somebody's own");
+            std::filesystem::create_symlink(own, path(side));
+            std::filesystem::create_symlink(m_file, path("way"));
+            for (const auto &way : {m_file, path("way")}) {
+                const auto opened = Project::open(way, Access::ReadWrite);
+                QVERIFY2(!opened, side);
+                QCOMPARE(opened.error().why, std::string("the journal beside it names another file"));
+            }
+            QCOMPARE(content(own), QByteArray("somebody's own"));
+            std::filesystem::remove(path(side));
+            std::filesystem::remove(path("way"));
+        }
+        QVERIFY(Project::open(m_file, Access::ReadWrite));
+    }
+
     void onlyWhatLiesInTheMediaFolderIsItsOwn()
     {
         const std::filesystem::path media = path("a.media"), elsewhere = path("elsewhere");
