@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <new>
 #include <memory>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -140,9 +141,13 @@ public:
     ~Reader()
     {
         archive_read_free(m_archive);
-        std::error_code ignored;
-        if (m_made)
+        if (!m_made)
+            return;
+        try {
+            std::error_code ignored;
             std::filesystem::remove_all(m_part, ignored); // not there any more once it was published
+        } catch (const std::bad_alloc &) { // it stays, under a name that says what it is
+        }
     }
     Reader(const Reader &) = delete;
     Reader &operator=(const Reader &) = delete;

@@ -32,18 +32,16 @@ NewFile::NewFile(std::filesystem::path target, std::string what)
     : m_target(std::move(target)), m_temporary(m_target), m_what(std::move(what))
 {
     m_temporary += ".new-" + std::to_string(::getpid());
+    for (const char *side : {"", "-journal", "-wal", "-shm"})
+        m_toRemove.push_back(m_temporary.string() + side);
 }
 
 NewFile::~NewFile()
 {
     if (!m_prepared)
         return;
-    std::error_code ignored;
-    for (const char *side : {"", "-journal", "-wal", "-shm"}) {
-        std::filesystem::path file = m_temporary;
-        file += side;
-        std::filesystem::remove(file, ignored);
-    }
+    for (const std::string &file : m_toRemove) // without any memory
+        ::unlink(file.c_str());
 }
 
 tl::unexpected<Error> NewFile::alreadyThere() const

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace odo {
 
@@ -29,6 +30,7 @@ private:
     tl::unexpected<Error> alreadyThere() const;
 
     std::filesystem::path m_target, m_temporary;
+    std::vector<std::string> m_toRemove; ///< the temporary file, and what SQLite may leave beside it
     std::string m_what;
     bool m_prepared = false;
 };
