@@ -312,6 +312,7 @@ void TestManualPictures::history()
     table->selectRow(0);
     m_book->takeWindow(QStringLiteral("history"));
     page->findChild<QTabWidget *>()->setCurrentIndex(1);
+    waitFor(m_book->window());
     for (QComboBox *box : page->findChildren<QComboBox *>())
         if (const int task = box->findText(QStringLiteral("Figure eight")); task >= 0 && box->isVisible())
             box->setCurrentIndex(task);
