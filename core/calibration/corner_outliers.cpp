@@ -63,11 +63,11 @@ std::vector<std::vector<std::size_t>> groupsOf(const BoardView &view, std::vecto
         std::vector<std::size_t> group{marks.back()};
         marks.pop_back();
         for (std::size_t next = 0; next < group.size(); ++next) {
-            const auto near = std::ranges::partition(marks, [&](std::size_t mark) {
+            const auto near = std::partition(marks.begin(), marks.end(), [&](std::size_t mark) {
                 return (view.pointsOnBoard[mark] - view.pointsOnBoard[group[next]]).norm() > reachM;
             });
-            group.insert(group.end(), near.begin(), near.end());
-            marks.erase(near.begin(), near.end());
+            group.insert(group.end(), near, marks.end());
+            marks.erase(near, marks.end());
         }
         groups.push_back(std::move(group));
     }

@@ -179,8 +179,7 @@ void ImportTracksJob::setClock()
         }
     }
     std::ranges::sort(m_times);
-    const auto again = std::ranges::unique(m_times);
-    m_times.erase(again.begin(), again.end());
+    m_times.erase(std::unique(m_times.begin(), m_times.end()), m_times.end());
     m_trial.durationS = toSeconds(m_times.back());
 }
 

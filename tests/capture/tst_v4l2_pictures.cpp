@@ -3,6 +3,7 @@
 #include "tests/video/jpeg_pictures.h"
 
 #include <QTest>
+#include <algorithm>
 #include <linux/videodev2.h>
 
 using namespace odo;
@@ -102,9 +103,9 @@ private Q_SLOTS:
         // A header that tells of another size must not make us fetch gigabytes.
         auto huge = jpegOf(planes(), {});
         const std::vector<std::uint8_t> size{0, 48, 0, 64};
-        const auto found = std::ranges::search(huge, size);
-        QVERIFY(!found.empty());
-        std::ranges::fill(found, std::uint8_t(0xff));
+        const auto found = std::search(huge.begin(), huge.end(), size.begin(), size.end());
+        QVERIFY(found != huge.end());
+        std::fill_n(found, size.size(), std::uint8_t(0xff));
         QVERIFY(!pictures.read(huge));
         QVERIFY(pictures.read(whole)); // and the next one is sound
     }

@@ -7,7 +7,6 @@
 
 #include <QStringList>
 #include <algorithm>
-#include <ranges>
 
 namespace odo {
 
@@ -32,7 +31,8 @@ bool isSame(const CompareSettings::Run &a, const CompareSettings::Run &b)
 QList<RunChoice> runChoices(std::span<const TrialRecord> trials)
 {
     QList<RunChoice> choices;
-    for (const TrialRecord &trial : trials | std::views::reverse) {
+    for (auto each = trials.rbegin(); each != trials.rend(); ++each) {
+        const TrialRecord &trial = *each;
         if (trial.binned)
             continue;
         if (trial.robotNames.size() < 2)

@@ -29,6 +29,6 @@ QList<int> placesOf(const QList<RunChoice> &choices, std::span<const CompareSett
 /// tracked, or else the newest other one that was. trials: newest first. On the project's thread. Errors:
 /// those of the repositories.
 Result<std::optional<std::string>> partnerOf(Project &project, std::span<const TrialRecord> trials,
-                                             const std::string &trial);
+                                             const std::string &name);
 
 } // namespace odo

@@ -112,8 +112,7 @@ std::vector<Nanoseconds> timesOf(const std::vector<SceneRobot> &robots)
             times.push_back(sample.time);
     }
     std::ranges::sort(times);
-    const auto again = std::ranges::unique(times);
-    times.erase(again.begin(), again.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
 }
 

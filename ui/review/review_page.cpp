@@ -21,8 +21,8 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <algorithm>
 #include <map>
-#include <ranges>
 
 namespace odo {
 
@@ -124,7 +124,7 @@ Result<ReviewPage::Reading> ReviewPage::readTrial(Project &project, const Wish &
     Reading reading{std::nullopt, nullptr};
     std::string name = wish.chosen.empty() ? wish.shown : wish.chosen;
     if (wish.withList) {
-        const Result<std::vector<TrialName>> trials = project.trials().names();
+        Result<std::vector<TrialName>> trials = project.trials().names();
         if (!trials)
             return tl::unexpected(trials.error());
         reading.list.emplace();
@@ -133,7 +133,8 @@ Result<ReviewPage::Reading> ReviewPage::readTrial(Project &project, const Wish &
             shownTeams[team.name] = shownTeam(team);
         std::string newest;
         bool isThere = !wish.chosen.empty();
-        for (const TrialName &trial : *trials | std::views::reverse) { // the chooser goes on in time
+        std::ranges::reverse(*trials); // the chooser goes on in time
+        for (const TrialName &trial : *trials) {
             if (trial.binned)
                 continue;
             const QString shown = QString::fromStdString(trial.name), team = shownTeams[trial.teamName];

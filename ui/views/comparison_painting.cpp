@@ -9,7 +9,6 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <optional>
-#include <ranges>
 
 namespace odo {
 
@@ -83,7 +82,8 @@ void drawComparedCurves(QPainter &painter, const ChartPlot &plot, Compared what,
 void drawWays(QPainter &painter, const MapPlan &plan, const ComparisonScene &scene,
               const std::vector<std::size_t> &runs, const QPalette &palette)
 {
-    for (const std::size_t run : std::views::reverse(runs)) {
+    for (auto each = runs.rbegin(); each != runs.rend(); ++each) {
+        const std::size_t run = *each;
         const QPainterPath way = wayOf(scene.profile(run), plan);
         // Dashes of a very long way take long to paint, and cover one another.
         const Qt::PenStyle dash = way.elementCount() < mostDashed ? seriesDash(int(run)) : Qt::SolidLine;
