@@ -167,6 +167,6 @@ int main(int argc, char **argv)
     const bool isProject = first.ends_with(".odo") || QFileInfo(QString::fromLocal8Bit(argc > 1 ? argv[1] : "")).isFile();
     if (argc == 1 || (argc == 2 && isProject))
         return openWorkbench(argc, argv);
-    return report(fail(ErrorCode::WrongCall, "'" + std::string(first) + "'", "neither a command nor a project",
+    return report(fail(ErrorCode::WrongCall, '\'' + std::string(first) + '\'', "neither a command nor a project",
                        "see odograph help"));
 }

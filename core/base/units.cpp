@@ -9,7 +9,7 @@ namespace odo {
 
 namespace {
 
-std::string quoted(std::string_view text) { return "'" + std::string(text.substr(0, 40)) + "'"; }
+std::string quoted(std::string_view text) { return '\'' + std::string(text.substr(0, 40)) + '\''; }
 
 } // namespace
 

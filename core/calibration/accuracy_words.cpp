@@ -67,10 +67,10 @@ AccuracySummary summariseAccuracy(const FloorGrid &grid, const std::vector<doubl
     if (seen == 0)
         return summary;
     summary.seenPart = double(seen) / places;
-    summary.words = (std::isnan(summary.middleM) ? "The middle is not seen" : "±" + millimetres(summary.middleM) + " in the middle") +
-                    ", ±" + millimetres(summary.worstM) + " " + whereOf(worst, lower, upper, layout) + ".";
+    summary.words = std::isnan(summary.middleM) ? "The middle is not seen" : std::string("±") + millimetres(summary.middleM) + " in the middle";
+    summary.words += std::string(", ±") + millimetres(summary.worstM) + " " + whereOf(worst, lower, upper, layout) + ".";
     if (seen < places)
-        summary.words += " " + formatNumber(std::max(1.0, 100 * (1 - summary.seenPart)), 0) + " % of the floor among the markers is not seen.";
+        summary.words += ' ' + formatNumber(std::max(1.0, 100 * (1 - summary.seenPart)), 0) + " % of the floor among the markers is not seen.";
     return summary;
 }
 

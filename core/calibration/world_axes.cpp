@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace odo {
 
@@ -96,7 +97,7 @@ Result<AxesTransform> axesTransformOf(const MarkerLayout &layout, const AxesChan
         return tl::unexpected(turn.error());
     if (!origin->allFinite() || !std::isfinite(*turn))
         return refuse(layout, "the origin or the angle is not a finite number", "give plain numbers");
-    AxesTransform transform{change.lengthFactor, *turn + (change.reverseX ? EIGEN_PI : 0.0), Vector2d::Zero()};
+    AxesTransform transform{change.lengthFactor, *turn + (change.reverseX ? std::numbers::pi : 0.0), Vector2d::Zero()};
     transform.shiftM = -(Eigen::Rotation2Dd(transform.turnRad) * *origin);
     return transform;
 }

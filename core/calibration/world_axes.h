@@ -26,10 +26,11 @@ struct AxesChange
 {
     /// By what the layout's lengths are multiplied: lengthFactorFrom("inch") where inches were read as mm.
     double lengthFactor = 1;
-    std::string originMarker;                            ///< becomes (0, 0); or empty
-    std::optional<Eigen::Vector2d> originM;              ///< a point that becomes (0, 0), instead of a marker
+    std::string originMarker = {};                       ///< becomes (0, 0); or empty
+    std::optional<Eigen::Vector2d> originM = {};         ///< a point that becomes (0, 0), instead of a marker
     double turnDegrees = 0;                              ///< the new +X lies at this angle in the old axes
-    std::optional<std::pair<std::string, std::string>> xAlong; ///< +X from the first marker to the second, instead
+    /// +X from the first marker to the second, instead.
+    std::optional<std::pair<std::string, std::string>> xAlong = {};
     /// Reverses axes after all else. Both together are a half turn; one alone would mirror the floor and is refused.
     bool reverseX = false, reverseY = false;
 };

@@ -208,7 +208,7 @@ private:
         const char *utf8 = archive_entry_pathname_utf8(entry);
         const std::filesystem::path name = utf8 ? utf8 : "";
         if (archive_entry_filetype(entry) != AE_IFREG || !mayBe(name))
-            return refuse("'" + name.string() + "' does not belong into a packed project");
+            return refuse('\'' + name.string() + "' does not belong into a packed project");
         if (m_project.empty())
             m_project = name;
         const std::filesystem::path target = m_part / name;
@@ -217,7 +217,7 @@ private:
         const int descriptor =
             ::open(target.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC | O_NOFOLLOW, 0644);
         if (descriptor < 0 && errno == EEXIST)
-            return refuse("'" + name.string() + "' is in it twice");
+            return refuse('\'' + name.string() + "' is in it twice");
         if (descriptor < 0)
             return failure(std::strerror(errno));
         auto copied = copyData(descriptor, control);

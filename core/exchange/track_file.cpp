@@ -46,7 +46,7 @@ private:
     {
         return fail(ErrorCode::InvalidInput, atLine(m_file, std::max(1, m_lines.number())), why, advice);
     }
-    std::string shown(std::size_t cell) const { return "'" + std::string(m_cells[cell].substr(0, 40)) + "'"; }
+    std::string shown(std::size_t cell) const { return '\'' + std::string(m_cells[cell].substr(0, 40)) + '\''; }
     Result<void> askControl(std::size_t bytesPerLine) const;
 
     const std::filesystem::path &m_file;

@@ -18,11 +18,12 @@ Result<void> setVersion(ProjectConnection &connection, int version)
 std::filesystem::path freeBackupName(const std::filesystem::path &file, std::int64_t version)
 {
     std::filesystem::path name = file;
-    name += ".bak-" + std::to_string(version);
+    name += ".bak-";
+    name += std::to_string(version);
     const std::filesystem::path first = name;
     for (int i = 2; std::filesystem::exists(name); ++i) {
         name = first;
-        name += "." + std::to_string(i);
+        name += '.' + std::to_string(i);
     }
     return name;
 }

@@ -35,19 +35,20 @@ public:
     std::vector<GatePassage> passages() const
     {
         std::vector<GatePassage> found;
-        std::optional<std::size_t> before; // the last place that was surely before the line
+        const std::size_t nowhere = m_places.size();
+        std::size_t before = nowhere; // the last place that was surely before the line
         for (std::size_t i = 0; i < m_places.size(); ++i) {
             if (!m_places[i].joined)
-                before.reset();
+                before = nowhere;
             const double distance = across(i);
             const double sure =
                 std::max(leastDistanceM, sigmasToPass * sigmaAlong(m_places[i].own, m_across));
             if (distance < -sure) {
                 before = i;
-            } else if (distance > sure && before) {
-                if (auto passage = passageBetween(*before, i))
+            } else if (distance > sure && before != nowhere) {
+                if (auto passage = passageBetween(before, i))
                     found.push_back(std::move(*passage));
-                before.reset();
+                before = nowhere;
             }
         }
         return found;

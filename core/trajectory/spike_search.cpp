@@ -50,9 +50,9 @@ struct Hypothesis
     double outlook = 0;   ///< cost, and what its wide covariance will still have to pay
     double lastTimeS = 0; ///< of the last measurement that was believed
     Eigen::Vector2d lastPosition = Eigen::Vector2d::Zero();
-    std::optional<std::size_t> lastSpike;         ///< the node before was a spike: which
-    std::optional<Eigen::Vector2d> spikeVelocity; ///< from the spike before that one to it
-    std::uint64_t recent = 0;                     ///< the last decisions, two bits each
+    std::optional<std::size_t> lastSpike = {};         ///< the node before was a spike: which
+    std::optional<Eigen::Vector2d> spikeVelocity = {}; ///< from the spike before that one to it
+    std::uint64_t recent = 0;                          ///< the last decisions, two bits each
     std::int64_t remark = -1;
 };
 

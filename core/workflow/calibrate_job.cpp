@@ -25,7 +25,7 @@ Result<void> CalibrateJob::prepare(Project &project)
     for (const auto &file : m_settings.files) {
         std::error_code problem;
         if (!std::filesystem::is_regular_file(file, problem))
-            return fail(ErrorCode::NotFound, "'" + file.string() + "'", "there is no such file",
+            return fail(ErrorCode::NotFound, '\'' + file.string() + '\'', "there is no such file",
                         "check the name and the folder");
     }
     return {};

@@ -16,7 +16,7 @@ Result<void> writeTruthCsv(const std::filesystem::path &file, const TruthSeries 
     for (std::size_t i = 0; i < truth.times.size(); ++i) {
         text += numberText(toSeconds(truth.times[i]));
         for (const Eigen::Vector2d &pair : {truth.positions[i], truth.velocities[i], truth.accelerations[i]})
-            text += "," + numberText(toMillimetres(pair.x())) + "," + numberText(toMillimetres(pair.y()));
+            text += ',' + numberText(toMillimetres(pair.x())) + "," + numberText(toMillimetres(pair.y()));
         text += "\n";
     }
     return writeTextFile(file, text);

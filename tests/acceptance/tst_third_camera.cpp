@@ -78,7 +78,7 @@ void TestThirdCamera::aCameraThroughAnotherMeasuresTheSame()
 {
     m_scene.durationS = 3;
     SimulatedCamera third = m_scene.cameras[1];
-    third.name = "C";
+    third.name = 'C';
     third.startOffsetS = 0;
     third.view = simulatedView({1.6, 4.2, 2.0}, {1.5, 1.2, 0}, 1280, 720, 900);
     m_scene.cameras.push_back(third);

@@ -150,7 +150,7 @@ private Q_SLOTS:
         points.resize(3);
         QVERIFY(refusedWith(points, "four points are needed that both cameras see; there are 3"));
         points = sharedPoints();
-        points[1].label = "a";
+        points[1].label = 'a';
         QVERIFY(refusedWith(points, "point a is there twice"));
         points = sharedPoints();
         points[1].pixel = points[0].pixel;

@@ -171,7 +171,7 @@ private Q_SLOTS:
     {
         MarkerLayout layout = rectangle();
         std::vector<MarkerPixel> pixels = seenBy(bentCamera(), layout);
-        pixels[3].label = "X";
+        pixels[3].label = 'X';
         QVERIFY(refusedWith(layout, pixels, "there are 3 (O, U and V)"));
         QVERIFY(refusedWith(layout, {}, "there are 0 (none)"));
     }
@@ -179,10 +179,10 @@ private Q_SLOTS:
     {
         const std::vector<MarkerPixel> pixels = seenBy(bentCamera(), rectangle());
         MarkerLayout layout = rectangle();
-        layout.markers[1].label = "O";
+        layout.markers[1].label = 'O';
         QVERIFY(refusedWith(layout, pixels, "marker O stands twice in the layout"));
         std::vector<MarkerPixel> twice = pixels;
-        twice[2].label = "D";
+        twice[2].label = 'D';
         QVERIFY(refusedWith(rectangle(), twice, "marker D stands twice in the picture"));
         layout = rectangle();
         layout.markers[1].pointInWorld = {0.0005, 0};

@@ -46,9 +46,9 @@ struct BadInput
 
 const BadInput badInputs[] = {
     {"too few", [](Given &g) { g.pixels.pop_back(); }, "there are 3 (O, U and V)", "mark more of the layout's markers"},
-    {"names that the layout has not", [](Given &g) { g.pixels[3].label = "X"; }, "and the layout does not know X", "under the layout's names"},
-    {"a label twice in the layout", [](Given &g) { g.layout.markers[1].label = "O"; }, "marker O stands twice in the layout", "a name of its own"},
-    {"a label twice in the picture", [](Given &g) { g.pixels[1].label = "O"; }, "marker O stands twice in the picture", "a name of its own"},
+    {"names that the layout has not", [](Given &g) { g.pixels[3].label = 'X'; }, "and the layout does not know X", "under the layout's names"},
+    {"a label twice in the layout", [](Given &g) { g.layout.markers[1].label = 'O'; }, "marker O stands twice in the layout", "a name of its own"},
+    {"a label twice in the picture", [](Given &g) { g.pixels[1].label = 'O'; }, "marker O stands twice in the picture", "a name of its own"},
     {"a pixel that is no number", [](Given &g) { g.pixels[2].pixel.x() = NAN; }, "the pixel of marker V is not a finite number", "correct the pixels"},
     {"a place that is no number", [](Given &g) { g.layout.markers[2].pointInWorld.x() = INFINITY; }, "the place of marker V is not a finite number", "correct the layout"},
     {"one place twice", [](Given &g) { g.layout.markers[1].pointInWorld = {0.0005, 0}; }, "markers O and U lie at one place of the floor", "correct the layout"},

@@ -164,7 +164,7 @@ private Q_SLOTS:
         QVERIFY(contains(registerJointly(drawn.measured, {drawn.cameras[0]}).error().message(), "there is 1 camera on layout 'floor', two are needed"));
         QVERIFY(contains(registerJointly(drawn.measured, drawn.cameras, 0).error().message(), "tape measure is not above 0"));
         auto twice = drawn.cameras;
-        twice[1].name = "A";
+        twice[1].name = 'A';
         QVERIFY(contains(registerJointly(drawn.measured, twice).error().message(), "camera 'A' is there twice"));
         auto few = drawn.cameras;
         few[1].pixels.resize(2);

@@ -122,7 +122,7 @@ void TestChangeJournal::aChangeIsTakenBackAndMadeAgain()
 Result<void> TestChangeJournal::randomChange(std::mt19937 &random)
 {
     const int number = std::uniform_int_distribution(0, 1'000'000)(random);
-    const std::string name = "n" + std::to_string(number);
+    const std::string name = 'n' + std::to_string(number);
     TrialRepository &trials = m_project->trials();
     const auto make = [&]() -> Result<void> {
         switch (number % 9) {

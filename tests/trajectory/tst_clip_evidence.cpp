@@ -66,7 +66,7 @@ struct Filmed
         }
         for (std::size_t r = 0; r < courses.size(); ++r) {
             robots.push_back({colours[r], 0.06});
-            names.push_back("R" + std::to_string(r + 1));
+            names.push_back('R' + std::to_string(r + 1));
         }
     }
 

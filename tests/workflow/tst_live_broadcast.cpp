@@ -125,7 +125,7 @@ private Q_SLOTS:
         const auto numbers = sslNumbers(robots);
         std::string words;
         for (const SslNumber &number : numbers)
-            words += (number.isYellow ? "y" : "b") + std::to_string(number.id) + " ";
+            words += (number.isYellow ? 'y' : 'b') + std::to_string(number.id) + ' ';
         QCOMPARE(words, std::string("y0 b0 y1 y2 b1 b2 y3 "));
     }
     void addresses()

@@ -32,8 +32,8 @@ MarkActions::MarkActions(Project &project, QWidget &window)
         change(
             to ? tr("star %1") : tr("take the star off %1"),
             to ? tr("star %1 trials") : tr("take the star off %1 trials"),
-            [](Project &project, const TrialRecord &trial, bool starred) {
-                return project.trials().setStarred(trial.id, starred);
+            [](Project &changed, const TrialRecord &trial, bool starred) {
+                return changed.trials().setStarred(trial.id, starred);
             },
             to);
     });
@@ -43,8 +43,8 @@ MarkActions::MarkActions(Project &project, QWidget &window)
         change(
             to ? tr("archive %1") : tr("take %1 out of the archive"),
             to ? tr("archive %1 trials") : tr("take %1 trials out of the archive"),
-            [](Project &project, const TrialRecord &trial, bool archived) {
-                return project.trials().setArchived(trial.id, archived);
+            [](Project &changed, const TrialRecord &trial, bool archived) {
+                return changed.trials().setArchived(trial.id, archived);
             },
             to);
     });
@@ -53,8 +53,8 @@ MarkActions::MarkActions(Project &project, QWidget &window)
         change(
             to ? tr("delete %1") : tr("take %1 out of the bin"),
             to ? tr("delete %1 trials") : tr("take %1 trials out of the bin"),
-            [](Project &project, const TrialRecord &trial, bool binned) {
-                return project.trials().setBinned(trial.id, binned);
+            [](Project &changed, const TrialRecord &trial, bool binned) {
+                return changed.trials().setBinned(trial.id, binned);
             },
             to);
     });

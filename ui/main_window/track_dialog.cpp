@@ -51,7 +51,7 @@ TrackDialog::TrackDialog(const QString &trial, const QStringList &robots, const 
 
 TrackSettings TrackDialog::settings() const
 {
-    return {m_robots->checkedNames(), static_cast<Smoother>(m_smoother->currentData().toInt())};
+    return {m_robots->checkedNames(), static_cast<Smoother>(m_smoother->currentData().toInt()), false, {}};
 }
 
 } // namespace odo

@@ -40,7 +40,7 @@ struct Workspace::Ready
     std::filesystem::path file;
     std::unique_ptr<WindowLock> lock; ///< null: for reading only, or it is the one that is open here
     bool isOpenHere = false;
-    QString words; ///< why it can only be read, where another window has it, or that it lies in a bad place
+    QString words = {}; ///< why it can only be read, where another window has it, or that it lies in a bad place
     bool isCutOff = false, lacksHashes = false;
 };
 

@@ -19,8 +19,8 @@ struct CheckCamera
     FloorView view;
     MarkerLayout layout;                                  ///< it is registered by
     std::optional<std::filesystem::path> newestRecording;
-    std::string deviceUri;                                ///< may be empty
-    Badge badge;                                          ///< how far it can be relied on
+    std::string deviceUri = {};                           ///< may be empty
+    Badge badge = {};                                     ///< how far it can be relied on
 };
 
 } // namespace odo

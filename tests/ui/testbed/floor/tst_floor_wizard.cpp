@@ -99,8 +99,8 @@ std::unique_ptr<FloorWizard> TestFloorWizard::makeWizard(const QString &picture)
     auto wizard = std::make_unique<FloorWizard>(std::vector<FloorCamera>{{QStringLiteral("A"), lens, std::nullopt}}, QStringLiteral("A"),
                                                 std::vector<LayoutRecord>{m_layout},
                                                 m_live,
-                                                [this](const QString &, const Frame &picture) -> Result<void> {
-                                                    m_keptWidth = picture.format.width;
+                                                [this](const QString &, const Frame &kept) -> Result<void> {
+                                                    m_keptWidth = kept.format.width;
                                                     return m_problem ? Result<void>(tl::unexpected(*m_problem)) : Result<void>();
                                                 });
     if (!picture.isEmpty())
