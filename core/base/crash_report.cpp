@@ -69,8 +69,8 @@ std::vector<CrashReport> newCrashReports(const std::filesystem::path &folder)
 std::filesystem::path keepToldReport(const CrashReport &report)
 {
     constexpr std::size_t mostKept = 10;
-    const std::filesystem::path folder = report.file.parent_path(),
-                                told = folder / ("told-" + report.file.filename().string());
+    const std::filesystem::path folder = report.file.parent_path();
+    std::filesystem::path told = folder / ("told-" + report.file.filename().string());
     std::error_code problem;
     std::filesystem::rename(report.file, told, problem);
     if (problem)

@@ -36,8 +36,8 @@ Eigen::MatrixXd jointCovariance(const Eigen::Matrix<double, 6, 6> &pose, const E
 
 FloorView::FloorView(CameraModel camera, RigidTransform worldFromCamera,
                      Eigen::Matrix<double, 6, 6> poseCovariance, const PoseByLens &poseByLens)
-    : m_camera(std::move(camera)), m_worldFromCamera(worldFromCamera),
-      m_cameraFromWorld(worldFromCamera.inverse()), m_poseCovariance(std::move(poseCovariance)),
+    : m_camera(std::move(camera)), m_worldFromCamera(std::move(worldFromCamera)),
+      m_cameraFromWorld(m_worldFromCamera.inverse()), m_poseCovariance(std::move(poseCovariance)),
       m_jointCovariance(jointCovariance(m_poseCovariance, m_camera.intrinsics().covariance, poseByLens))
 {
 }

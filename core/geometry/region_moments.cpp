@@ -10,7 +10,7 @@ RegionMoments polygonMoments(const std::vector<Eigen::Vector2d> &corners)
     RegionMoments moments;
     if (corners.size() < 3)
         return moments;
-    const Eigen::Vector2d origin = corners.front(); // keeps the sums well conditioned
+    const Eigen::Vector2d &origin = corners.front(); // keeps the sums well conditioned
     double twice = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
     Eigen::Vector2d p = corners.back() - origin;
     for (const Eigen::Vector2d &point : corners) {

@@ -126,7 +126,8 @@ void BlobFinder::gatherBlobs(int step)
             m_blobs.push_back(blob);
         }
         Blob &blob = m_blobs[m_blobOfLabel[root]];
-        const double n = (run.last - run.first) / step + 1;
+        const int pixels = (run.last - run.first) / step + 1;
+        const double n = pixels;
         const double mid = 0.5 * (run.first + run.last);
         blob.count += n;
         blob.sumX += n * mid;

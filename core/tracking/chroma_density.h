@@ -58,7 +58,7 @@ private:
         {
             for (int u = firstU; u <= lastU; ++u)
                 for (int v = firstV; v <= lastV; ++v)
-                    function(static_cast<std::size_t>(u * binsPerAxis + v));
+                    function(static_cast<std::size_t>(u) * binsPerAxis + static_cast<std::size_t>(v));
         }
     };
     Support support() const;

@@ -109,7 +109,7 @@ Pairs pairsAt(const std::vector<TimedPosition> &first, const std::vector<TimedPo
         if (!other)
             continue;
         pairs.sinceStartS.push_back(sinceStartS);
-        pairs.differences.push_back(first[i].pointInWorld - other->point);
+        pairs.differences.emplace_back(first[i].pointInWorld - other->point);
         pairs.velocities.push_back(other->velocity);
         pairs.velocityVariances.push_back(other->velocityVariance);
         pairs.points.push_back(other->point);

@@ -49,8 +49,8 @@ FitVerdict verdictOf(const CurveFit &fit);
 /// independent would promise far too much. Independent errors: if the residuals hang together nevertheless
 /// (outlines change slowly; the shape may be wrong), the variances are multiplied by 1 + 2Σρₖ of the
 /// residuals' autocorrelation up to its first change of sign, at least 1. What is common to all points
-/// (calibration) is not in it. Points whose σ is 0 are left out. points in order of time. Errors:
+/// (calibration) is not in it. Points whose σ is 0 are left out. all: in order of time. Errors:
 /// Undetermined when no more points, or no more independent times, are left than there are coefficients.
-Result<CurveFit> fitCurve(std::span<const CurvePoint> points, ErrorCourse course, FitShape shape);
+Result<CurveFit> fitCurve(std::span<const CurvePoint> all, ErrorCourse course, FitShape shape);
 
 } // namespace odo

@@ -19,7 +19,11 @@ template <class Call> class CallOnItsWay
 {
 public:
     explicit CallOnItsWay(Call call) : m_call(std::move(call)) {}
-    CallOnItsWay(CallOnItsWay &&other) : m_call(std::move(other.m_call)) { handOver(); }
+    CallOnItsWay(CallOnItsWay &&other) noexcept(std::is_nothrow_move_constructible_v<Call>)
+        : m_call(std::move(other.m_call))
+    {
+        handOver();
+    }
     ~CallOnItsWay() { takeOver(); }
     CallOnItsWay &operator=(CallOnItsWay &&) = delete;
 

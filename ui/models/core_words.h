@@ -10,9 +10,9 @@ namespace odo {
 /// A sentence, or a part of one, as core makes it. %1, %2 … stand for what varies: a figure, a name.
 struct CorePattern
 {
-    const char *english;      ///< of the context CoreWords, without a full stop
-    const char *phrases = ""; ///< "13": what %1 and %3 hold are words of core too
-    const char *lists = "";   ///< "2": %2 holds names as "O, U and V", or "none"
+    const char *english = nullptr; ///< of the context CoreWords, without a full stop
+    const char *phrases = "";      ///< "13": what %1 and %3 hold are words of core too
+    const char *lists = "";        ///< "2": %2 holds names as "O, U and V", or "none"
 };
 
 /// What core says, in the language of the windows. core makes English sentences and never translates; each is

@@ -81,8 +81,8 @@ Explanation explainDisagreement(const TrialScene &scene, std::size_t robot,
     explanation.inputs.prepend(
         Words::tr("%1 frames seen by two views or more; largest %2; views in step to %3 ms")
             .arg(disagreement.places.size())
-            .arg(lengthText(disagreement.largestM))
-            .arg(QLocale().toString(1e3 * stepSigmaS(scene), 'f', 1)));
+            .arg(lengthText(disagreement.largestM),
+                 QLocale().toString(1e3 * stepSigmaS(scene), 'f', 1)));
     return explanation;
 }
 

@@ -74,7 +74,7 @@ void PathField::dragEnterEvent(QDragEnterEvent *event)
 
 void PathField::dropEvent(QDropEvent *event)
 {
-    m_line->setText(localFiles(*event->mimeData()).front());
+    m_line->setText(localFiles(*event->mimeData()).constFirst());
     event->acceptProposedAction();
 }
 
