@@ -1,8 +1,9 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs those packages of packages.txt that are missing. Asks for nothing and calls nothing when none is.
+# Installs those packages of a list beside this script that are missing. Asks for nothing and calls nothing when none is.
+#   packaging/install_packages.sh [LIST]      default: packages.txt
 set -euo pipefail
-list="$(dirname "$(readlink -f "$0")")/packages.txt"
+list="$(dirname "$(readlink -f "$0")")/${1:-packages.txt}"
 
 missing=()
 while read -r package; do
