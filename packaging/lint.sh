@@ -67,6 +67,6 @@ export -f look
 findings=$(mktemp)
 trap 'rm -f "$findings"' EXIT
 printf '%s\0' "${sources[@]}" | xargs -0 -P "$(nproc)" -n 1 bash -c 'look "$1"' look | tee "$findings"
-count=$(grep -E ':[0-9]+:[0-9]+: (warning|error): ' "$findings" | sort -u | wc -l)
+count=$({ grep -E ':[0-9]+:[0-9]+: (warning|error): ' "$findings" || true; } | sort -u | wc -l)
 echo "${#sources[@]} sources, $count findings."
 [ "$count" -eq 0 ]
