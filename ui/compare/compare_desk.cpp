@@ -76,6 +76,7 @@ CompareDesk::CompareDesk(Timeline &timeline, QWidget *parent)
         auto *picture = new CameraView(*clock);
         auto *views = new QComboBox;
         views->setAccessibleName(run == 0 ? tr("Camera of the first run") : tr("Camera of the second run"));
+        views->setFocusPolicy(Qt::TabFocus);
         picture->addToHeader(views);
         picture->setMinimumWidth(180);
         middle().addWidget(picture);

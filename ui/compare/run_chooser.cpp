@@ -39,6 +39,7 @@ QComboBox *runList(const QString &name)
     auto *list = new QComboBox;
     list->setAccessibleName(name);
     list->setToolTip(name);
+    list->setFocusPolicy(Qt::TabFocus); // as Review's list of trials
     list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     list->setMinimumContentsLength(12);
     return list;

@@ -31,6 +31,7 @@ TrialChooser::TrialChooser(QWidget *parent)
       m_next(new QAction(themeIcon(QStringLiteral("next")), tr("&Next trial"), this))
 {
     m_trials->setAccessibleName(tr("Trial"));
+    m_trials->setFocusPolicy(Qt::TabFocus); // chosen from by the mouse it takes no focus, and Space goes on playing
     m_trials->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_trials->setMinimumContentsLength(8);
     nameCommands({{m_previous, "previousTrial"}, {m_next, "nextTrial"}});

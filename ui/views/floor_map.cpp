@@ -19,6 +19,7 @@ FloorMap::FloorMap(Timeline &timeline, QWidget *parent)
     new ChartPicture(*m_area, [this] { return PictureHeading{title(), {m_scene ? QString::fromStdString(m_scene->trial.name) : QString()}, {}}; });
     m_area->setAccessibleName(tr("Map of the floor with the robots' trails"));
     m_colouring->setAccessibleName(tr("What colours the trails of the map"));
+    m_colouring->setFocusPolicy(Qt::TabFocus); // Space goes on playing
     m_colouring->addItems({tr("Speed"), tr("Disagreement")});
     m_colouring->setMinimumContentsLength(8);
     m_colouring->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

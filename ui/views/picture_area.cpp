@@ -9,6 +9,7 @@
 #include <QEvent>
 #include <QPainter>
 #include <QStringList>
+#include <utility>
 
 namespace odo {
 
@@ -68,10 +69,10 @@ std::optional<qint64> PictureArea::wantedFrame() const
 void PictureArea::ask()
 {
     const auto frame = wantedFrame();
-    if (!frame) {
-        update(); // outside of this recording: says so
+    if (const bool was = std::exchange(m_isOutside, !frame); m_isOutside || was)
+        update(); // outside of the recording it says so, and within it no longer, also before the picture is there
+    if (!frame)
         return;
-    }
     if (isVisible())
         m_fetcher.request(*frame, (pictureRect().size() * devicePixelRatioF()).toSize());
     if (!m_failure.isEmpty())

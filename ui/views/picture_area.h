@@ -57,6 +57,7 @@ private:
     std::size_t m_view = 0;
     QImage m_picture;
     qint64 m_shownFrame = -1; ///< that m_picture is of
+    bool m_isOutside = false; ///< of the recording, when a frame was asked for last
     QString m_failure;
     QPixmap m_floorLayer; ///< grid, axes and trails; null: to be rendered
 };

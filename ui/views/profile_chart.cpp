@@ -67,6 +67,7 @@ ProfileChart::ProfileChart(Timeline &timeline, ChartSpan &span, QList<Quantity> 
     if (quantities.size() > 1) {
         m_choice = new QComboBox(this);
         m_choice->setAccessibleName(tr("Quantity that the chart shows"));
+        m_choice->setFocusPolicy(Qt::TabFocus); // Space goes on playing
         for (const Quantity quantity : quantities)
             m_choice->addItem(quantityName(quantity));
         connect(m_choice, &QComboBox::currentIndexChanged, this,

@@ -44,6 +44,7 @@ TimelineBar::TimelineBar(Timeline &timeline, QWidget *parent)
     m_frame->setAccessibleName(tr("Frame"));
     m_rate->setAccessibleName(tr("Speed of playing"));
     m_rate->setToolTip(tr("Speed of playing"));
+    m_rate->setFocusPolicy(Qt::TabFocus); // Space goes on playing
     for (const double rate : offeredRates)
         m_rate->addItem(rateText(rate), rate);
     connect(m_rate, &QComboBox::activated, this,

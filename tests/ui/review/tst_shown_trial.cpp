@@ -4,8 +4,11 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/ui/support/stored_example.h"
+#include "ui/models/timeline.h"
 #include "ui/review/review_page.h"
 
+#include <QAbstractItemView>
+#include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QSignalSpy>
@@ -55,6 +58,29 @@ private Q_SLOTS:
         QVERIFY(m_page->showTrial(QStringLiteral("Trial 1")));
         QTRY_COMPARE(m_shown.size(), 2);
         QCOMPARE(m_shown.back(), QStringLiteral("Trial 1"));
+    }
+
+    void spacePlaysAfterAListWasChosenFromByMouse()
+    {
+        m_page->resize(1200, 800);
+        m_page->show();
+        m_page->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_page.get()));
+        m_page->setFocus();
+        int lists = 0;
+        for (QComboBox *each : m_page->findChildren<QComboBox *>()) {
+            if (!each->isVisible())
+                continue;
+            ++lists;
+            QTest::mouseClick(each, Qt::LeftButton);
+            QTest::keyClick(each->view(), Qt::Key_Return);
+            QVERIFY2(QApplication::focusWidget() != each, qPrintable(each->accessibleName()));
+            QVERIFY(each->focusPolicy() & Qt::TabFocus); // it is reached by keys all the same
+        }
+        QVERIFY(lists >= 4); // of trials, what the map and two charts show
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QVERIFY(m_page->timeline().isPlaying());
+        m_page->timeline().pause();
     }
 
     void refusesANameThatIsNotThere()
