@@ -167,7 +167,7 @@ void TestbedTools::registerCamera()
         return;
     }
     // The one that is chosen comes first, for the wizard begins with it.
-    std::ranges::stable_partition(*layouts, [this](const LayoutRecord &layout) { return m_layout && layout.id == m_layout->id; });
+    std::stable_partition(layouts->begin(), layouts->end(), [this](const LayoutRecord &layout) { return m_layout && layout.id == m_layout->id; });
     m_live.look();
     FloorPicture picture(m_project.mediaFolder());
     FloorWizard wizard(std::move(*cameras), m_camera, std::move(*layouts), m_live, picture.keep(), &m_window);
