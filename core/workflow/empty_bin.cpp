@@ -41,7 +41,9 @@ Result<void> EmptyBinJob::run(const JobControl &control)
 Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial)
 {
     const auto known = project.trials().get(trial.id);
-    if (!known || !known->binned)
+    if (!known && known.error().code != ErrorCode::NotFound)
+        return tl::unexpected(known.error());
+    if (!known || !known->binned) // another window has removed it, or taken it out of the bin
         return {};
     std::vector<std::string> paths;
     const auto removed = project.note("remove " + trial.name + " for good", [&]() -> Result<void> {
