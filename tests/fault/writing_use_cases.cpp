@@ -218,7 +218,8 @@ UseCase hashing()
     const auto prepare = [](const fs::path &folder) {
         storeExampleIn(folder);
         const auto project = Project::open(folder / "example.odo", Project::Access::ReadWrite);
-        for (const RecordingRecord &recording : *(*project)->trials().allRecordings())
+        const auto recordings = (*project)->trials().allRecordings();
+        for (const RecordingRecord &recording : *recordings)
             if (auto done = (*project)->trials().setHash(recording.id, ""); !done)
                 qFatal("%s", done.error().message().c_str());
     };
