@@ -24,6 +24,23 @@ bool belongs(const std::filesystem::path &file)
     return file.extension() != ".lock" && file.extension() != ".part";
 }
 
+/// All that belongs to a project's media; none where there is no folder. A folder that cannot be read is an error, for what
+/// lies in it would be missing.
+Result<std::vector<std::filesystem::path>> filesIn(const std::filesystem::path &folder)
+{
+    std::vector<std::filesystem::path> files;
+    std::error_code problem;
+    for (std::filesystem::recursive_directory_iterator file(folder, problem), end; !problem && file != end; file.increment(problem)) {
+        if (file->is_regular_file(problem) && belongs(file->path()))
+            files.push_back(file->path());
+        if (problem)
+            break;
+    }
+    if (problem && problem != std::errc::no_such_file_or_directory)
+        return fail(ErrorCode::Io, "pack '" + folder.string() + "'", problem.message(), "check that it is there and may be read");
+    return files;
+}
+
 std::string freeName(const std::filesystem::path &file, std::set<std::string> &taken)
 {
     std::string name = file.filename().string();
@@ -82,14 +99,14 @@ Result<void> PackJob::copyProject(const std::filesystem::path &copy, std::vector
     }
     entries.push_back({m_project.filename().string(), copy});
     const std::string media = m_mediaFolder.filename().string() + "/";
+    const auto files = filesIn(m_mediaFolder);
+    if (!files)
+        return tl::unexpected(files.error());
     std::set<std::string> taken;
-    std::error_code problem;
-    for (const auto &file : std::filesystem::recursive_directory_iterator(m_mediaFolder, problem)) {
-        if (!file.is_regular_file() || !belongs(file.path()))
-            continue;
-        const std::string name = file.path().lexically_relative(m_mediaFolder).generic_string();
+    for (const std::filesystem::path &file : *files) {
+        const std::string name = file.lexically_relative(m_mediaFolder).generic_string();
         taken.insert(name);
-        entries.push_back({media + name, file.path()});
+        entries.push_back({media + name, file});
     }
     if (m_elsewhere.empty())
         return {};
