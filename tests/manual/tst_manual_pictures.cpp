@@ -371,6 +371,7 @@ void TestManualPictures::trouble()
     m_book->window().beginOpening(broken.fileName().toStdString());
     QTRY_VERIFY_WITH_TIMEOUT(!m_book->window().workspace().isBusy() && m_book->window().findChild<MessageBar *>()->isVisible(), patienceMs);
     m_book->take(*m_book->window().findChild<MessageBar *>(), QStringLiteral("message"));
+    m_book->window().findChild<MessageBar *>()->hide(); // the next pictures are of something else
 }
 
 /// A picture that is no longer taken, or that nobody has taken over into the manual yet.
