@@ -3,6 +3,7 @@
 
 #include "core/project/connection.h"
 #include "core/project/new_file.h"
+#include "core/project/quick_check.h"
 
 #include <sqlite3.h>
 
@@ -52,9 +53,7 @@ Result<void> checkCopy(const std::filesystem::path &file, const std::string &wha
     const auto copy = ProjectConnection::open(file, DatabaseAccess::Immutable);
     if (!copy)
         return tl::unexpected(copy.error());
-    Statement check(**copy, QStringLiteral("PRAGMA quick_check(1)"));
-    const auto row = check.firstRow();
-    if (!row || !*row || check.text(0) != "ok")
+    if (!passesQuickCheck(**copy).value_or(false))
         return fail(ErrorCode::Io, what, "the copy differs from what was written",
                     "check the disk and try again");
     return {};

@@ -8,6 +8,7 @@
 #include "core/project/names.h"
 #include "core/project/new_file.h"
 #include "core/project/project_check.h"
+#include "core/project/quick_check.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/project/schema.h"
@@ -103,11 +104,10 @@ Result<void> quickCheck(const ProjectConnection &connection)
         return {};
     // What the disk fails to give looks like damage to SQLite: so it is asked once more.
     for (int attempt = 0; attempt < 2; ++attempt) {
-        Statement check(connection, QStringLiteral("PRAGMA quick_check(1)"));
-        const auto row = check.firstRow();
-        if (!row)
-            return tl::unexpected(row.error());
-        if (*row && check.text(0) == "ok")
+        const auto sound = passesQuickCheck(connection);
+        if (!sound)
+            return tl::unexpected(sound.error());
+        if (*sound)
             return {};
         if (!canBeRead(connection.file()))
             return fail(ErrorCode::Io, connection.displayName(), "the disk could not be read, and nothing was changed",

@@ -3,6 +3,7 @@
 
 #include "core/project/connection.h"
 #include "core/project/file_header.h"
+#include "core/project/quick_check.h"
 #include "core/project/schema.h"
 
 #include <algorithm>
@@ -20,9 +21,7 @@ bool isSound(const std::filesystem::path &backup)
     const auto connection = ProjectConnection::open(backup, DatabaseAccess::Immutable);
     if (!connection)
         return false;
-    Statement check(**connection, QStringLiteral("PRAGMA quick_check(1)"));
-    const auto row = check.firstRow();
-    return row && *row && check.text(0) == "ok";
+    return passesQuickCheck(**connection).value_or(false);
 }
 
 } // namespace
