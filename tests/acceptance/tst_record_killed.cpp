@@ -4,9 +4,8 @@
 #include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/video/video_reader.h"
-#include "core/video/video_writer.h"
 #include "core/workflow/recover_job.h"
+#include "tests/support/noise_clip.h"
 
 #include <QFile>
 #include <QProcess>
@@ -35,46 +34,11 @@ struct Kill
     Nanoseconds steady{0};
 };
 
-constexpr int framesPerSecond = 30, killsAProject = 20;
+constexpr int killsAProject = 20;
 constexpr double clipS = 30;
 constexpr double mostMissingS = 1.0;
 /// From when a trial stands in the project to its first picture, on a busy machine.
 constexpr double longestBeginS = 0.5;
-
-/// A clip for cameras that play it: noise, so that its pictures are of some size.
-Result<void> writeClip(const std::filesystem::path &file)
-{
-    const FrameFormat format{160, 96, 1, 1, ChromaSiting::Center, YuvMatrix::Bt601, true};
-    auto writer = VideoWriter::create(file, format, {.codec = VideoCodec::Mjpeg});
-    if (!writer)
-        return tl::unexpected(writer.error());
-    std::mt19937 random(1);
-    for (int i = 0; i < clipS * framesPerSecond; ++i) {
-        const auto buffer = std::make_shared<FrameBuffer>(format);
-        for (int y = 0; y < format.height; ++y)
-            std::generate_n(buffer->yRow(y), format.width,
-                            [&] { return static_cast<std::uint8_t>(random()); });
-        if (auto written =
-                (*writer)->write(FrameBuffer::toFrame(buffer, i, fromSeconds(i / double(framesPerSecond))));
-            !written)
-            return written;
-    }
-    return (*writer)->finish();
-}
-
-/// Every picture of the recording decodes, and each has its time.
-bool plays(const std::filesystem::path &file, std::size_t frames)
-{
-    const auto reader = VideoReader::open(file);
-    if (!reader || (*reader)->info().frameTimes.size() != frames)
-        return false;
-    for (std::size_t i = 0; i < frames; ++i) {
-        const auto frame = (*reader)->next();
-        if (!frame || !*frame)
-            return false;
-    }
-    return (*reader)->frameAt(static_cast<std::int64_t>(frames / 2)).has_value();
-}
 
 } // namespace
 
@@ -85,7 +49,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         for (const char *name : {"a.mkv", "b.mkv"})
-            QVERIFY(writeClip(file(QString::fromLatin1(name))).has_value());
+            QVERIFY(test::writeNoiseClip(file(QString::fromLatin1(name)), clipS).has_value());
     }
     void nothingIsLostButTheLastSecond();
 
@@ -151,7 +115,7 @@ void TestRecordKilled::lookAt(const std::filesystem::path &projectFile, const QS
     const auto recordings = (*project)->trials().recordings(kept->id);
     QVERIFY(recordings && !recordings->empty());
     for (const RecordingRecord &recording : *recordings) {
-        QVERIFY2(plays((*project)->resolve(recording), recording.frameTimes.size()), recording.path.c_str());
+        QVERIFY2(test::playsWholly((*project)->resolve(recording), recording.frameTimes.size()), recording.path.c_str());
         QVERIFY(std::ranges::is_sorted(recording.frameTimes));
         const auto raw = (*project)->trials().rawTimes(recording.id);
         QVERIFY(raw.has_value());

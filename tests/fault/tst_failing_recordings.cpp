@@ -3,15 +3,13 @@
 // what is missing is told, and the project opens.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/video/video_reader.h"
-#include "core/video/video_writer.h"
 #include "core/workflow/recover_job.h"
 #include "tests/fault/injected_fault.h"
+#include "tests/support/noise_clip.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 #include <csignal>
-#include <random>
 
 using namespace odo;
 using namespace odo::test;
@@ -20,40 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int framesPerSecond = 30;
 constexpr double clipS = 5;
-
-/// A clip for cameras that play it: noise, so that its pictures are of some size.
-Result<void> writeClip(const fs::path &file)
-{
-    const FrameFormat format{160, 96, 1, 1, ChromaSiting::Center, YuvMatrix::Bt601, true};
-    auto writer = VideoWriter::create(file, format, {.codec = VideoCodec::Mjpeg});
-    if (!writer)
-        return tl::unexpected(writer.error());
-    std::mt19937 random(1);
-    for (int i = 0; i < clipS * framesPerSecond; ++i) {
-        const auto buffer = std::make_shared<FrameBuffer>(format);
-        for (int y = 0; y < format.height; ++y)
-            std::generate_n(buffer->yRow(y), format.width, [&] { return static_cast<std::uint8_t>(random()); });
-        const auto frame = FrameBuffer::toFrame(buffer, i, fromSeconds(i / double(framesPerSecond)));
-        if (auto written = (*writer)->write(frame); !written)
-            return written;
-    }
-    return (*writer)->finish();
-}
-
-bool plays(const fs::path &file, std::size_t frames)
-{
-    const auto reader = VideoReader::open(file);
-    if (!reader || (*reader)->info().frameTimes.size() != frames)
-        return false;
-    for (std::size_t i = 0; i < frames; ++i) {
-        const auto frame = (*reader)->next();
-        if (!frame || !*frame)
-            return false;
-    }
-    return true;
-}
 
 } // namespace
 
@@ -79,7 +44,7 @@ private:
 void TestFailingRecordings::initTestCase()
 {
     for (const char *name : {"a.mkv", "b.mkv"}) {
-        const auto written = writeClip(m_folder / name);
+        const auto written = writeNoiseClip(m_folder / name, clipS);
         QVERIFY2(written, written ? "" : written.error().message().c_str());
     }
 }
@@ -191,7 +156,7 @@ QString TestFailingRecordings::problemOfTrial(const fs::path &folder, bool isSai
     if (!recordings || recordings->empty())
         return QStringLiteral("a trial without recordings is left");
     for (const RecordingRecord &recording : *recordings) {
-        if (!plays((*project)->resolve(recording), recording.frameTimes.size()))
+        if (!playsWholly((*project)->resolve(recording), recording.frameTimes.size()))
             return QStringLiteral("%1 does not play its %2 frames")
                 .arg(QString::fromStdString(recording.path))
                 .arg(recording.frameTimes.size());
