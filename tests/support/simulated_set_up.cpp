@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/simulated_set_up.h"
+
+#include "core/calibration/floor_registration.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/stored_registration.h"
+
+namespace odo::test {
+
+Result<void> registerSimulatedCamera(Project &project, const SimulatedCamera &camera, const MarkerLayout &places,
+                                     RecordId layout)
+{
+    RegistrationRecord record;
+    record.layout = layout;
+    record.assumedIntrinsics = camera.view.camera().intrinsics();
+    for (const Marker &marker : places.markers)
+        record.pixels.push_back({marker.label, *camera.view.pixelFromWorld(
+                                                   {marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
+    auto registration = registerFloor(places, record.pixels, camera.view.camera(), true);
+    if (!registration)
+        return tl::unexpected(registration.error());
+    record.registration = std::move(*registration);
+    return storeRegistration(project, camera.name, record).map([](const auto &) {});
+}
+
+Result<void> addSimulatedRobot(Project &project, const SimulatedRobot &seen)
+{
+    RobotRecord robot;
+    robot.name = seen.name;
+    robot.colour = seen.colour;
+    robot.heightMode = RobotRecord::Height::Told;
+    robot.heightM = seen.heightM;
+    return project.robots().add(robot).map([](const auto &) {});
+}
+
+} // namespace odo::test
