@@ -20,7 +20,7 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t blockBytes = 1 << 20;
+constexpr std::size_t blockBytes = 1 << 16;
 constexpr std::size_t mostEntries = 1'000'000;
 /// What may be unpacked for each byte of the archive, and in any case: videos do not shrink, projects to a twentieth.
 constexpr std::uintmax_t mostGrowth = 100, alwaysAllowedBytes = 16 << 20;

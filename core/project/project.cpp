@@ -91,7 +91,7 @@ Result<void> checkSchema(const ProjectConnection &connection, const Migrator &mi
 bool canBeRead(const std::filesystem::path &file)
 {
     std::ifstream input(file, std::ios::binary);
-    std::vector<char> block(1 << 20);
+    std::vector<char> block(1 << 16);
     while (input.read(block.data(), static_cast<std::streamsize>(block.size()))) {
     }
     return input.eof() && !input.bad();

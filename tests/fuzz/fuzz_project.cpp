@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/read_project.h"
+#include "tests/fuzz/sqlite_memory.h"
 
 namespace {
 
@@ -18,7 +19,22 @@ void removeOthers(const std::filesystem::path &file)
         std::filesystem::remove(other);
 }
 
+void readEverything(odo::Project &project)
+{
+    const odo::fuzz::Ids ids = odo::fuzz::idsOf(project);
+    for (const auto read : odo::fuzz::listReaders<odo::Project>)
+        read(project, ids);
+    for (const auto read : odo::fuzz::trialReaders<odo::Project>)
+        read(project, ids);
+}
+
 } // namespace
+
+extern "C" int LLVMFuzzerInitialize(int *, char ***)
+{
+    odo::fuzz::givePlainMemoryToSqlite();
+    return 0;
+}
 
 /// A whole project file, as anyone may send one: opened to read, and every eighth length to write, then read through.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t count)
@@ -33,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t cou
         static_cast<void>((*project)->title());
         static_cast<void>((*project)->changes());
         static_cast<void>((*project)->check(false));
-        fuzz::readEverything(**project);
+        readEverything(**project);
     }
     if (writes || isOpen)
         removeOthers(path);

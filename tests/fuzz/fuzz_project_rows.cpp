@@ -3,6 +3,7 @@
 #include "core/project/connection.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/read_project.h"
+#include "tests/fuzz/sqlite_memory.h"
 #include "tests/project/sample_records.h"
 
 #include <fuzzer/FuzzedDataProvider.h>
@@ -23,6 +24,7 @@ class OpenProject
 public:
     OpenProject() : m_file(m_place.holding(nullptr, 0))
     {
+        fuzz::givePlainMemoryToSqlite();
         std::filesystem::remove(m_file);
         RecordSource source(7);
         {
@@ -40,6 +42,7 @@ public:
                 m_columns.push_back({table, column});
         }
         m_repositories.emplace(*m_connection);
+        m_ids = fuzz::idsOf(*m_repositories);
     }
 
     void change(FuzzedDataProvider &data)
@@ -67,7 +70,6 @@ public:
         }
     }
 
-    ProjectConnection &connection() { return *m_connection; }
     struct Repositories
     {
         explicit Repositories(ProjectConnection &c)
@@ -93,7 +95,19 @@ public:
         TrialRepository m_trials;
         AnalysisRepository m_analyses;
     };
-    Repositories &repositories() { return *m_repositories; }
+
+    static constexpr std::size_t readerCount = fuzz::listReaders<Repositories>.size() + fuzz::trialReaders<Repositories>.size() + 1;
+
+    /// which: below readerCount.
+    void read(std::size_t which)
+    {
+        if (which < fuzz::listReaders<Repositories>.size())
+            return fuzz::listReaders<Repositories>[which](*m_repositories, m_ids);
+        which -= fuzz::listReaders<Repositories>.size();
+        if (which < fuzz::trialReaders<Repositories>.size())
+            return fuzz::trialReaders<Repositories>[which](*m_repositories, m_ids);
+        static_cast<void>(changeEntries(*m_connection));
+    }
 
     void execute(const QByteArray &sql)
     {
@@ -165,36 +179,21 @@ private:
     std::unique_ptr<ProjectConnection> m_connection;
     std::vector<Column> m_columns;
     std::optional<Repositories> m_repositories;
+    fuzz::Ids m_ids; ///< as they were before anything was changed
 };
 
 } // namespace
 
-/// Rows of a project with values of any type and size, read by the part of the program that the first byte names.
+/// Rows of a project with values of any type and size, read in the way that the last byte names.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t count)
 {
     static OpenProject project;
     FuzzedDataProvider data(bytes, count);
-    const int part = data.ConsumeIntegralInRange(0, 4);
+    const auto reader = data.ConsumeIntegralInRange<std::size_t>(0, OpenProject::readerCount - 1);
     project.execute("BEGIN");
     for (int changes = 0; changes < 3 && data.remaining_bytes() > 0; ++changes)
         project.change(data);
-    switch (part) {
-    case 0:
-        fuzz::readCameras(project.repositories());
-        break;
-    case 1:
-        fuzz::readLists(project.repositories());
-        static_cast<void>(changeEntries(project.connection()));
-        break;
-    case 2:
-        fuzz::readTrials(project.repositories());
-        break;
-    case 3:
-        fuzz::readSeries(project.repositories());
-        break;
-    default:
-        fuzz::readAnalyses(project.repositories());
-    }
+    project.read(reader);
     project.execute("ROLLBACK");
     return 0;
 }

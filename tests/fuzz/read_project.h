@@ -5,94 +5,119 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 
+#include <array>
+
 namespace odo::fuzz {
 
-/// Reads all that one part of the program would, of a Project or of the same repositories.
-template <class Repositories>
-void readCameras(Repositories &project)
+/// What of a project is read one by one.
+struct Ids
 {
-    const auto cameras = project.cameras().all();
-    for (const CameraRecord &camera : cameras.value_or(std::vector<CameraRecord>())) {
-        static_cast<void>(project.cameras().currentIntrinsics(camera.id));
-        static_cast<void>(project.cameras().allIntrinsics(camera.id));
-        static_cast<void>(project.cameras().currentRegistration(camera.id));
-        static_cast<void>(project.cameras().allRegistrations(camera.id));
-        static_cast<void>(project.trials().newestRecording(camera.id));
+    std::vector<RecordId> cameras, robots, trials, recordings;
+};
+
+template <class Repositories>
+Ids idsOf(Repositories &project)
+{
+    Ids ids;
+    for (const CameraRecord &camera : project.cameras().all().value_or(std::vector<CameraRecord>()))
+        ids.cameras.push_back(camera.id);
+    for (const RobotRecord &robot : project.robots().all().value_or(std::vector<RobotRecord>()))
+        ids.robots.push_back(robot.id);
+    for (const TrialName &trial : project.trials().names().value_or(std::vector<TrialName>())) {
+        ids.trials.push_back(trial.id);
+        for (const RecordingRecord &recording : project.trials().recordings(trial.id).value_or(std::vector<RecordingRecord>()))
+            ids.recordings.push_back(recording.id);
     }
-    static_cast<void>(project.analyses().trialsByRegistration());
+    return ids;
 }
 
-template <class Repositories>
-void readLists(Repositories &project)
+template <class Each>
+void forEachPair(const std::vector<RecordId> &outer, const std::vector<RecordId> &inner, Each &&each)
 {
-    static_cast<void>(project.layouts().all());
-    static_cast<void>(project.robots().all());
-    static_cast<void>(project.teams().all());
-    static_cast<void>(project.teams().classes());
-    static_cast<void>(project.classes().all());
-    static_cast<void>(project.tasks().all());
-    static_cast<void>(project.tasks().uses());
-    static_cast<void>(project.tasks().current());
-    static_cast<void>(project.tasks().scorings());
-}
-
-template <class Repositories>
-void readTrials(Repositories &project)
-{
-    const auto page = project.trials().page(nullptr, 2);
-    if (page && !page->empty())
-        static_cast<void>(project.trials().page(&page->back(), 2));
-    static_cast<void>(project.trials().all());
-    static_cast<void>(project.trials().names());
-    static_cast<void>(project.trials().tags());
-    static_cast<void>(project.trials().unhashed());
-    static_cast<void>(project.trials().binnedBytes());
-    static_cast<void>(project.trials().allRecordings());
-}
-
-template <class Repositories>
-void readSeries(Repositories &project)
-{
-    const auto trials = project.trials().names();
-    const auto robots = project.robots().all();
-    for (const TrialName &trial : trials.value_or(std::vector<TrialName>())) {
-        const auto recordings = project.trials().recordings(trial.id);
-        for (const RecordingRecord &recording : recordings.value_or(std::vector<RecordingRecord>())) {
-            static_cast<void>(project.trials().rawTimes(recording.id));
-            for (const RobotRecord &robot : robots.value_or(std::vector<RobotRecord>()))
-                static_cast<void>(project.trials().currentObservations(recording.id, robot.id));
-        }
-        for (const RobotRecord &robot : robots.value_or(std::vector<RobotRecord>())) {
-            static_cast<void>(project.trials().overrules(trial.id, robot.id));
-            static_cast<void>(project.trials().currentImportedTrack(trial.id, robot.id));
-            static_cast<void>(project.trials().truth(trial.id, robot.id));
-        }
+    for (const RecordId a : outer) {
+        for (const RecordId b : inner)
+            static_cast<void>(each(a, b));
     }
 }
 
 template <class Repositories>
-void readAnalyses(Repositories &project)
-{
-    const auto trials = project.trials().names();
-    for (const TrialName &trial : trials.value_or(std::vector<TrialName>())) {
-        static_cast<void>(project.analyses().current(trial.id));
-        static_cast<void>(project.analyses().currentMetrics(trial.id));
-    }
-    const auto names = project.analyses().metricNames();
-    for (const std::string &name : names.value_or(std::vector<std::string>()))
-        static_cast<void>(project.analyses().figures(name, Instant::min(), Instant::max()));
-    static_cast<void>(project.analyses().scoredFigures(Instant::min(), Instant::max()));
-    static_cast<void>(project.analyses().trialsMeasuredOtherwise());
-}
+using Reader = void (*)(Repositories &, const Ids &);
 
+/// Each way in which the program reads something of a Project, or of the same repositories: records of the school's things.
 template <class Repositories>
-void readEverything(Repositories &project)
-{
-    readCameras(project);
-    readLists(project);
-    readTrials(project);
-    readSeries(project);
-    readAnalyses(project);
-}
+inline constexpr std::array<Reader<Repositories>, 12> listReaders = {
+    [](Repositories &project, const Ids &) { static_cast<void>(project.cameras().all()); },
+    [](Repositories &project, const Ids &ids) {
+        for (const RecordId camera : ids.cameras)
+            static_cast<void>(project.cameras().currentIntrinsics(camera)), static_cast<void>(project.cameras().allIntrinsics(camera));
+    },
+    [](Repositories &project, const Ids &ids) {
+        for (const RecordId camera : ids.cameras)
+            static_cast<void>(project.cameras().currentRegistration(camera)), static_cast<void>(project.cameras().allRegistrations(camera));
+    },
+    [](Repositories &project, const Ids &) { static_cast<void>(project.analyses().trialsByRegistration()); },
+    [](Repositories &project, const Ids &) { static_cast<void>(project.layouts().all()); },
+    [](Repositories &project, const Ids &) { static_cast<void>(project.robots().all()); },
+    [](Repositories &project, const Ids &) { static_cast<void>(project.teams().all()), static_cast<void>(project.teams().classes()); },
+    [](Repositories &project, const Ids &) { static_cast<void>(project.classes().all()); },
+    [](Repositories &project, const Ids &) { static_cast<void>(project.tasks().all()); },
+    [](Repositories &project, const Ids &) { static_cast<void>(project.tasks().uses()); },
+    [](Repositories &project, const Ids &) { static_cast<void>(project.tasks().current()); },
+    [](Repositories &project, const Ids &) { static_cast<void>(project.tasks().scorings()); },
+};
+
+/// The same of trials, and of what was measured in them.
+template <class Repositories>
+inline constexpr std::array<Reader<Repositories>, 15> trialReaders = {
+    [](Repositories &project, const Ids &) {
+        const auto page = project.trials().page(nullptr, 2);
+        if (page && !page->empty())
+            static_cast<void>(project.trials().page(&page->back(), 2));
+    },
+    [](Repositories &project, const Ids &) { static_cast<void>(project.trials().all()); },
+    [](Repositories &project, const Ids &) { static_cast<void>(project.trials().names()), static_cast<void>(project.trials().tags()); },
+    [](Repositories &project, const Ids &) { static_cast<void>(project.trials().unhashed()), static_cast<void>(project.trials().binnedBytes()); },
+    [](Repositories &project, const Ids &ids) {
+        static_cast<void>(project.trials().allRecordings());
+        for (const RecordId camera : ids.cameras)
+            static_cast<void>(project.trials().newestRecording(camera));
+    },
+    [](Repositories &project, const Ids &ids) {
+        for (const RecordId trial : ids.trials)
+            static_cast<void>(project.trials().recordings(trial));
+    },
+    [](Repositories &project, const Ids &ids) {
+        for (const RecordId recording : ids.recordings)
+            static_cast<void>(project.trials().rawTimes(recording));
+    },
+    [](Repositories &project, const Ids &ids) {
+        forEachPair(ids.recordings, ids.robots, [&](RecordId a, RecordId b) { return project.trials().currentObservations(a, b); });
+    },
+    [](Repositories &project, const Ids &ids) {
+        forEachPair(ids.trials, ids.robots, [&](RecordId a, RecordId b) { return project.trials().overrules(a, b); });
+    },
+    [](Repositories &project, const Ids &ids) {
+        forEachPair(ids.trials, ids.robots, [&](RecordId a, RecordId b) { return project.trials().currentImportedTrack(a, b); });
+    },
+    [](Repositories &project, const Ids &ids) {
+        forEachPair(ids.trials, ids.robots, [&](RecordId a, RecordId b) { return project.trials().truth(a, b); });
+    },
+    [](Repositories &project, const Ids &ids) {
+        for (const RecordId trial : ids.trials)
+            static_cast<void>(project.analyses().current(trial));
+    },
+    [](Repositories &project, const Ids &ids) {
+        for (const RecordId trial : ids.trials)
+            static_cast<void>(project.analyses().currentMetrics(trial));
+    },
+    [](Repositories &project, const Ids &) {
+        for (const std::string &name : project.analyses().metricNames().value_or(std::vector<std::string>()))
+            static_cast<void>(project.analyses().figures(name, Instant::min(), Instant::max()));
+    },
+    [](Repositories &project, const Ids &) {
+        static_cast<void>(project.analyses().scoredFigures(Instant::min(), Instant::max()));
+        static_cast<void>(project.analyses().trialsMeasuredOtherwise());
+    },
+};
 
 } // namespace odo::fuzz
