@@ -6271,6 +6271,10 @@
         <source>It was made through registration %1 of the project</source>
         <translation>Sie wurde über die Einmessung %1 des Projekts gemacht</translation>
     </message>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <translation>das Video der Kamera %1 im Versuch &apos;%2&apos; liegt anderswo und ist eine andere Datei als früher, und nicht im gepackten Projekt</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

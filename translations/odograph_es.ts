@@ -6271,6 +6271,10 @@
         <source>It was made through registration %1 of the project</source>
         <translation>Se hizo mediante el registro %1 del proyecto</translation>
     </message>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <translation>el video de la cámara %1 en el ensayo &apos;%2&apos; está en otro lugar y es otro archivo que antes, y no está en el proyecto empaquetado</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

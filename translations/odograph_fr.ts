@@ -6271,6 +6271,10 @@
         <source>It was made through registration %1 of the project</source>
         <translation>Elle a été faite par la localisation %1 du projet</translation>
     </message>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <translation>la vidéo de la caméra %1 dans l’essai &apos;%2&apos; se trouve ailleurs et n’est plus le même fichier, et absente du projet empaqueté</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

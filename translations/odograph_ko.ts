@@ -6269,6 +6269,10 @@
         <source>It was made through registration %1 of the project</source>
         <translation>프로젝트의 정합 %1을(를) 통해 이루어졌습니다</translation>
     </message>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <translation>시행 &apos;%2&apos;의 카메라 %1 동영상은 다른 곳에 있고 예전과 다른 파일이어서 묶은 프로젝트에 들어 있지 않습니다</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6269,6 +6269,10 @@
         <source>It was made through registration %1 of the project</source>
         <translation>它是通过项目的配准 %1 作出的</translation>
     </message>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <translation>试验“%2”中相机 %1 的视频位于别处，且已不是原来的文件，未包含在打包项目中</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -25,11 +25,14 @@ Result<void> runList(const QStringList &arguments, const CancelToken &cancel)
     const auto project = call.openProject(0, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
+    const auto title = (*project)->title();
+    if (!title)
+        return tl::unexpected(title.error());
     const auto all = (*project)->trials().all();
     if (!all)
         return tl::unexpected(all.error());
     QJsonArray trials;
-    QStringList lines(QString::fromStdString((*project)->title()));
+    QStringList lines(QString::fromStdString(*title));
     for (const TrialRecord &trial : *all) {
         QJsonArray robots;
         for (const std::string &robot : trial.robotNames)
@@ -48,7 +51,7 @@ Result<void> runList(const QStringList &arguments, const CancelToken &cancel)
                      .arg(trial.durationS, 0, 'f', 2)
                      .arg(trial.viewCount);
     }
-    call.answer({{QStringLiteral("title"), QString::fromStdString((*project)->title())}, {QStringLiteral("trials"), trials}},
+    call.answer({{QStringLiteral("title"), QString::fromStdString(*title)}, {QStringLiteral("trials"), trials}},
                 lines.join(u'\n'));
     return {};
 }

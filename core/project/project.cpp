@@ -302,11 +302,13 @@ std::filesystem::path Project::resolve(const RecordingRecord &recording) const
     return absolutePath(file(), recording.path);
 }
 
-std::string Project::title() const
+Result<std::string> Project::title() const
 {
     Statement select(*m_impl->connection, QStringLiteral("SELECT value FROM property WHERE name='title'"));
     const auto found = select.firstRow();
-    return found && *found ? select.text(0) : std::string();
+    if (!found)
+        return tl::unexpected(found.error());
+    return *found ? select.text(0) : std::string();
 }
 
 Result<void> Project::setTitle(const std::string &title)

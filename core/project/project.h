@@ -61,7 +61,7 @@ public:
     /// Absolute path of a recording.
     std::filesystem::path resolve(const RecordingRecord &recording) const;
 
-    std::string title() const;
+    Result<std::string> title() const;
     Result<void> setTitle(const std::string &title);
 
     CameraRepository &cameras();

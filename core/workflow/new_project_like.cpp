@@ -63,10 +63,13 @@ Result<void> makeFilled(Project &from, const std::filesystem::path &file, const 
 {
     std::error_code ignored;
     std::filesystem::remove(file, ignored);
+    const auto original = from.title();
+    if (!original)
+        return tl::unexpected(original.error());
     const auto to = Project::create(file, title);
     if (!to)
         return tl::unexpected(to.error());
-    return (*to)->note("take over the set-up of " + from.title(), [&] { return takeSetUp(from, **to, control); });
+    return (*to)->note("take over the set-up of " + *original, [&] { return takeSetUp(from, **to, control); });
 }
 
 } // namespace

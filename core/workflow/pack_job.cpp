@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/pack_job.h"
 
+#include "core/project/own_media.h"
 #include "core/project/project.h"
+#include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
+#include "core/video/video_input.h"
 
 #include <QTemporaryDir>
 #include <map>
@@ -12,26 +15,20 @@ namespace odo {
 
 namespace {
 
-bool liesIn(const std::filesystem::path &file, const std::filesystem::path &folder)
-{
-    const std::filesystem::path way = file.lexically_relative(folder);
-    return !way.empty() && *way.begin() != "..";
-}
-
 /// Locks and files in the making belong to nobody.
 bool belongs(const std::filesystem::path &file)
 {
     return file.extension() != ".lock" && file.extension() != ".part";
 }
 
-/// All that belongs to a project's media; none where there is no folder. A folder that cannot be read is an error, for what
-/// lies in it would be missing.
+/// All that belongs to a project's media; none where there is no folder. Links that lead out of it are left. A folder that
+/// cannot be read is an error, for what lies in it would be missing.
 Result<std::vector<std::filesystem::path>> filesIn(const std::filesystem::path &folder)
 {
     std::vector<std::filesystem::path> files;
     std::error_code problem;
     for (std::filesystem::recursive_directory_iterator file(folder, problem), end; !problem && file != end; file.increment(problem)) {
-        if (file->is_regular_file(problem) && belongs(file->path()))
+        if (file->is_regular_file(problem) && belongs(file->path()) && isOwnMedia(file->path(), folder))
             files.push_back(file->path());
         if (problem)
             break;
@@ -39,6 +36,19 @@ Result<std::vector<std::filesystem::path>> filesIn(const std::filesystem::path &
     if (problem && problem != std::errc::no_such_file_or_directory)
         return fail(ErrorCode::Io, "pack '" + folder.string() + "'", problem.message(), "check that it is there and may be read");
     return files;
+}
+
+/// Whether a file from elsewhere is the video that the recording was made of. A project may come from anyone and name any file
+/// of whoever packs it.
+Result<bool> isItsVideo(const std::filesystem::path &file, const RecordingRecord &recording, const JobControl &control)
+{
+    std::error_code problem;
+    const auto bytes = std::filesystem::file_size(file, problem);
+    if (problem || bytes != static_cast<std::uintmax_t>(recording.bytes))
+        return false;
+    if (recording.sha256.empty())
+        return VideoInput::open(file).has_value();
+    return fileSha256(file, control).map([&](const std::string &sha256) { return sha256 == recording.sha256; });
 }
 
 std::string freeName(const std::filesystem::path &file, std::set<std::string> &taken)
@@ -58,8 +68,8 @@ Result<void> PackJob::prepare(Project &project)
     return {};
 }
 
-/// Which videos come from elsewhere, and which are lost.
-Result<void> PackJob::look(Project &project)
+/// Which videos come from elsewhere, and which are lost or replaced.
+Result<void> PackJob::look(Project &project, const JobControl &control)
 {
     const auto trials = project.trials().names();
     if (!trials)
@@ -76,23 +86,30 @@ Result<void> PackJob::look(Project &project)
         return tl::unexpected(recordings.error());
     for (const RecordingRecord &recording : *recordings) {
         const std::filesystem::path file = project.resolve(recording);
-        if (!std::filesystem::exists(file))
-            m_warnings.push_back("the video of camera " + recording.cameraName + " in trial '" +
-                                 names[recording.trial] + "' is lost, and not in the packed project");
-        else if (!liesIn(file, m_mediaFolder))
-            m_elsewhere.push_back({recording.id, file});
+        const std::string video = "the video of camera " + recording.cameraName + " in trial '" + names[recording.trial] + "' ";
+        if (!std::filesystem::exists(file)) {
+            m_warnings.push_back(video + "is lost, and not in the packed project");
+        } else if (!isOwnMedia(file, m_mediaFolder)) {
+            const auto isIts = isItsVideo(file, recording, control);
+            if (!isIts)
+                return tl::unexpected(isIts.error());
+            if (*isIts)
+                m_elsewhere.push_back({recording.id, file});
+            else
+                m_warnings.push_back(video + "lies elsewhere and is another file than it was, and not in the packed project");
+        }
     }
     return {};
 }
 
 /// A copy whose recordings all lie in its media folder; notes them as entries.
-Result<void> PackJob::copyProject(const std::filesystem::path &copy, std::vector<ArchiveEntry> &entries)
+Result<void> PackJob::copyProject(const std::filesystem::path &copy, std::vector<ArchiveEntry> &entries, const JobControl &control)
 {
     {
         const auto original = Project::openAgain(m_project, Project::Access::ReadOnly);
         if (!original)
             return tl::unexpected(original.error());
-        if (auto looked = look(**original); !looked)
+        if (auto looked = look(**original, control); !looked)
             return looked;
         if (auto saved = (*original)->saveCopy(copy); !saved)
             return saved;
@@ -133,7 +150,7 @@ Result<void> PackJob::run(const JobControl &control)
         std::filesystem::path(work.path().toStdString()) / m_project.filename();
     std::vector<ArchiveEntry> entries;
     control.report(0, "copying the project");
-    if (auto copied = copyProject(copy, entries); !copied)
+    if (auto copied = copyProject(copy, entries, control); !copied)
         return copied;
     return writeArchive(m_archive, entries, control);
 }

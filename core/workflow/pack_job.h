@@ -13,8 +13,8 @@
 namespace odo {
 
 /// Packs a project with everything that belongs to it into one file. Videos that lie elsewhere come into the
-/// packed project's media folder; those that are lost are named and left out. The project itself is not
-/// changed.
+/// packed project's media folder; those that are lost, or are no longer the files that were measured, are named and left
+/// out. The project itself is not changed.
 class PackJob : public Job
 {
 public:
@@ -32,8 +32,8 @@ private:
         RecordId recording = 0;
         std::filesystem::path file;
     };
-    Result<void> look(Project &project);
-    Result<void> copyProject(const std::filesystem::path &copy, std::vector<ArchiveEntry> &entries);
+    Result<void> look(Project &project, const JobControl &control);
+    Result<void> copyProject(const std::filesystem::path &copy, std::vector<ArchiveEntry> &entries, const JobControl &control);
 
     const std::filesystem::path m_archive;
     std::filesystem::path m_project, m_mediaFolder;

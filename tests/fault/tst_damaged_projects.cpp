@@ -180,7 +180,7 @@ void TestDamagedProjects::withoutTheirLog()
         fs::remove(file(side));
     const auto project = Project::open(file("logged.odo"), Project::Access::ReadWrite);
     QVERIFY2(project, project ? "" : project.error().message().c_str());
-    QCOMPARE((*project)->title(), std::string("Year 9 robotics"));
+    QCOMPARE((*project)->title().value(), std::string("Year 9 robotics"));
     QVERIFY((*project)->check(false).has_value());
 }
 
@@ -202,7 +202,7 @@ void TestDamagedProjects::withADamagedLog()
         fs::remove(file("logged.odo-shm"));
         const auto project = Project::open(file("logged.odo"), Project::Access::ReadWrite);
         QVERIFY2(project, project ? "" : project.error().message().c_str());
-        const std::string title = (*project)->title();
+        const std::string title = (*project)->title().value();
         QVERIFY(title == "Second" || title == "First" || title == "Year 9 robotics");
         kept += title == "First";
         readEverything(**project);

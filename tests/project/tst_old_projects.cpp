@@ -66,7 +66,7 @@ private Q_SLOTS:
         const auto opened = Project::open(old, Access::ReadWrite);
         QVERIFY2(opened.has_value(), opened ? "" : opened.error().message().c_str());
         Project &project = **opened;
-        QCOMPARE(project.title(), std::string("Year 9, autumn – Übung"));
+        QCOMPARE(project.title().value(), std::string("Year 9, autumn – Übung"));
         testbedIsKept(project);
         trialIsKept(project, format);
         analysisIsKept(project, format);
@@ -95,7 +95,7 @@ private Q_SLOTS:
         const auto old = stored(format, QStringLiteral("reads %1.odo").arg(format));
         const auto opened = Project::open(old, Access::ReadOnly);
         QVERIFY2(opened.has_value(), opened ? "" : opened.error().message().c_str());
-        QCOMPARE((*opened)->title(), std::string("Year 9, autumn – Übung"));
+        QCOMPARE((*opened)->title().value(), std::string("Year 9, autumn – Übung"));
         QCOMPARE((*opened)->setTitle("x").error().code, ErrorCode::ReadOnly);
         QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(Migrator(projectMigrations()).newestVersion()));
         QCOMPARE(number(old.string() + ".bak-" + std::to_string(format), "PRAGMA user_version"), std::int64_t(format));

@@ -254,7 +254,7 @@ private Q_SLOTS:
         }
         const auto opened = Project::open(copy, Access::ReadOnly);
         QVERIFY2(opened.has_value(), opened ? "" : opened.error().message().c_str());
-        QCOMPARE((*opened)->title(), std::string("just changed"));
+        QCOMPARE((*opened)->title().value(), std::string("just changed"));
         QCOMPARE((*opened)->trials().all()->size(), std::size_t(1));
         QCOMPARE(files().size(), 2);
     }

@@ -17,10 +17,10 @@ private Q_SLOTS:
 
     void keepsTheTitle()
     {
-        QCOMPARE((*m_project)->title(), std::string("Class 8b – été"));
+        QCOMPARE((*m_project)->title().value(), std::string("Class 8b – été"));
         QVERIFY((*m_project)->setTitle("новый").has_value());
         m_project->reopen();
-        QCOMPARE((*m_project)->title(), std::string("новый"));
+        QCOMPARE((*m_project)->title().value(), std::string("новый"));
     }
 
     void camerasRoundTrip()

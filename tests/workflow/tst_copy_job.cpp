@@ -21,7 +21,7 @@ private Q_SLOTS:
         QVERIFY2(copied, copied ? "" : copied.error().message().c_str());
         const auto copy = Project::open(path("copy.odo"), Project::Access::ReadWrite);
         QVERIFY(copy);
-        QCOMPARE((*copy)->title(), std::string("Lesson"));
+        QCOMPARE((*copy)->title().value(), std::string("Lesson"));
         QVERIFY(m_project->setTitle("Lesson")); // the project itself goes on
     }
 

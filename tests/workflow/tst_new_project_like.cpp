@@ -27,7 +27,7 @@ private Q_SLOTS:
         QVERIFY(makeProjectLike(m_original, m_new, "Next year", {}));
         const auto from = Project::open(m_original, Project::Access::ReadOnly), to = Project::open(m_new, Project::Access::ReadWrite);
         QVERIFY(from && to);
-        QCOMPARE((*to)->title(), std::string("Next year"));
+        QCOMPARE((*to)->title().value(), std::string("Next year"));
         QVERIFY(!(*from)->cameras().all()->empty());
         QCOMPARE((*to)->cameras().all()->size(), (*from)->cameras().all()->size());
         const auto cameras = (*to)->cameras().all();
@@ -53,7 +53,7 @@ private Q_SLOTS:
         const auto again = makeProjectLike(m_original, m_new, "Another", {});
         QVERIFY(!again);
         QCOMPARE(again.error().code, ErrorCode::AlreadyExists);
-        QCOMPARE((*Project::open(m_new, Project::Access::ReadOnly))->title(), std::string("Next year"));
+        QCOMPARE((*Project::open(m_new, Project::Access::ReadOnly))->title().value(), std::string("Next year"));
     }
     void nothingHalfMadeIsLeft()
     {

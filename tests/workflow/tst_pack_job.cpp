@@ -22,6 +22,9 @@ private Q_SLOTS:
     void isOpenedElsewhere();
     void theProjectStaysAsItWas();
     void whatIsLostIsNamed();
+    void aVideoElsewhereThatIsAnotherFileIsLeftOut_data();
+    void aVideoElsewhereThatIsAnotherFileIsLeftOut();
+    void aLinkOutOfTheMediaFolderIsLeftOut();
     void notWhileATrialIsRecorded();
     void cancellingLeavesNothing();
     void lostVideosAreFoundByTheirContent();
@@ -132,6 +135,45 @@ void TestPackJob::whatIsLostIsNamed()
     QCOMPARE(job.warnings(),
              std::vector<std::string>{
                  "the video of camera A in trial 'run' is lost, and not in the packed project"});
+}
+
+void TestPackJob::aVideoElsewhereThatIsAnotherFileIsLeftOut_data()
+{
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<bool>("isHashed");
+    QTest::newRow("of the same size") << QByteArray(70'000, 'x') << true;
+    QTest::newRow("longer") << QByteArray(70'001, 'b') << true;
+    QTest::newRow("never hashed, and no video") << QByteArray(70'000, 'b') << false;
+}
+
+/// Otherwise a project from elsewhere could have any file of its reader packed.
+void TestPackJob::aVideoElsewhereThatIsAnotherFileIsLeftOut()
+{
+    QFETCH(QByteArray, content);
+    QFETCH(bool, isHashed);
+    if (!isHashed) {
+        const auto recordings = m_project->trials().recordings(m_project->trials().find("run")->id).value();
+        QVERIFY(m_project->trials().setHash(recordings[1].id, {}));
+    }
+    write("elsewhere/run.mkv", content);
+    PackJob job(file("lesson.zip"));
+    QVERIFY(runToEnd(job, *m_project, {}));
+    QCOMPARE(job.warnings(), std::vector<std::string>{"the video of camera A in trial 'run' lies elsewhere and is another file than it was, "
+                                                      "and not in the packed project"});
+    QVERIFY(unpackArchive(file("lesson.zip"), file("home"), {}));
+    QVERIFY(QFile::exists(path("home/lesson.media/run.mkv")));
+    QVERIFY(!QFile::exists(path("home/lesson.media/run_2.mkv")));
+}
+
+void TestPackJob::aLinkOutOfTheMediaFolderIsLeftOut()
+{
+    write("elsewhere/diary.txt", "private");
+    QVERIFY(QFile::link(path("elsewhere/diary.txt"), path("school/lesson.media/diary.txt")));
+    PackJob job(file("lesson.zip"));
+    QVERIFY(runToEnd(job, *m_project, {}));
+    QVERIFY(unpackArchive(file("lesson.zip"), file("home"), {}));
+    QVERIFY(QFile::exists(path("home/lesson.media/run_2.mkv"))); // its video, and of the same content
+    QVERIFY(!QFile::exists(path("home/lesson.media/diary.txt")));
 }
 
 void TestPackJob::notWhileATrialIsRecorded()

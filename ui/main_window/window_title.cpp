@@ -21,7 +21,7 @@ QString windowTitleOf(const Project *project, const TrialScenePtr &trial)
 {
     QStringList parts;
     if (project)
-        parts << QString::fromStdString(project->title());
+        parts << QString::fromStdString(project->title().value_or(project->file().stem().string()));
     if (trial) {
         QStringList words(QString::fromStdString(trial->trial.name));
         if (!trial->trial.teamName.empty())

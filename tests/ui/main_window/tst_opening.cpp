@@ -54,10 +54,10 @@ private Q_SLOTS:
         QVERIFY(Project::create(other, "Another class"));
         QSignalSpy opened(&window.workspace(), &Workspace::opened);
         window.beginOpening(other);
-        QCOMPARE(window.workspace().project()->title(), std::string("Year 9 robotics"));
+        QCOMPARE(window.workspace().project()->title().value(), std::string("Year 9 robotics"));
         QVERIFY(!window.workspace().open(other)); // one at a time
         QTRY_COMPARE(opened.count(), 1);
-        QCOMPARE(window.workspace().project()->title(), std::string("Another class"));
+        QCOMPARE(window.workspace().project()->title().value(), std::string("Another class"));
         QVERIFY(!QFile::exists(QString::fromStdString(m_project.string() + ".lock"))); // it was given up
     }
 
@@ -87,7 +87,7 @@ private Q_SLOTS:
         QVERIFY2(told.contains(words), qPrintable(told));
         QVERIFY(!QFile::exists(bad + QStringLiteral(".lock")));
         QVERIFY(!window.findChild<JobIndicator *>()->isVisible());
-        QCOMPARE(window.workspace().project()->title(), std::string("Year 9 robotics"));
+        QCOMPARE(window.workspace().project()->title().value(), std::string("Year 9 robotics"));
         QVERIFY(!window.workspace().isReadOnly()); // it still has the lock
         QVERIFY(window.workspace().project()->setTitle("Year 9 robotics"));
     }
@@ -136,7 +136,7 @@ private Q_SLOTS:
         QVERIFY(!window.workspace().isBusy()); // videos belong to no project yet
         QVERIFY(drop(window, {QUrl::fromLocalFile(QString::fromStdString(m_project.string()))}));
         QTRY_COMPARE(opened.count(), 1);
-        QCOMPARE(window.workspace().project()->title(), std::string("Year 9 robotics"));
+        QCOMPARE(window.workspace().project()->title().value(), std::string("Year 9 robotics"));
     }
 
 private:

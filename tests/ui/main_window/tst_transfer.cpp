@@ -57,7 +57,7 @@ void TestTransfer::theNextYearBeginsWithTheSetUp()
     const std::size_t cameras = m_window->workspace().project()->cameras().all()->size();
     run("New project from this one…", {chooseFile(path("next year"))});
     QTRY_COMPARE(QString::fromStdString(m_window->workspace().project()->file().string()), path("next year.odo"));
-    QCOMPARE(m_window->workspace().project()->title(), std::string("next year"));
+    QCOMPARE(m_window->workspace().project()->title().value(), std::string("next year"));
     QCOMPARE(m_window->workspace().project()->cameras().all()->size(), cameras);
     QVERIFY(m_window->workspace().project()->teams().all()->empty());
     QVERIFY(!m_window->workspace().isReadOnly());

@@ -44,7 +44,7 @@ private Q_SLOTS:
 
         // The first goes on, and the second sees it.
         QVERIFY(first->workspace().project()->setTitle("Changed meanwhile"));
-        QCOMPARE(second.workspace().project()->title(), std::string("Changed meanwhile"));
+        QCOMPARE(second.workspace().project()->title().value(), std::string("Changed meanwhile"));
 
         first.reset();
         QVERIFY(second.openProject(m_project));

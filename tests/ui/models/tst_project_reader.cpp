@@ -48,7 +48,7 @@ private Q_SLOTS:
         });
         QVERIFY(!changed);
         QCOMPARE(changed.error().code, ErrorCode::ReadOnly);
-        QCOMPARE(m_project->title(), std::string("Year 9"));
+        QCOMPARE(m_project->title().value(), std::string("Year 9"));
     }
 
     void tellsWhatWentWrong()

@@ -59,6 +59,7 @@ std::span<const CorePattern> attentions()
         {QT_TRANSLATE_NOOP("CoreWords", "%1 pictures were lost because this machine was too slow to make them in time")},
         {QT_TRANSLATE_NOOP("CoreWords", "close other programs, or take fewer such cameras at once")},
         {QT_TRANSLATE_NOOP("CoreWords", "the video of camera %1 in trial '%2' is lost, and not in the packed project")},
+        {QT_TRANSLATE_NOOP("CoreWords", "the video of camera %1 in trial '%2' lies elsewhere and is another file than it was, and not in the packed project")},
         {QT_TRANSLATE_NOOP("CoreWords", "trial '%1'")},
         {QT_TRANSLATE_NOOP("CoreWords", "its recording was cut off")},
         {QT_TRANSLATE_NOOP("CoreWords", "nothing of it had reached the disk, and it is left out")},
