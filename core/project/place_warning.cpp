@@ -34,11 +34,16 @@ constexpr std::array<SyncProgram, 8> syncPrograms = {{
 }};
 
 /// Spaces in the list of mounts are written as \040.
-std::string withSpaces(std::string text)
+std::string withSpaces(const std::string &text)
 {
-    for (auto at = text.find("\\040"); at != std::string::npos; at = text.find("\\040"))
-        text.replace(at, 4, " ");
-    return text;
+    constexpr std::string_view escaped = "\\040";
+    std::string plain;
+    std::size_t begin = 0;
+    for (auto at = text.find(escaped); at != std::string::npos; at = text.find(escaped, begin)) {
+        plain += text.substr(begin, at - begin) + ' ';
+        begin = at + escaped.size();
+    }
+    return plain + text.substr(begin);
 }
 
 std::optional<std::string_view> syncProgramOf(const std::filesystem::path &folder)

@@ -86,9 +86,10 @@ Result<void> PackJob::look(Project &project, const JobControl &control)
         return tl::unexpected(recordings.error());
     for (const RecordingRecord &recording : *recordings) {
         const std::filesystem::path file = project.resolve(recording);
-        const std::string video = "the video of camera " + recording.cameraName + " in trial '" + names[recording.trial] + "' ";
+        const std::string &trial = names[recording.trial];
         if (!std::filesystem::exists(file)) {
-            m_warnings.push_back(video + "is lost, and not in the packed project");
+            m_warnings.push_back("the video of camera " + recording.cameraName + " in trial '" + trial +
+                                 "' is lost, and not in the packed project");
         } else if (!isOwnMedia(file, m_mediaFolder)) {
             const auto isIts = isItsVideo(file, recording, control);
             if (!isIts)
@@ -96,7 +97,8 @@ Result<void> PackJob::look(Project &project, const JobControl &control)
             if (*isIts)
                 m_elsewhere.push_back({recording.id, file});
             else
-                m_warnings.push_back(video + "lies elsewhere and is another file than it was, and not in the packed project");
+                m_warnings.push_back("the video of camera " + recording.cameraName + " in trial '" + trial +
+                                     "' lies elsewhere and is another file than it was, and not in the packed project");
         }
     }
     return {};
