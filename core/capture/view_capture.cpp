@@ -4,7 +4,6 @@
 #include "core/base/percentile.h"
 #include "core/base/shortage.h"
 #include "core/base/steady_now.h"
-#include "core/video/jpeg_encoder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,87 +15,17 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::size_t mostUncoded = 32; // a second at 30 frames/s; at 1280×720 some 45 MB
-constexpr std::size_t mostKeptBytes = 64 << 20;
 constexpr Nanoseconds rateOver = 2s, longestSilence = 1s, longestStart = 3s;
-constexpr double framesMissed = 5, leastKnownS = 0.5;
+constexpr double framesMissed = 5;
 constexpr Nanoseconds paceKnownFrom = 1500ms, shortestSleep = 100ms;
 constexpr double slowShare = 0.75; // of the rate; with a pause of half a second in two it has not got slow
 
 } // namespace
 
-/// What the coding thread keeps: the last seconds, and whom they go to.
-struct ViewCapture::Coder
-{
-    JpegEncoder encoder;
-    std::deque<CodedFrame> kept;
-    std::size_t keptBytes = 0;
-    std::shared_ptr<ViewWriter> writer;
-
-    /// As it came, or coded here.
-    Result<CodedFrame> code(const Picture &picture)
-    {
-        const CapturedFrame &captured = picture.captured;
-        CodedFrame coded{captured.jpeg,
-                         captured.frame.format,
-                         {captured.sequence, captured.frame.time, captured.hostTime},
-                         picture.taken,
-                         captured.clock,
-                         picture.interruption,
-                         picture.lostBefore};
-        if (coded.jpeg)
-            return coded;
-        auto jpeg = encoder.encode(captured.frame);
-        if (!jpeg)
-            return tl::unexpected(jpeg.error());
-        coded.jpeg = std::make_shared<const std::vector<std::uint8_t>>(std::move(*jpeg));
-        return coded;
-    }
-
-    void keep(CodedFrame frame, Nanoseconds howLong)
-    {
-        keptBytes += frame.jpeg->size();
-        const Nanoseconds oldest = frame.raw.arrival - howLong;
-        kept.push_back(std::move(frame));
-        while (!kept.empty() && (kept.front().raw.arrival < oldest || keptBytes > mostKeptBytes)) {
-            keptBytes -= kept.front().jpeg->size();
-            kept.pop_front();
-        }
-    }
-
-    /// Of what is kept; 0 where that is too little to tell.
-    double bytesPerSecond() const
-    {
-        const double overS = kept.empty() ? 0 : toSeconds(kept.back().raw.arrival - kept.front().raw.arrival);
-        return overS > leastKnownS ? static_cast<double>(keptBytes) / overS : 0;
-    }
-
-    void begin(Start start)
-    {
-        writer = std::move(start.writer);
-        for (CodedFrame &frame : kept) {
-            if (frame.raw.arrival >= start.from)
-                writer->offer(std::move(frame));
-        }
-        kept.clear();
-        keptBytes = 0;
-    }
-
-    void end(Stop stop)
-    {
-        if (writer) {
-            writer->countLost(stop.lostBefore);
-            writer->close();
-            writer.reset();
-        }
-        stop.done.set_value();
-    }
-};
-
 ViewCapture::ViewCapture(std::unique_ptr<CameraSource> camera, std::size_t view, Nanoseconds preRoll,
                          std::shared_ptr<FramePairing> pairing)
-    : m_camera(std::move(camera)), m_view(view), m_preRoll(preRoll), m_pairing(std::move(pairing)),
-      m_work(mostUncoded), m_slept(machineSlept())
+    : m_camera(std::move(camera)), m_view(view), m_pairing(std::move(pairing)),
+      m_coder("camera " + description().uri, preRoll), m_slept(machineSlept())
 {
 }
 
@@ -106,10 +35,8 @@ void ViewCapture::start()
 {
     m_begun = steadyNow();
     const std::string what = "camera " + description().uri;
-    auto coder = startThread(what, [this] { codePictures(); });
-    if (!coder)
-        return cannotRun(coder.error());
-    m_coder = std::move(*coder);
+    if (auto started = m_coder.start(); !started)
+        return cannotRun(started.error());
     std::promise<void> ended;
     m_takerEnded = ended.get_future();
     auto taker = startThread(what, [self = shared_from_this(), ended = std::move(ended)]() mutable {
@@ -141,9 +68,7 @@ void ViewCapture::stop()
 void ViewCapture::join(std::chrono::steady_clock::time_point deadline)
 {
     const bool hangs = m_taker.joinable() && m_takerEnded.wait_until(deadline) == std::future_status::timeout;
-    m_work.close();
-    if (m_coder.joinable())
-        m_coder.join();
+    m_coder.end();
     if (hangs)
         m_taker.detach();
     else if (m_taker.joinable())
@@ -217,7 +142,7 @@ void ViewCapture::take(CapturedFrame captured)
         noteSleep(timed.captured);
         timed.taken = note(timed.captured, now);
         m_lostBefore += timed.captured.lostHere;
-        if (m_work.tryPush(Picture{timed.captured, timed.taken, m_interruption, m_lostBefore})) {
+        if (m_coder.offer({timed.captured, timed.taken, m_interruption, m_lostBefore})) {
             m_interruption.reset();
             m_lostBefore = 0;
         } else {
@@ -363,54 +288,18 @@ void ViewCapture::startWriting(std::shared_ptr<ViewWriter> writer, Nanoseconds p
         const std::lock_guard lock(m_mutex);
         m_holdWanted = true;
     }
-    if (m_coder.joinable())
-        m_work.push(Start{std::move(writer), steadyNow() - preRoll});
-    else
-        writer->close();
+    m_coder.startWriting(std::move(writer), steadyNow() - preRoll);
 }
 
 std::future<void> ViewCapture::stopWriting()
 {
-    Stop stop{{}, 0};
+    std::uint64_t lostBefore = 0;
     {
         const std::lock_guard lock(m_mutex);
-        stop.lostBefore = std::exchange(m_lostBefore, 0);
+        lostBefore = std::exchange(m_lostBefore, 0);
         m_holdWanted = false;
     }
-    std::future<void> done = stop.done.get_future();
-    if (m_coder.joinable())
-        m_work.push(std::move(stop));
-    else
-        stop.done.set_value();
-    return done;
-}
-
-void ViewCapture::keep(Coder &coder, CodedFrame frame)
-{
-    coder.keep(std::move(frame), m_preRoll);
-    if (const double rate = coder.bytesPerSecond(); rate > 0)
-        m_bytesPerSecond = rate;
-}
-
-void ViewCapture::codePictures()
-{
-    Coder coder;
-    while (auto work = m_work.pop()) {
-        if (auto *start = std::get_if<Start>(&*work)) {
-            coder.begin(std::move(*start));
-        } else if (auto *stop = std::get_if<Stop>(&*work)) {
-            coder.end(std::move(*stop));
-        } else if (coder.writer || m_preRoll > Nanoseconds(0)) {
-            auto coded = orShortage("a picture of camera " + description().uri,
-                                    [&] { return coder.code(std::get<Picture>(*work)); });
-            if (coded && coder.writer)
-                coder.writer->offer(std::move(*coded));
-            else if (coded)
-                keep(coder, std::move(*coded));
-            else if (coder.writer)
-                coder.writer->fail(coded.error());
-        }
-    }
+    return m_coder.stopWriting(lostBefore);
 }
 
 } // namespace odo

@@ -4,19 +4,17 @@
 #include "core/base/bounded_queue.h"
 #include "core/capture/capture_health.h"
 #include "core/capture/frame_pairing.h"
-#include "core/capture/view_writer.h"
+#include "core/capture/view_coder.h"
 
-#include <atomic>
 #include <deque>
 #include <future>
 #include <mutex>
 #include <thread>
-#include <variant>
 
 namespace odo {
 
-/// One camera of a session: takes its pictures on one thread, codes them on another, keeps the last seconds
-/// of them, and hands them to a writer when there is one. Its threads keep it alive.
+/// One camera of a session: takes its pictures on one thread, has them coded and written on another, gives them to
+/// whoever subscribed, and knows how the camera fares. Its threads keep it alive.
 class ViewCapture : public std::enable_shared_from_this<ViewCapture>
 {
 public:
@@ -37,7 +35,7 @@ public:
     std::shared_ptr<BoundedQueue<TimedFrame>> subscribe(std::size_t capacity);
     ViewHealth health(Nanoseconds now) const;
     /// What its pictures take on the disk, as they come now; 0 while that is not known.
-    double bytesPerSecond() const { return m_bytesPerSecond; }
+    double bytesPerSecond() const { return m_coder.bytesPerSecond(); }
     /// Why nothing more will come; nullopt while something may.
     std::optional<Error> end() const;
 
@@ -47,25 +45,6 @@ public:
     std::future<void> stopWriting();
 
 private:
-    struct Start
-    {
-        std::shared_ptr<ViewWriter> writer;
-        Nanoseconds from;
-    };
-    struct Picture
-    {
-        CapturedFrame captured;
-        Nanoseconds taken;
-        std::optional<Error> interruption;
-        std::uint64_t lostBefore; ///< that came, and found no room on the way to the coder
-    };
-    struct Stop
-    {
-        std::promise<void> done;
-        std::uint64_t lostBefore;
-    };
-    using Work = std::variant<Picture, Start, Stop>;
-    struct Coder;
     struct Pace
     {
         std::uint64_t sequence;
@@ -86,18 +65,14 @@ private:
     Nanoseconds note(const CapturedFrame &captured, Nanoseconds now);
     std::optional<Trouble> slowness(const CapturedFrame &captured, Nanoseconds now);
     void giveOut(const TimedFrame &timed);
-    void codePictures();
-    void keep(Coder &coder, CodedFrame frame);
     std::optional<Trouble> silence(Nanoseconds now) const;
 
     const std::unique_ptr<CameraSource> m_camera;
     const std::size_t m_view;
-    const Nanoseconds m_preRoll;
     const std::shared_ptr<FramePairing> m_pairing;
-    BoundedQueue<Work> m_work;
-    std::thread m_taker, m_coder;
+    ViewCoder m_coder;
+    std::thread m_taker;
     std::future<void> m_takerEnded;
-    std::atomic<double> m_bytesPerSecond = 0; ///< of what the coder keeps
 
     mutable std::mutex m_mutex; ///< guards what follows
     ClockMap m_clock;
