@@ -4,9 +4,9 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/trajectory/hampel.h"
+#include "core/workflow/counted_trials.h"
 #include "core/workflow/trial_scores.h"
 
-#include <algorithm>
 #include <set>
 
 namespace odo {
@@ -22,11 +22,8 @@ Result<std::map<std::string, ClassFigure>> classFigures(Project &project, const 
     if (!otherwise)
         return tl::unexpected(otherwise.error());
     std::set<RecordId> counted;
-    for (const TrialRecord &trial : *trials) {
-        if (trial.className == className && trial.task == task && !trial.binned &&
-            !std::ranges::binary_search(*otherwise, trial.id, {}, &OtherwiseMeasured::trial))
-            counted.insert(trial.id);
-    }
+    for (const TrialRecord *trial : countedTrials(*trials, className, task, *otherwise).trials)
+        counted.insert(trial->id);
     std::map<std::string, ClassFigure> figures;
     for (const std::string &metric : metrics) {
         const auto all = figuresOf(project, metric);

@@ -19,8 +19,8 @@ struct ClassFigure
 };
 
 /// The median of each metric over the runs of a class in a task, by the metrics' names; those that no run has
-/// are not in it. Runs in the bin do not count, nor those that were measured by another course than the task
-/// has now. On the project's thread. Errors: those of the repositories.
+/// are not in it. Of trials that count there (countedTrials). On the project's thread. Errors: those of the
+/// repositories.
 Result<std::map<std::string, ClassFigure>> classFigures(Project &project, const std::string &className,
                                                         const std::string &task,
                                                         const std::vector<std::string> &metrics);

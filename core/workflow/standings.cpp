@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/standings.h"
 
+#include "core/workflow/counted_trials.h"
+
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -17,9 +19,7 @@ double daysOf(Instant instant)
 
 bool counts(const TrialRecord &trial, const StandingsChoice &choice)
 {
-    return trial.team != 0 && !trial.binned &&
-           (choice.className.empty() || trial.className == choice.className) &&
-           (choice.task.empty() || trial.task == choice.task);
+    return trial.team != 0 && countsIn(trial, choice.className, choice.task);
 }
 
 void measure(TeamStanding &team, bool isLessBetter)

@@ -4,6 +4,7 @@
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/counted_trials.h"
 #include "core/workflow/trial_scores.h"
 #include "ui/history/filter_choice.h"
 #include "ui/history/trend_chart.h"
@@ -166,24 +167,18 @@ void TeamsPanel::showTrials(std::span<const TrialRecord *const> trials)
     const QModelIndex current = m_table->currentIndex();
     const std::string selected = current.isValid() ? m_model->team(current.row()).team : std::string();
     const StandingsChoice &choice = m_read->choice;
-    std::vector<const TrialRecord *> counted;
-    int leftOut = 0;
-    for (const TrialRecord *trial : trials) {
-        const bool isOther = !choice.task.empty() && trial->task == choice.task && !trial->binned &&
-                             std::ranges::binary_search(m_read->otherwise, trial->id, {}, &OtherwiseMeasured::trial);
-        const bool isArchived = choice.className.empty() && m_archived.contains(trial->className);
-        leftOut += isOther && !isArchived;
-        if (!isOther && !isArchived)
-            counted.push_back(trial);
-    }
-    m_model->setStandings(standingsOf(counted, m_read->figures, choice));
+    std::vector<const TrialRecord *> present(trials.begin(), trials.end());
+    if (choice.className.empty())
+        std::erase_if(present, [this](const TrialRecord *trial) { return m_archived.contains(trial->className); });
+    const CountedTrials counted = countedTrials(present, choice.className, choice.task, m_read->otherwise);
+    m_model->setStandings(standingsOf(counted.trials, m_read->figures, choice));
     m_table->resizeColumnsToContents();
     const auto &teams = m_model->standings().teams;
     const auto same = std::ranges::find(teams, selected, &TeamStanding::team);
     if (!teams.empty())
         m_table->setCurrentIndex(
             m_model->index(same == teams.end() ? 0 : static_cast<int>(same - teams.begin()), 0));
-    showRemark(leftOut);
+    showRemark(counted.leftOut);
     showTeam();
 }
 

@@ -4,6 +4,7 @@
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/counted_trials.h"
 #include "core/workflow/trial_scores.h"
 #include "ui/models/metric_choice.h"
 
@@ -35,13 +36,13 @@ Result<void> checkClass(Project &project, const std::string &name)
     return {};
 }
 
-/// The task that most of the trials have; empty: none has one.
-std::string usualTask(const std::vector<const TrialRecord *> &trials)
+/// The task that most trials of the class have; empty: none has one.
+std::string usualTask(const std::vector<TrialRecord> &trials, const std::string &className)
 {
     std::map<std::string, int> counts;
-    for (const TrialRecord *trial : trials)
-        if (!trial->task.empty())
-            ++counts[trial->task];
+    for (const TrialRecord &trial : trials)
+        if (!trial.task.empty() && countsIn(trial, className, {}))
+            ++counts[trial.task];
     const auto most = std::ranges::max_element(counts, {}, [](const auto &each) { return each.second; });
     return most == counts.end() ? std::string() : most->first;
 }
@@ -75,15 +76,11 @@ Result<ClassContentPtr> readClassContent(Project &project, const ClassReportSett
     const auto all = project.trials().all();
     if (!all)
         return tl::unexpected(all.error());
-    std::vector<const TrialRecord *> trials;
-    for (const TrialRecord &trial : *all)
-        if (trial.className == settings.className && !trial.binned)
-            trials.push_back(&trial);
     auto content = std::make_shared<ClassContent>();
     content->settings = settings;
     ClassReportSettings &chosen = content->settings;
     if (chosen.task.empty())
-        chosen.task = usualTask(trials);
+        chosen.task = usualTask(*all, chosen.className);
     else if (const auto task = project.tasks().find(chosen.task); !task)
         return tl::unexpected(task.error());
     if (chosen.metric.empty()) {
@@ -98,11 +95,10 @@ Result<ClassContentPtr> readClassContent(Project &project, const ClassReportSett
     const auto otherwise = project.analyses().trialsMeasuredOtherwise();
     if (!otherwise)
         return tl::unexpected(otherwise.error());
-    std::erase_if(trials, [&](const TrialRecord *trial) { return !chosen.task.empty() && trial->task != chosen.task; });
-    content->trials = int(trials.size());
-    content->leftOut = int(std::erase_if(
-        trials, [&](const TrialRecord *trial) { return std::ranges::binary_search(*otherwise, trial->id, {}, &OtherwiseMeasured::trial); }));
-    content->standings = standingsOf(trials, *figures, {chosen.className, chosen.task, chosen.metric});
+    const CountedTrials counted = countedTrials(*all, chosen.className, chosen.task, *otherwise);
+    content->trials = int(counted.trials.size()) + counted.leftOut;
+    content->leftOut = counted.leftOut;
+    content->standings = standingsOf(counted.trials, *figures, {chosen.className, chosen.task, chosen.metric});
     if (content->standings.teams.empty())
         return fail(ErrorCode::NotFound, "report of class '" + chosen.className + "'",
                     "none of its teams has a run with the figure '" + chosen.metric + "'" +

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/counted_trials.h"
+
+#include <QTest>
+
+using namespace odo;
+
+namespace {
+
+TrialRecord trialOf(RecordId id, const char *className, const char *task)
+{
+    TrialRecord trial;
+    trial.id = id;
+    trial.className = className;
+    trial.task = task;
+    return trial;
+}
+
+std::vector<RecordId> idsOf(const CountedTrials &counted)
+{
+    std::vector<RecordId> ids;
+    for (const TrialRecord *trial : counted.trials)
+        ids.push_back(trial->id);
+    return ids;
+}
+
+using Ids = std::vector<RecordId>;
+
+} // namespace
+
+/// Which trials' figures can be compared.
+class TestCountedTrials : public QObject
+{
+    Q_OBJECT
+
+    std::vector<TrialRecord> m_trials;
+    const std::vector<OtherwiseMeasured> m_otherwise{
+        {2, "Trial 2", "Slalom", false}, {4, "Trial 4", "Slalom", true}, {5, "Trial 5", "Circle", false}};
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_trials = {trialOf(1, "9B", "Slalom"), trialOf(2, "9B", "Slalom"), trialOf(3, "9C", "Slalom"),
+                    trialOf(4, "9B", "Slalom"), trialOf(5, "9B", "Circle"), trialOf(6, "", "")};
+        m_trials[3].binned = Instant();
+    }
+    void ofAClassInATask()
+    {
+        const CountedTrials counted = countedTrials(m_trials, "9B", "Slalom", m_otherwise);
+        QCOMPARE(idsOf(counted), Ids({1}));
+        QCOMPARE(counted.leftOut, 1); // the one in the bin would not count anyhow
+    }
+    void ofAnyClassInATask()
+    {
+        const CountedTrials counted = countedTrials(m_trials, "", "Slalom", m_otherwise);
+        QCOMPARE(idsOf(counted), Ids({1, 3}));
+        QCOMPARE(counted.leftOut, 1);
+    }
+    void anotherClasssTrialsAreNotLeftOut()
+    {
+        const CountedTrials counted = countedTrials(m_trials, "9C", "Slalom", m_otherwise);
+        QCOMPARE(idsOf(counted), Ids({3}));
+        QCOMPARE(counted.leftOut, 0);
+    }
+    void ofAnyTaskAllButTheBinned()
+    {
+        const CountedTrials counted = countedTrials(m_trials, "", "", m_otherwise);
+        QCOMPARE(idsOf(counted), Ids({1, 2, 3, 5, 6}));
+        QCOMPARE(counted.leftOut, 0);
+    }
+    void ofNothing()
+    {
+        QVERIFY(countedTrials(std::vector<TrialRecord>(), "9B", "Slalom", m_otherwise).trials.empty());
+        QVERIFY(countedTrials(m_trials, "7A", "Slalom", m_otherwise).trials.empty());
+        QVERIFY(!countsIn(m_trials[3], "9B", "Slalom"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestCountedTrials)
+#include "tst_counted_trials.moc"
