@@ -7,6 +7,7 @@
 #include "ui/views/comparison_painting.h"
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
+#include "ui/views/trial_map.h"
 
 #include <QKeyEvent>
 #include <QLineF>
@@ -72,25 +73,11 @@ MapPlan CompareMap::plan() const
 void CompareMap::paintStill(QPainter &painter) const
 {
     const MapPlan shown = plan();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    if (!m_floor.image.isNull()) {
-        constexpr double muted = 0.4; // the ways come first
-        painter.setOpacity(muted);
-        painter.drawImage(QRectF(shown.fromWorld({m_floor.extent.min().x(), m_floor.extent.max().y()}),
-                                 shown.fromWorld({m_floor.extent.max().x(), m_floor.extent.min().y()})),
-                          m_floor.image);
-        painter.setOpacity(1);
-    }
-    drawMapFoot(painter, shown, palette());
-    drawMapGrid(painter, shown, palette(), !m_floor.image.isNull());
-    const TrialScene &first = *m_scene->scenes.front();
-    if (first.layout)
-        drawMapMarkers(painter, shown, *first.layout, palette());
-    const auto toScreen = [&shown](const Eigen::Vector2d &point) { return shown.fromWorld(point); };
-    if (first.task)
-        drawZones(painter, first.task->zones, toScreen, palette());
+    constexpr double muted = 0.4; // the ways come first
+    drawMapFloor(painter, shown, *m_scene->scenes.front(), m_floor, muted, palette());
     if (m_scene->compared.comparison.isTasksPath)
-        drawReferencePath(painter, path(), toScreen, palette());
+        drawReferencePath(
+            painter, path(), [&shown](const Eigen::Vector2d &point) { return shown.fromWorld(point); }, palette());
     std::vector<std::size_t> runs(m_scene->runCount());
     std::iota(runs.begin(), runs.end(), std::size_t(0));
     drawWays(painter, shown, *m_scene, runs, palette());

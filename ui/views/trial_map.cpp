@@ -12,13 +12,12 @@
 
 namespace odo {
 
-void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
-                   const QPalette &palette)
+void drawMapFloor(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
+                  double opacity, const QPalette &palette)
 {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     if (!floor.image.isNull()) {
-        constexpr double muted = 0.55; // the trail comes first
-        painter.setOpacity(muted);
+        painter.setOpacity(opacity);
         painter.drawImage(QRectF(plan.fromWorld({floor.extent.min().x(), floor.extent.max().y()}),
                                  plan.fromWorld({floor.extent.max().x(), floor.extent.min().y()})),
                           floor.image);
@@ -28,11 +27,21 @@ void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &sce
     drawMapGrid(painter, plan, palette, !floor.image.isNull());
     if (scene.layout)
         drawMapMarkers(painter, plan, *scene.layout, palette);
-    if (!scene.task)
-        return;
-    const auto toScreen = [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); };
-    drawZones(painter, scene.task->zones, toScreen, palette);
-    drawReferencePath(painter, scene.task->path, toScreen, palette);
+    if (scene.task)
+        drawZones(
+            painter, scene.task->zones, [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); },
+            palette);
+}
+
+void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
+                   const QPalette &palette)
+{
+    constexpr double muted = 0.55; // the trail comes first
+    drawMapFloor(painter, plan, scene, floor, muted, palette);
+    if (scene.task)
+        drawReferencePath(
+            painter, scene.task->path, [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); },
+            palette);
 }
 
 void drawMapMarks(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const QPalette &palette)

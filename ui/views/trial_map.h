@@ -14,7 +14,11 @@ struct FloorPicture;
 /// The parts of a trial's map in the order of painting, for the screen and for whatever else shows it: ground, trails
 /// (trail_painting.h), marks, legend, robots. In logical pixels, with the painter's font; on a QImage on any thread.
 
-/// The floor's picture (perhaps none), a calm foot for the scale, the grid, the markers, and the task's zones and path.
+/// The floor's picture (perhaps none), as strong as `opacity` says, a calm foot for the scale, the grid, the markers, and
+/// the task's zones.
+void drawMapFloor(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
+                  double opacity, const QPalette &palette);
+/// That, and the task's path.
 void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
                    const QPalette &palette);
 /// Gates and spikes.
