@@ -52,15 +52,8 @@ class TestClassReport : public QObject
 {
     Q_OBJECT
     QTemporaryDir m_folder;
-    int m_count = 0;
 
-    QString printed(const ReportPages &pages)
-    {
-        const QString file = m_folder.filePath(QStringLiteral("%1.pdf").arg(++m_count));
-        if (const QString problem = print(pages, file); !problem.isEmpty())
-            qFatal("%s", qPrintable(problem));
-        return file;
-    }
+    QString printed(const ReportPages &pages) { return test::printed(pages, m_folder); }
 
 private Q_SLOTS:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }

@@ -29,13 +29,7 @@ class TestComparisonReport : public QObject
             qFatal("%s", scene.error().message().c_str());
         return *scene;
     }
-    QString printed(const ReportPages &pages)
-    {
-        const QString file = m_folder.filePath(QStringLiteral("comparison.pdf"));
-        if (const QString problem = print(pages, file); !problem.isEmpty())
-            qFatal("%s", qPrintable(problem));
-        return file;
-    }
+    QString printed(const ReportPages &pages) { return test::printed(pages, m_folder); }
 
 private Q_SLOTS:
     void initTestCase()

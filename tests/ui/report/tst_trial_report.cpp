@@ -43,15 +43,11 @@ class TestTrialReport : public QObject
 {
     Q_OBJECT
     QTemporaryDir m_folder;
-    int m_count = 0;
 
     /// Where the pages were printed; every word of them must lie within the margins, less what a letter overhangs.
     QString printed(const ReportPages &pages)
     {
-        const QString file = m_folder.filePath(QStringLiteral("%1.pdf").arg(++m_count));
-        const QString problem = print(pages, file);
-        if (!problem.isEmpty())
-            qFatal("%s", qPrintable(problem));
+        const QString file = test::printed(pages, m_folder);
         constexpr double pointsPerUnit = 72 / PageFormat::unitsPerInch, overhang = 3;
         const double margin = PageFormat::margin * pointsPerUnit - overhang;
         const PrintedWords words = printedWords(file);

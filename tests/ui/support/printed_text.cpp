@@ -4,6 +4,7 @@
 #include "ui/report/pdf_file.h"
 
 #include <QProcess>
+#include <QTemporaryDir>
 #include <QXmlStreamReader>
 
 namespace odo::test {
@@ -21,14 +22,17 @@ QByteArray outputOf(const QString &program, const QStringList &arguments)
 
 } // namespace
 
-QString print(const ReportPages &pages, const QString &file)
+QString printed(const ReportPages &pages, const QTemporaryDir &folder)
 {
+    static int count = 0;
+    const QString file = folder.filePath(QStringLiteral("%1.pdf").arg(++count));
     PdfFile pdf(file.toStdString(), QStringLiteral("Test"));
     for (const ReportPage &page : pages)
         if (const auto added = pdf.add(page); !added)
-            return QString::fromStdString(added.error().message());
-    const auto finished = pdf.finish();
-    return finished ? QString() : QString::fromStdString(finished.error().message());
+            qFatal("%s", added.error().message().c_str());
+    if (const auto finished = pdf.finish(); !finished)
+        qFatal("%s", finished.error().message().c_str());
+    return file;
 }
 
 QString printedText(const QString &file, int page)

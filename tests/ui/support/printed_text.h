@@ -8,10 +8,12 @@
 #include <QString>
 #include <QStringList>
 
+class QTemporaryDir;
+
 namespace odo::test {
 
-/// Writes pages to a PDF file; the words of what went wrong, or none.
-QString print(const ReportPages &pages, const QString &file);
+/// Writes pages to a new PDF file in a folder and gives its name; where that fails, so does the test.
+QString printed(const ReportPages &pages, const QTemporaryDir &folder);
 
 /// What poppler's programs read in a PDF file: its text in the order of the page, the names of fonts that are not
 /// embedded, and each word with its box (points, from the upper left corner; page sizes in pageSizes).
