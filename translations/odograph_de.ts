@@ -2092,10 +2092,6 @@
         <translation>schließen Sie %1 wieder an</translation>
     </message>
     <message>
-        <source>its USB bus has no room left for its pictures</source>
-        <translation>ihr USB-Bus hat keinen Platz mehr für ihre Bilder</translation>
-    </message>
-    <message>
         <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
         <translation>schließen Sie sie an einem eigenen Bus an, oder wählen Sie MJPEG, ein kleineres Bild oder eine kleinere Rate (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
     </message>
@@ -6274,6 +6270,14 @@
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
         <translation>das Video der Kamera %1 im Versuch &apos;%2&apos; liegt anderswo und ist eine andere Datei als früher, und nicht im gepackten Projekt</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures</source>
+        <translation>ihr USB-Bus hat keinen Platz mehr für ihre Bilder</translation>
+    </message>
+    <message>
+        <source>no sound backup lies beside it</source>
+        <translation>keine unversehrte Sicherungskopie liegt daneben</translation>
     </message>
 </context>
 <context>
@@ -10804,6 +10808,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>The pages follow when the project is opened again, for a recording goes on.</source>
         <translation>Die Seiten folgen, wenn das Projekt wieder geöffnet wird, denn eine Aufnahme läuft noch.</translation>
     </message>
+    <message>
+        <source>Restore the backup</source>
+        <translation>Sicherungskopie wiederherstellen</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14444,6 +14452,18 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>open or make a project first</source>
         <translation>zuerst ein Projekt öffnen oder anlegen</translation>
+    </message>
+    <message>
+        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <translation>seine Sicherungskopie vom %1 ist unversehrt; was seitdem getan wurde, ist nicht darin</translation>
+    </message>
+    <message>
+        <source>Restoring the backup</source>
+        <translation>Sicherungskopie wird wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>The backup was restored. The damaged file is kept as “%1”.</source>
+        <translation>Die Sicherungskopie ist wiederhergestellt. Die beschädigte Datei bleibt als „%1“ erhalten.</translation>
     </message>
 </context>
 <context>

@@ -2092,10 +2092,6 @@
         <translation>conecte de nuevo %1</translation>
     </message>
     <message>
-        <source>its USB bus has no room left for its pictures</source>
-        <translation>su bus USB no tiene espacio para sus imágenes</translation>
-    </message>
-    <message>
         <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
         <translation>conéctela donde no comparta bus con otra cámara, o elija MJPEG, una imagen menor o una frecuencia menor (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
     </message>
@@ -6274,6 +6270,14 @@
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
         <translation>el video de la cámara %1 en el ensayo &apos;%2&apos; está en otro lugar y es otro archivo que antes, y no está en el proyecto empaquetado</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures</source>
+        <translation>su bus USB no tiene espacio para sus imágenes</translation>
+    </message>
+    <message>
+        <source>no sound backup lies beside it</source>
+        <translation>no hay ninguna copia de seguridad íntegra a su lado</translation>
     </message>
 </context>
 <context>
@@ -10804,6 +10808,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>The pages follow when the project is opened again, for a recording goes on.</source>
         <translation>Las páginas se actualizan al volver a abrir el proyecto, pues hay una grabación en curso.</translation>
     </message>
+    <message>
+        <source>Restore the backup</source>
+        <translation>Restaurar la copia de seguridad</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14444,6 +14452,18 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>open or make a project first</source>
         <translation>primero abra o cree un proyecto</translation>
+    </message>
+    <message>
+        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <translation>su copia de seguridad del %1 está íntegra; lo hecho desde entonces no está en ella</translation>
+    </message>
+    <message>
+        <source>Restoring the backup</source>
+        <translation>Restaurando la copia de seguridad</translation>
+    </message>
+    <message>
+        <source>The backup was restored. The damaged file is kept as “%1”.</source>
+        <translation>La copia de seguridad se ha restaurado. El archivo dañado se conserva como «%1».</translation>
     </message>
 </context>
 <context>

@@ -2092,10 +2092,6 @@
         <translation>rebranchez %1</translation>
     </message>
     <message>
-        <source>its USB bus has no room left for its pictures</source>
-        <translation>son bus USB n’a plus de place pour ses images</translation>
-    </message>
-    <message>
         <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
         <translation>branchez-la là où elle ne partage pas de bus, ou choisissez MJPEG, une image plus petite ou une cadence plus basse (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
     </message>
@@ -6274,6 +6270,14 @@
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
         <translation>la vidéo de la caméra %1 dans l’essai &apos;%2&apos; se trouve ailleurs et n’est plus le même fichier, et absente du projet empaqueté</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures</source>
+        <translation>son bus USB n’a plus de place pour ses images</translation>
+    </message>
+    <message>
+        <source>no sound backup lies beside it</source>
+        <translation>aucune copie de sauvegarde intacte ne se trouve à côté</translation>
     </message>
 </context>
 <context>
@@ -10804,6 +10808,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>The pages follow when the project is opened again, for a recording goes on.</source>
         <translation>Les pages suivront à la réouverture du projet, car un enregistrement est en cours.</translation>
     </message>
+    <message>
+        <source>Restore the backup</source>
+        <translation>Restaurer la copie de sauvegarde</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14444,6 +14452,18 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>open or make a project first</source>
         <translation>ouvrez ou créez d’abord un projet</translation>
+    </message>
+    <message>
+        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <translation>sa copie de sauvegarde du %1 est intacte ; ce qui a été fait depuis n’y est pas</translation>
+    </message>
+    <message>
+        <source>Restoring the backup</source>
+        <translation>Restauration de la copie de sauvegarde</translation>
+    </message>
+    <message>
+        <source>The backup was restored. The damaged file is kept as “%1”.</source>
+        <translation>La copie de sauvegarde a été restaurée. Le fichier endommagé est conservé sous « %1 ».</translation>
     </message>
 </context>
 <context>

@@ -2090,10 +2090,6 @@
         <translation>%1을(를) 다시 연결하십시오</translation>
     </message>
     <message>
-        <source>its USB bus has no room left for its pictures</source>
-        <translation>USB 버스에 영상을 보낼 여유가 없습니다</translation>
-    </message>
-    <message>
         <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
         <translation>다른 카메라와 버스를 나누지 않는 곳에 연결하거나 MJPEG, 더 작은 영상, 더 낮은 속도를 고르십시오 (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
     </message>
@@ -6272,6 +6268,14 @@
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
         <translation>시행 &apos;%2&apos;의 카메라 %1 동영상은 다른 곳에 있고 예전과 다른 파일이어서 묶은 프로젝트에 들어 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures</source>
+        <translation>USB 버스에 영상을 보낼 여유가 없습니다</translation>
+    </message>
+    <message>
+        <source>no sound backup lies beside it</source>
+        <translation>곁에 온전한 백업 사본이 없습니다</translation>
     </message>
 </context>
 <context>
@@ -10790,6 +10794,10 @@ Much more than expected means that something is not as it was told: the views ar
         <source>The pages follow when the project is opened again, for a recording goes on.</source>
         <translation>녹화가 진행 중이므로 프로젝트를 다시 열 때 페이지에 반영됩니다.</translation>
     </message>
+    <message>
+        <source>Restore the backup</source>
+        <translation>백업 복원</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14415,6 +14423,18 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>open or make a project first</source>
         <translation>먼저 프로젝트를 열거나 만드십시오</translation>
+    </message>
+    <message>
+        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <translation>%1의 백업 사본은 온전합니다. 그 뒤에 한 일은 들어 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>Restoring the backup</source>
+        <translation>백업 복원 중</translation>
+    </message>
+    <message>
+        <source>The backup was restored. The damaged file is kept as “%1”.</source>
+        <translation>백업이 복원되었습니다. 손상된 파일은 “%1”(으)로 보관됩니다.</translation>
     </message>
 </context>
 <context>

@@ -2090,10 +2090,6 @@
         <translation>请重新接上 %1</translation>
     </message>
     <message>
-        <source>its USB bus has no room left for its pictures</source>
-        <translation>其 USB 总线已没有带宽传输图像</translation>
-    </message>
-    <message>
         <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
         <translation>请接到不与其他相机共用总线的端口，或选择 MJPEG、更小的画面或更低的帧率（?format=MJPG&amp;size=640x480&amp;rate=30）</translation>
     </message>
@@ -6272,6 +6268,14 @@
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
         <translation>试验“%2”中相机 %1 的视频位于别处，且已不是原来的文件，未包含在打包项目中</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures</source>
+        <translation>其 USB 总线已没有带宽传输图像</translation>
+    </message>
+    <message>
+        <source>no sound backup lies beside it</source>
+        <translation>旁边没有完好的备份</translation>
     </message>
 </context>
 <context>
@@ -10790,6 +10794,10 @@ Much more than expected means that something is not as it was told: the views ar
         <source>The pages follow when the project is opened again, for a recording goes on.</source>
         <translation>正在录制，因此各页面要到项目再次打开时才更新。</translation>
     </message>
+    <message>
+        <source>Restore the backup</source>
+        <translation>恢复备份</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14415,6 +14423,18 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>open or make a project first</source>
         <translation>请先打开或新建项目</translation>
+    </message>
+    <message>
+        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <translation>其 %1 的备份完好；此后所做的不在其中</translation>
+    </message>
+    <message>
+        <source>Restoring the backup</source>
+        <translation>正在恢复备份</translation>
+    </message>
+    <message>
+        <source>The backup was restored. The damaged file is kept as “%1”.</source>
+        <translation>备份已恢复。损坏的文件保留为“%1”。</translation>
     </message>
 </context>
 <context>

@@ -43,12 +43,17 @@ std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &
     return sound == backups.end() ? std::nullopt : std::optional(sound->second);
 }
 
+std::string adviceToCopy(const std::filesystem::path &backup)
+{
+    return "copy '" + backup.filename().string() + "', which is sound, to a new name and open that, and keep the damaged file";
+}
+
 Error namingABackup(Error error, const std::filesystem::path &project)
 {
     if (error.code != ErrorCode::InvalidInput)
         return error;
     if (const auto backup = soundBackupOf(project))
-        error.advice = "copy '" + backup->filename().string() + "', which is sound, to a new name and open that, and keep the damaged file";
+        error.advice = adviceToCopy(*backup);
     return error;
 }
 

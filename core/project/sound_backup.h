@@ -5,12 +5,16 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace odo {
 
 /// The newest of the backups that migrations have left beside a project ("<name>.odo.bak-<version>") in which SQLite finds nothing
 /// wrong. Any thread; reads them wholly, up to the first that is sound.
 std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &project);
+
+/// To copy that backup by hand, as the advice of an error.
+std::string adviceToCopy(const std::filesystem::path &backup);
 
 /// Why a project cannot be used, with the advice to take the sound backup where there is one. Only where its content is at
 /// fault (InvalidInput). The project is left as it is.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Projects that were cut off, changed bit by bit, or robbed of their log: the file at fault is named and left as it is, nothing
-// crashes or takes long, and a sound backup beside it is named.
+// crashes or takes long, and a sound backup beside it is named, and takes its place when that is asked for.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/project/restored_backup.h"
 #include "tests/fault/folder_content.h"
 #include "tests/fault/injected_fault.h"
 #include "tests/fault/stored_rows.h"
@@ -33,6 +34,9 @@ private Q_SLOTS:
     void withADamagedLog();
     void aSoundBackupIsNamed();
     void aDamagedBackupIsNot();
+    void aBackupIsRestored();
+    void nothingIsLostByRestoring();
+    void withoutABackupThereIsNothingToRestore();
 
 private:
     fs::path file(const char *name) const { return m_folder / name; }
@@ -48,6 +52,11 @@ private:
             qFatal("cannot write the test's file");
     }
     QString problemOf(const QByteArray &bytes, Project::Access access);
+    QByteArray damagedContent() const
+    {
+        QByteArray bytes = m_whole;
+        return bytes.replace(8 * 4096, 4096, QByteArray(4096, '\x55'));
+    }
     /// A project with a log of changes that no process closed.
     void leaveALog() const;
 
@@ -213,8 +222,7 @@ void TestDamagedProjects::withADamagedLog()
 void TestDamagedProjects::aSoundBackupIsNamed()
 {
     store(file("class.odo.bak-9"), m_whole);
-    QByteArray bytes = m_whole;
-    bytes.replace(8 * 4096, 4096, QByteArray(4096, '\x55'));
+    const QByteArray bytes = damagedContent();
     store(file("class.odo"), bytes);
     const auto project = Project::open(file("class.odo"), Project::Access::ReadWrite);
     QVERIFY(!project);
@@ -231,13 +239,91 @@ void TestDamagedProjects::aSoundBackupIsNamed()
 
 void TestDamagedProjects::aDamagedBackupIsNot()
 {
-    QByteArray bytes = m_whole;
-    bytes.replace(8 * 4096, 4096, QByteArray(4096, '\x55'));
+    const QByteArray bytes = damagedContent();
     store(file("lesson.odo"), bytes);
     store(file("lesson.odo.bak-9"), bytes);
     const auto project = Project::open(file("lesson.odo"), Project::Access::ReadWrite);
     QVERIFY(!project);
     QCOMPARE(project.error().advice, std::string("restore it from a backup copy"));
+}
+
+/// The newest that is sound, under the name that people know; the damaged file with its log is kept, and a second one beside it.
+void TestDamagedProjects::aBackupIsRestored()
+{
+    const QByteArray bytes = damagedContent();
+    for (const char *kept : {"year.odo.damaged", "year.odo.damaged.2"}) {
+        store(file("year.odo"), bytes);
+        store(file("year.odo-wal"), "the log of the damaged one");
+        store(file("year.odo.bak-9"), m_whole);
+        store(file("year.odo.bak-10"), bytes);
+        const auto restored = restoreBackup(file("year.odo"));
+        QVERIFY2(restored, restored ? "" : restored.error().message().c_str());
+        QCOMPARE(restored->backup.filename().string(), std::string("year.odo.bak-9"));
+        QCOMPARE(restored->damaged.filename().string(), std::string(kept));
+        QVERIFY(content(restored->damaged) == bytes);
+        QCOMPARE(content(restored->damaged.string() + "-wal"), QByteArray("the log of the damaged one"));
+        QVERIFY(!fs::exists(file("year.odo-wal")));
+        QVERIFY(content(file("year.odo.bak-9")) == m_whole);
+        QVERIFY(Project::open(file("year.odo"), Project::Access::ReadWrite));
+        QCOMPARE(firstDifference(storedRows(file("example.odo")), storedRows(file("year.odo"))), QString());
+    }
+}
+
+/// Whatever call fails, or wherever it is killed: both files are there, whole, and one of them has the project's name.
+void TestDamagedProjects::nothingIsLostByRestoring()
+{
+    const fs::path place = m_folder / "place";
+    const QByteArray bytes = damagedContent(), log("the log");
+    const Work work = [](const fs::path &folder, const Acknowledge &acknowledge) -> Result<void> {
+        const auto restored = restoreBackup(folder / "p.odo");
+        if (!restored)
+            return tl::unexpected(restored.error());
+        acknowledge();
+        return {};
+    };
+    const auto begin = [&] {
+        fs::remove_all(place);
+        fs::create_directory(place);
+        store(place / "p.odo", bytes);
+        store(place / "p.odo-wal", log);
+        store(place / "p.odo.bak-9", m_whole);
+    };
+    const QStringList wanted = storedRows(file("example.odo"));
+    int attempts = 0;
+    for (const Fault &fault : allFaults()) {
+        begin();
+        const int calls = attempt(place, fault, 0, work).calls;
+        QVERIFY(calls > 0);
+        for (const int nth : spreadCalls(calls, isWholeSweep() ? calls : 12)) {
+            begin();
+            const Attempt tried = attempt(place, fault, nth, work);
+            const QByteArray words = tried.words().toUtf8();
+            ++attempts;
+            QVERIFY2(content(place / "p.odo.bak-9") == m_whole, words);
+            const bool isStill = content(place / "p.odo") == bytes, isKept = content(place / "p.odo.damaged") == bytes;
+            QVERIFY2(isStill || isKept, words);
+            QVERIFY2(content(place / "p.odo-wal") == log || content(place / "p.odo.damaged-wal") == log, words);
+            if (!isStill)
+                QVERIFY2(firstDifference(wanted, storedRows(place / "p.odo")).isEmpty(), words);
+            QVERIFY2(isStill != (tried.acknowledged == 1) || tried.died(), words);
+            if (tried.error) {
+                QVERIFY2(!tried.error->why.empty() && !tried.error->advice.empty() && tried.error->code != ErrorCode::Internal, words);
+                const bool mayStay = fault.how == FailingCalls::How::FromThenOn || tried.failedCall.startsWith(QStringLiteral("rename")) ||
+                                     tried.failedCall.startsWith(QStringLiteral("unlink"));
+                QVERIFY2(mayStay || content(place / "p.odo-wal") == log, words);
+            }
+        }
+    }
+    qInfo("%d attempts", attempts);
+}
+
+void TestDamagedProjects::withoutABackupThereIsNothingToRestore()
+{
+    store(file("alone.odo"), damagedContent());
+    const auto restored = restoreBackup(file("alone.odo"));
+    QVERIFY(!restored);
+    QCOMPARE(restored.error().message(), std::string("project 'alone.odo': no sound backup lies beside it; restore it from a backup copy"));
+    QVERIFY(content(file("alone.odo")) == damagedContent());
 }
 
 QTEST_GUILESS_MAIN(TestDamagedProjects)

@@ -122,6 +122,11 @@ void FileActions::beginOpening(const std::filesystem::path &file)
     tellFailure(m_workspace.beginOpening(file, [this, file] { m_recent.add(file); }));
 }
 
+void FileActions::beginRestoring(const std::filesystem::path &file)
+{
+    tellFailure(m_workspace.beginRestoring(file, [this, file] { m_recent.add(file); }));
+}
+
 Result<void> FileActions::open(const std::filesystem::path &file)
 {
     const Result<void> opened = m_workspace.open(file);

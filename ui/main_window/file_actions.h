@@ -33,6 +33,8 @@ public:
     QAction *demo() const { return m_demo; }
     /// Begins to open, and remembers it among the recent ones when it is open.
     void beginOpening(const std::filesystem::path &file);
+    /// As beginOpening, of the newest sound backup, which takes the damaged project's place.
+    void beginRestoring(const std::filesystem::path &file);
     /// As beginOpening, but waits.
     Result<void> open(const std::filesystem::path &file);
 

@@ -179,6 +179,9 @@ void MainWindow::connectJobs()
     });
     connect(m_workspace, &Workspace::jobFailed, &m_status->job(), &JobIndicator::end);
     connect(m_workspace, &Workspace::jobFailed, this, &MainWindow::tellFailure);
+    connect(m_workspace, &Workspace::backupFound, this, [this](const std::filesystem::path &project) {
+        m_messages->offer(tr("Restore the backup"), [this, project] { m_files->beginRestoring(project); });
+    });
     connect(&m_status->job(), &JobIndicator::cancelRequested, m_workspace, &Workspace::cancel);
 }
 

@@ -7,21 +7,24 @@
 #include <QAccessible>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QStyle>
 #include <QTimer>
 #include <QToolButton>
 #include <chrono>
+#include <utility>
 
 namespace odo {
 namespace {
 
-constexpr int iconSide = 20;
+constexpr int iconSide = 20, buttonMargin = 14;
 constexpr std::chrono::seconds doneStays{8};
 
 } // namespace
 
 MessageBar::MessageBar(QWidget *parent)
-    : QFrame(parent), m_icon(new QLabel(this)), m_text(new QLabel(this)), m_timer(new QTimer(this))
+    : QFrame(parent), m_icon(new QLabel(this)), m_text(new QLabel(this)), m_button(new QPushButton(this)),
+      m_timer(new QTimer(this))
 {
     setObjectName(QStringLiteral("messageBar"));
     m_text->setTextFormat(Qt::PlainText);
@@ -33,6 +36,14 @@ MessageBar::MessageBar(QWidget *parent)
     close->setAccessibleName(tr("Close the message"));
     close->setToolTip(tr("Close"));
     close->setFocusPolicy(Qt::TabFocus);
+    m_button->setAutoDefault(true); // Enter presses it, too
+    m_button->setFocusPolicy(Qt::NoFocus); // until it has words
+    connect(m_button, &QPushButton::clicked, this, [this] {
+        const auto act = std::exchange(m_act, nullptr);
+        m_button->hide();
+        if (act)
+            act();
+    });
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
     m_timer->setSingleShot(true);
     connect(m_timer, &QTimer::timeout, this, &QWidget::hide);
@@ -41,6 +52,7 @@ MessageBar::MessageBar(QWidget *parent)
     layout->setSpacing(10);
     layout->addWidget(m_icon, 0, Qt::AlignTop);
     layout->addWidget(m_text, 1);
+    layout->addWidget(m_button, 0, Qt::AlignTop);
     layout->addWidget(close, 0, Qt::AlignTop);
     hide();
 }
@@ -59,6 +71,15 @@ void MessageBar::showDone(const QString &text)
     m_timer->start(doneStays);
 }
 
+void MessageBar::offer(const QString &words, std::function<void()> act)
+{
+    m_act = std::move(act);
+    m_button->setText(words);
+    m_button->setFocusPolicy(Qt::StrongFocus);
+    m_button->setMinimumWidth(m_button->fontMetrics().horizontalAdvance(words) + 2 * buttonMargin);
+    m_button->show();
+}
+
 QString MessageBar::text() const
 {
     return isHidden() ? QString() : m_text->text();
@@ -73,6 +94,8 @@ void MessageBar::present(const char *kind, const QString &icon, const QString &t
     }
     m_icon->setPixmap(themeIcon(icon, m_text->palette().color(QPalette::WindowText)).pixmap(iconSide));
     m_text->setText(text);
+    m_act = nullptr;
+    m_button->hide();
     show();
     QAccessibleEvent announcement(m_text, QAccessible::Alert);
     QAccessible::updateAccessibility(&announcement);

@@ -4,8 +4,10 @@
 #include "core/base/error.h"
 
 #include <QFrame>
+#include <functional>
 
 class QLabel;
+class QPushButton;
 class QTimer;
 
 namespace odo {
@@ -20,12 +22,16 @@ public:
     /// What was cancelled is no error: it is told as what was done.
     void showError(const Error &error);
     void showDone(const QString &text);
+    /// Puts a button behind what is shown, until it is pressed or another message comes.
+    void offer(const QString &words, std::function<void()> act);
     QString text() const;
 
 private:
     void present(const char *kind, const QString &icon, const QString &text);
     QLabel *m_icon;
     QLabel *m_text;
+    QPushButton *m_button;
+    std::function<void()> m_act;
     QTimer *m_timer;
 };
 

@@ -4,6 +4,8 @@
 #include "core/project/place_warning.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/project/restored_backup.h"
+#include "core/project/sound_backup.h"
 #include "core/project/window_lock.h"
 #include "core/workflow/hash_job.h"
 #include "core/workflow/job.h"
@@ -12,6 +14,9 @@
 #include "ui/models/background_task.h"
 #include "ui/models/core_words.h"
 
+#include <QDateTime>
+#include <QFileInfo>
+#include <QLocale>
 #include <algorithm>
 
 namespace odo {
@@ -42,6 +47,12 @@ struct Workspace::Ready
     bool isOpenHere = false;
     QString words = {}; ///< why it can only be read, where another window has it, or that it lies in a bad place
     bool isCutOff = false, lacksHashes = false;
+};
+
+struct Workspace::Made
+{
+    Ready ready;
+    std::filesystem::path damaged = {}; ///< the project that could not be opened, where a sound backup lies beside it
 };
 
 Result<void> Workspace::open(const std::filesystem::path &file)
@@ -206,31 +217,74 @@ Result<void> Workspace::makeAndOpen(std::function<Result<std::filesystem::path>(
         return busy(words);
     m_making = std::make_unique<BackgroundTask>();
     connect(m_making.get(), &BackgroundTask::progressed, this, &Workspace::jobProgressed);
-    const auto ready = std::make_shared<Ready>();
+    const auto made = std::make_shared<Made>();
     connect(m_making.get(), &BackgroundTask::finished, this,
-            [this, ready, whenOpen = std::move(whenOpen)](const std::optional<Error> &error) {
+            [this, made, whenOpen = std::move(whenOpen)](const std::optional<Error> &error) {
                 finishJob(error);
-                if (error)
+                if (error) {
+                    if (!made->damaged.empty())
+                        Q_EMIT backupFound(made->damaged);
                     return;
-                if (const Result<void> shown = show(std::move(*ready)); !shown)
+                }
+                if (const Result<void> shown = show(std::move(made->ready)); !shown)
                     Q_EMIT jobFailed(shown.error());
                 else if (whenOpen)
                     whenOpen();
             });
-    m_making->start([ready, words, openHere = openHere(), make = std::move(make)](const JobControl &control) -> Result<void> {
-        const Result<std::filesystem::path> made = make(control);
-        if (!made)
-            return tl::unexpected(made.error());
-        auto looked = makeReady(*made, openHere);
-        if (!looked)
-            return tl::unexpected(looked.error());
+    m_making->start([made, words, openHere = openHere(), make = std::move(make)](const JobControl &control) -> Result<void> {
+        const Result<std::filesystem::path> file = make(control);
+        if (!file)
+            return tl::unexpected(file.error());
+        auto looked = makeReady(*file, openHere);
+        if (!looked) {
+            std::error_code problem;
+            const bool isOpenHere = !openHere.empty() && std::filesystem::equivalent(*file, openHere, problem);
+            return tl::unexpected(isOpenHere ? looked.error() : offeringABackup(looked.error(), *file, *made));
+        }
         if (control.isCancelled())
             return cancelled(words.toStdString());
-        *ready = std::move(*looked);
+        made->ready = std::move(*looked);
         return {};
     });
     Q_EMIT jobStarted(words);
     return {};
+}
+
+/// On any thread. What a person is told to do is then not to copy files by hand.
+Error Workspace::offeringABackup(Error error, const std::filesystem::path &file, Made &made)
+{
+    if (error.code != ErrorCode::InvalidInput)
+        return error;
+    const auto backup = soundBackupOf(file);
+    if (!backup)
+        return error;
+    made.damaged = file;
+    const QDateTime written = QFileInfo(QString::fromStdString(backup->string())).lastModified();
+    error.advice = tr("its backup of %1 is sound; what was done since is not in it")
+                       .arg(QLocale().toString(written, QLocale::ShortFormat))
+                       .toStdString();
+    return error;
+}
+
+Result<void> Workspace::beginRestoring(const std::filesystem::path &file, Done whenOpen)
+{
+    const auto restored = std::make_shared<RestoredBackup>();
+    const auto make = [file, restored](const JobControl &) -> Result<std::filesystem::path> {
+        const auto lock = WindowLock::take(file); // nobody opens it meanwhile
+        if (!lock)
+            return tl::unexpected(lock.error());
+        auto done = restoreBackup(file);
+        if (!done)
+            return tl::unexpected(done.error());
+        *restored = std::move(*done);
+        return file;
+    };
+    return makeAndOpen(make, tr("Restoring the backup"), [this, restored, whenOpen = std::move(whenOpen)] {
+        Q_EMIT told(tr("The backup was restored. The damaged file is kept as “%1”.")
+                        .arg(QString::fromStdString(restored->damaged.filename().string())));
+        if (whenOpen)
+            whenOpen();
+    });
 }
 
 void Workspace::cancel()

@@ -49,6 +49,8 @@ public:
     /// was cut off are completed by a job, and hashes that are missing are made.
     Result<void> makeAndOpen(std::function<Result<std::filesystem::path>(const JobControl &)> make, const QString &words,
                              Done whenOpen = {});
+    /// Puts a copy of its newest sound backup in the place of a damaged project, which is kept beside it, and opens that. As makeAndOpen.
+    Result<void> beginRestoring(const std::filesystem::path &file, Done whenOpen);
     void cancel();
 
 Q_SIGNALS:
@@ -61,12 +63,17 @@ Q_SIGNALS:
     /// Every job ends with one of these; a cancelled one fails with ErrorCode::Cancelled.
     void jobDone();
     void jobFailed(const odo::Error &error);
+    /// Behind the failure to open a project that is damaged: beginRestoring would do.
+    void backupFound(const std::filesystem::path &project);
 
 private:
     /// A project that was looked through, to be opened again by the thread that shows it.
     struct Ready;
+    /// What a job on a thread of its own leaves for this one.
+    struct Made;
     static Result<Ready> makeReady(const std::filesystem::path &file, const std::filesystem::path &openHere);
     std::filesystem::path openHere() const;
+    static Error offeringABackup(Error error, const std::filesystem::path &file, Made &made);
     Result<void> show(Ready ready);
     void recoverTrials();
     void makeHashes();

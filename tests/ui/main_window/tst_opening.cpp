@@ -12,7 +12,9 @@
 #include <QApplication>
 #include <QDropEvent>
 #include <QFile>
+#include <QFileInfo>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -90,6 +92,58 @@ private Q_SLOTS:
         QCOMPARE(window.workspace().project()->title().value(), std::string("Year 9 robotics"));
         QVERIFY(!window.workspace().isReadOnly()); // it still has the lock
         QVERIFY(window.workspace().project()->setTitle("Year 9 robotics"));
+    }
+
+    /// By the keyboard alone: the button is reached by Tab, and pressed by Enter.
+    void aDamagedOneIsRestoredFromItsBackup()
+    {
+        const QString damaged = QString::fromStdString(path("torn.odo").string());
+        QVERIFY(QFile::copy(QString::fromStdString(m_project.string()), damaged + QStringLiteral(".bak-10")));
+        QFile backup(damaged + QStringLiteral(".bak-10"));
+        QVERIFY(backup.open(QIODevice::ReadOnly));
+        const QByteArray bytes = backup.readAll().replace(8 * 4096, 4096, QByteArray(4096, 'U'));
+        QFile file(damaged);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+        file.close();
+        MainWindow window;
+        window.show();
+        QSignalSpy failed(&window.workspace(), &Workspace::jobFailed), opened(&window.workspace(), &Workspace::opened);
+        window.beginOpening(damaged.toStdString());
+        QTRY_COMPARE(failed.count(), 1);
+        auto *bar = window.findChild<MessageBar *>();
+        const QString written = QLocale().toString(QFileInfo(backup.fileName()).lastModified(), QLocale::ShortFormat);
+        QCOMPARE(bar->text(), QStringLiteral("Project 'torn.odo': the file is damaged. Its backup of %1 is sound; what was done since is not in it.").arg(written));
+        auto *button = bar->findChild<QPushButton *>();
+        QCOMPARE(button->text(), QStringLiteral("Restore the backup"));
+        QVERIFY(button->isVisible());
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        for (int tabs = 0; tabs < 40 && !button->hasFocus(); ++tabs)
+            QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : &window, Qt::Key_Tab);
+        QVERIFY(button->hasFocus());
+        QTest::keyClick(button, Qt::Key_Return);
+        QTRY_COMPARE(opened.count(), 1);
+        QCOMPARE(window.workspace().project()->file().filename().string(), std::string("torn.odo"));
+        QCOMPARE(window.workspace().project()->title().value(), std::string("Year 9 robotics"));
+        QVERIFY(!window.workspace().isReadOnly());
+        QVERIFY(!button->isVisible());
+        QTRY_COMPARE(bar->text(), QStringLiteral("The backup was restored. The damaged file is kept as “torn.odo.damaged”."));
+        QFile kept(damaged + QStringLiteral(".damaged"));
+        QVERIFY(kept.open(QIODevice::ReadOnly) && kept.readAll() == bytes);
+    }
+
+    /// Nor is anything offered of what is no damage.
+    void withoutABackupNothingIsOffered()
+    {
+        const QString bad = QString::fromStdString(path("text.odo").string());
+        QFile file(bad);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("a letter") > 0);
+        file.close();
+        MainWindow window;
+        window.show();
+        QSignalSpy failed(&window.workspace(), &Workspace::jobFailed);
+        window.beginOpening(bad.toStdString());
+        QTRY_COMPARE(failed.count(), 1);
+        QVERIFY(!window.findChild<MessageBar *>()->findChild<QPushButton *>()->isVisible());
     }
 
     void canBeCancelled()

@@ -24,6 +24,7 @@ std::span<const CorePattern> errorsProject()
         {QT_TRANSLATE_NOOP("CoreWords", "the file is damaged")},
         {QT_TRANSLATE_NOOP("CoreWords", "its tables are not those of a project")},
         {QT_TRANSLATE_NOOP("CoreWords", "restore it from a backup copy")},
+        {QT_TRANSLATE_NOOP("CoreWords", "no sound backup lies beside it")},
         {QT_TRANSLATE_NOOP("CoreWords", "copy '%1', which is sound, to a new name and open that, and keep the damaged file")},
         {QT_TRANSLATE_NOOP("CoreWords", "the disk could not be read, and nothing was changed")},
         {QT_TRANSLATE_NOOP("CoreWords", "it lies on a network disk (%1), where a recording can stall and two computers can damage it")},
