@@ -7879,6 +7879,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Note</source>
         <translation>Notiz</translation>
     </message>
+    <message>
+        <source>rate varies</source>
+        <translation>Rate schwankt</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>

@@ -7879,6 +7879,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Note</source>
         <translation>Nota</translation>
     </message>
+    <message>
+        <source>rate varies</source>
+        <translation>frecuencia variable</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>

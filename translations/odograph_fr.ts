@@ -7879,6 +7879,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Note</source>
         <translation>Note</translation>
     </message>
+    <message>
+        <source>rate varies</source>
+        <translation>cadence variable</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>

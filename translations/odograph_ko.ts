@@ -7873,6 +7873,10 @@ Much more than expected means that something is not as it was told: the views ar
         <source>Note</source>
         <translation>참고</translation>
     </message>
+    <message>
+        <source>rate varies</source>
+        <translation>속도 불규칙</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>

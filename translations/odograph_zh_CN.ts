@@ -7873,6 +7873,10 @@ Much more than expected means that something is not as it was told: the views ar
         <source>Note</source>
         <translation>备注</translation>
     </message>
+    <message>
+        <source>rate varies</source>
+        <translation>帧率不恒定</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>

@@ -3,6 +3,7 @@
 
 #include "core/base/shortage.h"
 #include "core/video/ffv1_checksum.h"
+#include "core/video/frame_spacing.h"
 #include "core/video/jpeg_picture.h"
 #include "core/video/packet_index.h"
 #include "core/video/stream_format.h"
@@ -13,20 +14,6 @@ namespace odo {
 
 namespace {
 
-constexpr double variableRateTolerance = 0.10;
-
-Nanoseconds medianInterval(const std::vector<Nanoseconds> &times)
-{
-    if (times.size() < 2)
-        return Nanoseconds(0);
-    std::vector<Nanoseconds> intervals;
-    for (std::size_t i = 1; i < times.size(); ++i)
-        intervals.push_back(times[i] - times[i - 1]);
-    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-    std::nth_element(intervals.begin(), middle, intervals.end());
-    return *middle;
-}
-
 VideoInfo describe(const VideoInput &input, const PacketIndex &index, const FrameFormat &format)
 {
     VideoInfo info;
@@ -34,24 +21,11 @@ VideoInfo describe(const VideoInput &input, const PacketIndex &index, const Fram
     info.codec = avcodec_get_name(input.stream().codecpar->codec_id);
     info.frameTimes = index.times;
     info.warning = index.warning;
-    const Nanoseconds median = medianInterval(index.times);
-    // Times rounded to milliseconds have a median of 33 ms at 30 frames/s: the mean of the ordinary intervals
-    // is better.
-    Nanoseconds ordinarySum{0};
-    std::int64_t ordinary = 0;
-    for (std::size_t i = 1; i < index.times.size(); ++i) {
-        const Nanoseconds interval = index.times[i] - index.times[i - 1];
-        if (std::abs(toSeconds(interval - median)) > variableRateTolerance * toSeconds(median)) {
-            info.variableRate = true;
-        } else {
-            ordinarySum += interval;
-            ++ordinary;
-        }
-    }
-    const Nanoseconds typical = ordinary > 0 ? ordinarySum / ordinary : median;
-    if (typical.count() > 0)
-        info.framesPerSecond = 1.0 / toSeconds(typical);
-    info.duration = index.times.back() + typical;
+    const FrameSpacing spacing = spacingOf(index.times);
+    info.variableRate = spacing.isVariable;
+    if (spacing.usual.count() > 0)
+        info.framesPerSecond = 1.0 / toSeconds(spacing.usual);
+    info.duration = index.times.back() + spacing.usual;
     return info;
 }
 

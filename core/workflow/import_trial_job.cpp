@@ -4,6 +4,7 @@
 #include "core/project/instant_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/video/frame_spacing.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/cameras.h"
 #include "core/workflow/clip_offset.h"
@@ -18,28 +19,6 @@
 namespace odo {
 
 namespace {
-
-/// That the camera takes its pictures unevenly, as phones do; empty where they are even, though some may be missing.
-std::string unevenRate(const VideoInfo &info)
-{
-    if (!info.variableRate || info.framesPerSecond <= 0)
-        return {};
-    constexpr double tolerance = 0.1, share = 0.05;
-    const auto offBeat = [&info](Nanoseconds interval) {
-        const double beats = toSeconds(interval) * info.framesPerSecond;
-        return std::abs(beats - std::max(1.0, std::round(beats))) > tolerance;
-    };
-    std::vector<Nanoseconds> intervals;
-    for (std::size_t i = 1; i < info.frameTimes.size(); ++i)
-        intervals.push_back(info.frameTimes[i] - info.frameTimes[i - 1]);
-    if (static_cast<double>(std::ranges::count_if(intervals, offBeat)) < share * static_cast<double>(intervals.size()))
-        return {};
-    const auto [shortest, longest] = std::ranges::minmax(intervals);
-    char text[120];
-    std::snprintf(text, sizeof text, "its frame rate varies, pictures are %.0f to %.0f ms apart; each counts at its own time",
-                  1e3 * toSeconds(shortest), 1e3 * toSeconds(longest));
-    return text;
-}
 
 std::string secondsText(double seconds)
 {
@@ -139,7 +118,7 @@ Result<void> ImportTrialJob::readVideo(std::size_t view)
     if (!reader)
         return tl::unexpected(reader.error());
     const VideoInfo &info = (*reader)->info();
-    for (const std::string &warning : {info.warning, unevenRate(info)}) {
+    for (const std::string &warning : {info.warning, unevenRateWords(info.frameTimes)}) {
         if (!warning.empty())
             m_warnings.push_back("video '" + file.filename().string() + "': " + warning);
     }

@@ -2,6 +2,7 @@
 #include "ui/review/trial_facts.h"
 
 #include "core/trajectory/gate_passages.h"
+#include "core/video/frame_spacing.h"
 #include "ui/models/analysis_words.h"
 #include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
@@ -42,9 +43,14 @@ QString viewText(const SceneView &view)
         .arg(view.recording.frameTimes.size());
 }
 
+/// What is worse comes in the place of the badge that the rate varies, which the words say all the same.
 Fact viewFact(const SceneView &view)
 {
     Fact fact{Words::tr("View"), viewText(view), {}};
+    if (const std::string uneven = unevenRateWords(view.recording.frameTimes); !uneven.empty()) {
+        fact.value += u'\n' + shownWords(uneven);
+        fact.badge = {Words::tr("rate varies"), BadgeState::Neutral};
+    }
     std::error_code ignored;
     if (!std::filesystem::exists(view.file, ignored))
         fact.badge = {Words::tr("video missing"), BadgeState::Bad};

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the Trial card says of a view.
+#include "tests/ui/support/example_scene.h"
+#include "ui/review/trial_facts.h"
+
+#include <QTemporaryFile>
+#include <QTest>
+
+using namespace odo;
+using namespace std::chrono_literals;
+
+class TestViewFacts : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(m_video.open()); }
+
+    void aVaryingRateIsShown_data()
+    {
+        QTest::addColumn<bool>("isUneven");
+        QTest::addColumn<bool>("isThere");
+        QTest::addColumn<QString>("badge");
+        QTest::newRow("even") << false << true << "";
+        QTest::newRow("uneven") << true << true << "rate varies";
+        QTest::newRow("lost") << true << false << "video missing"; // worse, and what is known of it stays
+    }
+    void aVaryingRateIsShown()
+    {
+        QFETCH(bool, isUneven);
+        QFETCH(bool, isThere);
+        auto scene = std::make_shared<TrialScene>(*exampleScene({.frames = 60}));
+        SceneView &view = scene->views.front();
+        view.file = isThere ? m_video.fileName().toStdString() : std::string("/nowhere/a.mkv");
+        for (std::size_t i = 0; i < view.recording.frameTimes.size(); ++i)
+            view.recording.frameTimes[i] = 40ms * static_cast<int>(i) + (isUneven && i % 5 == 4 ? 25ms : 0ms);
+        const QList<Fact> facts = trialFacts(*scene);
+        const auto fact = std::ranges::find(facts, QStringLiteral("View"), &Fact::name);
+        QVERIFY(fact != facts.end());
+        QTEST(fact->badge.text, "badge");
+        QCOMPARE(fact->value.contains(QStringLiteral("\nits frame rate varies, pictures are 15 to 65 ms apart; each counts at its own time")), isUneven);
+    }
+
+private:
+    QTemporaryFile m_video;
+};
+
+QTEST_GUILESS_MAIN(TestViewFacts)
+#include "tst_view_facts.moc"
