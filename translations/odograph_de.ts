@@ -6272,8 +6272,12 @@
         <translation>das Video der Kamera %1 im Versuch &apos;%2&apos; liegt anderswo und ist eine andere Datei als früher, und nicht im gepackten Projekt</translation>
     </message>
     <message>
-        <source>its USB bus has no room left for its pictures</source>
-        <translation>ihr USB-Bus hat keinen Platz mehr für ihre Bilder</translation>
+        <source>another program uses it (open in %1)</source>
+        <translation>ein anderes Programm benutzt sie (geöffnet in %1)</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
+        <translation>ihr USB-Bus hat keinen Platz mehr für ihre Bilder (der Bus ist voll, nicht der Datenträger)</translation>
     </message>
     <message>
         <source>no sound backup lies beside it</source>

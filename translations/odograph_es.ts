@@ -6272,8 +6272,12 @@
         <translation>el video de la cámara %1 en el ensayo &apos;%2&apos; está en otro lugar y es otro archivo que antes, y no está en el proyecto empaquetado</translation>
     </message>
     <message>
-        <source>its USB bus has no room left for its pictures</source>
-        <translation>su bus USB no tiene espacio para sus imágenes</translation>
+        <source>another program uses it (open in %1)</source>
+        <translation>otro programa la usa (abierta en %1)</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
+        <translation>su bus USB no tiene espacio para sus imágenes (está lleno el bus, no el disco)</translation>
     </message>
     <message>
         <source>no sound backup lies beside it</source>

@@ -6272,8 +6272,12 @@
         <translation>la vidéo de la caméra %1 dans l’essai &apos;%2&apos; se trouve ailleurs et n’est plus le même fichier, et absente du projet empaqueté</translation>
     </message>
     <message>
-        <source>its USB bus has no room left for its pictures</source>
-        <translation>son bus USB n’a plus de place pour ses images</translation>
+        <source>another program uses it (open in %1)</source>
+        <translation>un autre programme l’utilise (ouverte dans %1)</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
+        <translation>son bus USB n’a plus de place pour ses images (c’est le bus qui est plein, pas le disque)</translation>
     </message>
     <message>
         <source>no sound backup lies beside it</source>

@@ -6270,8 +6270,12 @@
         <translation>시행 &apos;%2&apos;의 카메라 %1 동영상은 다른 곳에 있고 예전과 다른 파일이어서 묶은 프로젝트에 들어 있지 않습니다</translation>
     </message>
     <message>
-        <source>its USB bus has no room left for its pictures</source>
-        <translation>USB 버스에 영상을 보낼 여유가 없습니다</translation>
+        <source>another program uses it (open in %1)</source>
+        <translation>다른 프로그램이 쓰고 있습니다(%1에서 열려 있음)</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
+        <translation>USB 버스에 영상을 보낼 여유가 없습니다(디스크가 아니라 버스가 가득 찼습니다)</translation>
     </message>
     <message>
         <source>no sound backup lies beside it</source>

@@ -6270,8 +6270,12 @@
         <translation>试验“%2”中相机 %1 的视频位于别处，且已不是原来的文件，未包含在打包项目中</translation>
     </message>
     <message>
-        <source>its USB bus has no room left for its pictures</source>
-        <translation>其 USB 总线已没有带宽传输图像</translation>
+        <source>another program uses it (open in %1)</source>
+        <translation>另一程序正在使用它（已在 %1 中打开）</translation>
+    </message>
+    <message>
+        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
+        <translation>其 USB 总线已没有带宽传输图像（满的是总线，不是磁盘）</translation>
     </message>
     <message>
         <source>no sound backup lies beside it</source>

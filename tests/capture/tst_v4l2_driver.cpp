@@ -6,6 +6,7 @@
 #include "played_driver.h"
 #include "tests/support/patience.h"
 
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -17,7 +18,7 @@ namespace {
 
 constexpr Nanoseconds told = 1s * slowness;
 const char *const noRoom =
-    "its USB bus has no room left for its pictures; plug it in where it shares no bus with another camera";
+    "its USB bus has no room left for its pictures (the bus is full, not the disk); plug it in where it shares no bus with another camera";
 
 std::unique_ptr<CaptureSession> sessionOf(const PlayedDriver &driver)
 {
@@ -82,6 +83,28 @@ private Q_SLOTS:
         QCOMPARE(outcome.views[0].gaps.size(), std::size_t(1));
         QVERIFY(outcome.views[0].gaps[0].why.message().find(noRoom) != std::string::npos);
         QVERIFY(!outcome.views[0].problem);
+    }
+
+    /// As far as the kernel tells it. The other program has the node open, as one that streams has.
+    void theProgramThatHasItIsNamed()
+    {
+        PlayedDriver driver;
+        driver.streamOnFailure = EBUSY;
+        const auto words = [&driver] {
+            const auto refused = openCamera(driver.uri());
+            return refused ? std::string() : refused.error().message();
+        };
+        const std::string unnamed = words();
+        QVERIFY2(unnamed.ends_with("another program uses it; close that program"), unnamed.c_str());
+        QProcess other;
+        other.setStandardInputFile(QString::fromStdString(driver.node()));
+        other.start(QStringLiteral("sleep"), {QStringLiteral("600")});
+        QVERIFY(other.waitForStarted());
+        const std::string named = words();
+        other.kill();
+        QVERIFY(other.waitForFinished());
+        QVERIFY2(named.ends_with("another program uses it (open in sleep); close that program"), named.c_str());
+        QCOMPARE(words(), unnamed);
     }
 
     void aSlowCameraIsTold()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/v4l2_device.h"
 
+#include "core/capture/v4l2/v4l2_holders.h"
 #include "core/capture/v4l2/v4l2_sysfs.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ Error v4l2Failure(const std::string &uri, int errorNumber)
     case ENXIO:
         return {ErrorCode::Unavailable, what, "it was unplugged", "plug it in again"};
     case ENOSPC:
-        return {ErrorCode::Unavailable, what, "its USB bus has no room left for its pictures",
+        return {ErrorCode::Unavailable, what, "its USB bus has no room left for its pictures (the bus is full, not the disk)",
                 "plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture "
                 "or a lower rate (?format=MJPG&size=640x480&rate=30)"};
     default:
@@ -49,6 +50,19 @@ Error v4l2Failure(const std::string &uri, int errorNumber)
                 "it failed (" + std::generic_category().message(errorNumber) + ")",
                 "unplug it and plug it in again if that lasts"};
     }
+}
+
+Error v4l2Failure(const V4l2Device &device, const std::string &uri, int errorNumber)
+{
+    Error failure = v4l2Failure(uri, errorNumber);
+    if (errorNumber != EBUSY)
+        return failure;
+    std::string names;
+    for (const std::string &name : programsThatHold(device.node()))
+        names += (names.empty() ? "" : ", ") + name;
+    if (!names.empty())
+        failure.why = "another program uses it (open in " + names + ")";
+    return failure;
 }
 
 Result<std::shared_ptr<V4l2Device>> V4l2Device::open(const std::filesystem::path &node,

@@ -56,5 +56,7 @@ std::vector<std::shared_ptr<V4l2Device>> openV4l2Devices();
 /// What a failed call to a camera means for its user. NotFound: no such node; Io: no permission; Unavailable:
 /// everything that may pass (used by another program, unplugged, no room on the USB bus, a failure).
 Error v4l2Failure(const std::string &uri, int errorNumber);
+/// The same; of one that another program uses, the programs that have it open are named where the kernel tells them.
+Error v4l2Failure(const V4l2Device &device, const std::string &uri, int errorNumber);
 
 } // namespace odo

@@ -67,7 +67,7 @@ Result<std::unique_ptr<V4l2Stream>> V4l2Stream::start(std::shared_ptr<V4l2Device
     if (failure == 0)
         failure = stream->m_device->call(VIDIOC_STREAMON, &type);
     if (failure != 0)
-        return tl::unexpected(v4l2Failure(uri, failure));
+        return tl::unexpected(v4l2Failure(*stream->m_device, uri, failure));
     return stream;
 }
 
