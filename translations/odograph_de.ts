@@ -6283,6 +6283,26 @@
         <source>no sound backup lies beside it</source>
         <translation>keine unversehrte Sicherungskopie liegt daneben</translation>
     </message>
+    <message>
+        <source>its file is no longer there</source>
+        <translation>ihre Datei ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file is no longer there</source>
+        <translation>die Datei des Projekts ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>bringen Sie den Datenträger oder Ordner wieder dorthin, wo er war</translation>
+    </message>
+    <message>
+        <source>what was recorded so far is there</source>
+        <translation>was bisher aufgenommen wurde, ist dort</translation>
+    </message>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>nichts wurde aufgenommen</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

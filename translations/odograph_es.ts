@@ -6283,6 +6283,26 @@
         <source>no sound backup lies beside it</source>
         <translation>no hay ninguna copia de seguridad íntegra a su lado</translation>
     </message>
+    <message>
+        <source>its file is no longer there</source>
+        <translation>su archivo ya no está</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file is no longer there</source>
+        <translation>el archivo del proyecto ya no está</translation>
+    </message>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>vuelva a poner su disco o carpeta donde estaba</translation>
+    </message>
+    <message>
+        <source>what was recorded so far is there</source>
+        <translation>lo grabado hasta ahora está allí</translation>
+    </message>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>no se grabó nada</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

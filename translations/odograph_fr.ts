@@ -6283,6 +6283,26 @@
         <source>no sound backup lies beside it</source>
         <translation>aucune copie de sauvegarde intacte ne se trouve à côté</translation>
     </message>
+    <message>
+        <source>its file is no longer there</source>
+        <translation>son fichier n’est plus là</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file is no longer there</source>
+        <translation>le fichier du projet n’est plus là</translation>
+    </message>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>remettez son disque ou son dossier où il était</translation>
+    </message>
+    <message>
+        <source>what was recorded so far is there</source>
+        <translation>ce qui a été enregistré jusqu’ici s’y trouve</translation>
+    </message>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>rien n’a été enregistré</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6281,6 +6281,26 @@
         <source>no sound backup lies beside it</source>
         <translation>곁에 온전한 백업 사본이 없습니다</translation>
     </message>
+    <message>
+        <source>its file is no longer there</source>
+        <translation>그 파일이 더 이상 없습니다</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file is no longer there</source>
+        <translation>프로젝트 파일이 더 이상 없습니다</translation>
+    </message>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>디스크나 폴더를 있던 곳에 되돌려 놓으십시오</translation>
+    </message>
+    <message>
+        <source>what was recorded so far is there</source>
+        <translation>지금까지 녹화된 것은 거기에 있습니다</translation>
+    </message>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>아무것도 녹화되지 않았습니다</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6281,6 +6281,26 @@
         <source>no sound backup lies beside it</source>
         <translation>旁边没有完好的备份</translation>
     </message>
+    <message>
+        <source>its file is no longer there</source>
+        <translation>其文件已不在</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file is no longer there</source>
+        <translation>项目文件已不在</translation>
+    </message>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>请把其磁盘或文件夹放回原处</translation>
+    </message>
+    <message>
+        <source>what was recorded so far is there</source>
+        <translation>到目前为止录制的内容在那里</translation>
+    </message>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>什么也没有录制</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

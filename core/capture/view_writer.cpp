@@ -117,9 +117,11 @@ void ViewWriter::write()
 {
     Output output;
     while (const auto next = waitForNext()) {
+        bool isWriting = false;
         const auto written = orShortage(recordingName(), [&]() -> Result<void> {
-            if (auto room = checkSpace(); !room)
+            if (auto room = checkDisk(output.writer != nullptr); !room)
                 return room;
+            isWriting = true;
             return write(output, next->frame);
         });
         const std::lock_guard lock(m_mutex);
@@ -128,7 +130,7 @@ void ViewWriter::write()
         m_recording.longestWaitS = std::max(m_recording.longestWaitS, toSeconds(steadyNow() - next->since));
         if (!written) {
             m_recording.problem = written.error();
-            m_writingFailed = true;
+            m_writingFailed = isWriting;
             m_waiting.clear();
             m_waitingBytes = 0;
             break;
@@ -148,13 +150,18 @@ std::string ViewWriter::recordingName() const
     return "the recording " + m_recording.file.filename().string();
 }
 
-/// Before the disk is full, while there is still room to end in good order.
-Result<void> ViewWriter::checkSpace()
+/// Before the disk is full, while there is still room to end in good order. A file that was begun can be written to even when its disk
+/// was taken out of the file system, but nobody would find it.
+Result<void> ViewWriter::checkDisk(bool isBegun)
 {
     const auto now = std::chrono::steady_clock::now();
     if (m_spaceChecked && now - *m_spaceChecked < checkEach)
         return {};
     m_spaceChecked = now;
+    std::error_code ignored;
+    if (isBegun && std::filesystem::status(m_recording.file, ignored).type() == std::filesystem::file_type::not_found)
+        return odo::fail(ErrorCode::Io, recordingName(), "its file is no longer there",
+                         "put its disk or folder back where it was; what was recorded so far is there");
     const std::optional<DiskRoom> room = m_disk.room(m_recording.file.parent_path());
     if (!room)
         return {};

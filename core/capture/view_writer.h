@@ -74,7 +74,7 @@ private:
     void note(const CodedFrame &frame);
     void leaveOutWhatIsNotInTheFile();
     std::optional<Waiting> waitForNext();
-    Result<void> checkSpace();
+    Result<void> checkDisk(bool isBegun);
     std::string recordingName() const;
 
     const double m_nominalFramesPerSecond;

@@ -36,6 +36,11 @@ Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecor
                                                     const std::vector<std::string> &cameras,
                                                     CaptureSession &session, Nanoseconds preRoll)
 {
+    // Its disk may have been taken out of the file system: then the media folder would be made on another one.
+    std::error_code ignored;
+    if (!std::filesystem::exists(project.file(), ignored))
+        return fail(ErrorCode::NotFound, "recording of trial '" + trial.name + "'", "the project's file is no longer there",
+                    "put its disk or folder back where it was; nothing was recorded");
     auto lock = RecordingLock::take(project.mediaFolder());
     if (!lock)
         return tl::unexpected(lock.error());
@@ -174,8 +179,10 @@ Result<void> LiveTrial::run(const JobControl &control)
         ended.back().record.heightPx = outcome.format.height;
     }
     auto recordings = describeRecordings(ended);
-    if (!recordings)
-        return tl::unexpected(recordings.error());
+    if (!recordings) {
+        const auto cut = std::ranges::find_if(m_outcome.views, [](const ViewRecording &view) { return view.problem.has_value(); });
+        return tl::unexpected(cut == m_outcome.views.end() ? recordings.error() : *cut->problem); // which is the cause
+    }
     m_recordings = std::move(*recordings);
     return {};
 }

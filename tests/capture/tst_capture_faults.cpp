@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/steady_now.h"
 #include "core/video/video_reader.h"
 #include "tests/capture/two_cameras.h"
+#include "tests/support/patience.h"
 
 #include <atomic>
 #include <csignal>
@@ -33,6 +35,7 @@ private Q_SLOTS:
     void itEndsBeforeTheDiskIsFull();
     void littleIsReservedOnASmallDisk();
     void aFileThatMayNotGrowKeepsWhatThereIs();
+    void aFileThatIsNoLongerThereIsTold();
     void aSlowDiskIsToldBeforeAnythingIsLost();
     void aCameraThatHangsHoldsNothingUp();
     void aCameraThatTakesFewerPicturesIsTold();
@@ -170,6 +173,34 @@ void TestCaptureFaults::aFileThatMayNotGrowKeepsWhatThereIs()
     QCOMPARE((*reader)->info().frameTimes.size(), cut->taken.size());
     for (std::size_t i = 0; i < cut->taken.size(); ++i)
         QVERIFY((*reader)->next().value().has_value());
+}
+
+/// Its folder was moved, or its disk was taken out of the file system: it could be written to on and on.
+void TestCaptureFaults::aFileThatIsNoLongerThereIsTold()
+{
+    const auto folder = std::filesystem::path(m_folder->path().toStdString());
+    std::filesystem::create_directory(folder / "here");
+    TwoCameras cameras;
+    cameras.session->startRecording({folder / "here" / "a.mkv", folder / "here" / "b.mkv"});
+    cameras.pictures(lot);
+    QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
+    QTRY_VERIFY(std::filesystem::exists(folder / "here" / "a.mkv") && std::filesystem::exists(folder / "here" / "b.mkv"));
+    std::filesystem::rename(folder / "here", folder / "elsewhere");
+    const Nanoseconds moved = steadyNow();
+    QTRY_VERIFY((cameras.pictures(1), cameras.session->health().disk.ended));
+    QVERIFY2(steadyNow() - moved < 1500ms * slowness, qPrintable(QString::number(toSeconds(steadyNow() - moved))));
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    const auto cut = std::ranges::find_if(outcome.views, [](const ViewRecording &view) { return view.problem.has_value(); });
+    QVERIFY(cut != outcome.views.end());
+    QVERIFY2(cut->problem->message().ends_with(".mkv: its file is no longer there; put its disk or folder back where it was; "
+                                               "what was recorded so far is there"),
+             cut->problem->message().c_str());
+    for (const ViewRecording &view : outcome.views) { // nothing of it is given up
+        const auto reader = VideoReader::open(folder / "elsewhere" / view.file.filename());
+        QVERIFY(reader);
+        QCOMPARE((*reader)->info().frameTimes.size(), view.taken.size());
+        QVERIFY(view.taken.size() >= std::size_t(lot));
+    }
 }
 
 void TestCaptureFaults::aSlowDiskIsToldBeforeAnythingIsLost()

@@ -91,6 +91,8 @@ private Q_SLOTS:
     void aFileOfSomebodyElseStays();
     void aFileThatMayHoldAPictureStays();
     void hashesAreMadeAfterwards();
+    void aProjectThatIsNoLongerThereIsNotRecordedInto();
+    void aDiskThatIsTakenAwayKeepsTheTrial();
 };
 
 void TestLiveTrial::standsInTheProjectFromItsBeginning()
@@ -341,6 +343,50 @@ void TestLiveTrial::hashesAreMadeAfterwards()
     QCOMPARE(recordings->front().sha256, *fileSha256(sitting.project->mediaFolder() / "run_A.mkv", {}));
     QVERIFY(recordings->back().sha256.empty());
     QCOMPARE(sitting.project->check(true)->size(), std::size_t(1));
+}
+
+/// Its disk was taken out of the file system: a media folder in the place where it was would be on another one.
+void TestLiveTrial::aProjectThatIsNoLongerThereIsNotRecordedInto()
+{
+    Sitting sitting;
+    const QString file = sitting.folder.filePath(QStringLiteral("p.odo"));
+    QVERIFY(QFile::rename(file, file + QStringLiteral(".away")));
+    const auto live = sitting.begin();
+    QVERIFY(!live);
+    QCOMPARE(live.error().code, ErrorCode::NotFound);
+    QCOMPARE(live.error().message(), std::string("recording of trial 'run': the project's file is no longer there; "
+                                                 "put its disk or folder back where it was; nothing was recorded"));
+    QVERIFY(!QFile::exists(sitting.folder.filePath(QStringLiteral("p.media"))));
+    QVERIFY(QFile::rename(file + QStringLiteral(".away"), file));
+    QVERIFY(sitting.begin());
+}
+
+/// The cause is told, and with the disk back the trial is as if the recording had been cut off.
+void TestLiveTrial::aDiskThatIsTakenAwayKeepsTheTrial()
+{
+    Sitting sitting;
+    {
+        const auto live = sitting.begin();
+        QVERIFY(live);
+        sitting.record(**live, 1);
+        const QString media = sitting.folder.filePath(QStringLiteral("p.media"));
+        QVERIFY(QDir().rename(media, media + QStringLiteral(".away")));
+        QTRY_VERIFY((sitting.a->pictures(1), sitting.b->pictures(1), sitting.session->health().disk.ended));
+        const auto ended = runToEnd(**live, *sitting.project, {});
+        QVERIFY(!ended);
+        QVERIFY2(ended.error().message().ends_with("its file is no longer there; put its disk or folder back where it was; what was recorded so far is there"),
+                 ended.error().message().c_str());
+        QVERIFY(sitting.trial().unfinished);
+        QVERIFY(QDir().rename(media + QStringLiteral(".away"), media));
+    }
+    const auto told = recoverTrials(*sitting.project, {});
+    QVERIFY2(told, told ? "" : told.error().message().c_str());
+    QVERIFY(!sitting.trial().unfinished);
+    QVERIFY(sitting.project->check(true)->empty());
+    const auto recordings = sitting.project->trials().recordings(sitting.trial().id);
+    QCOMPARE(recordings.value().size(), std::size_t(2));
+    for (const RecordingRecord &recording : *recordings)
+        QVERIFY(recording.frameTimes.size() >= std::size_t(lot));
 }
 
 QTEST_GUILESS_MAIN(TestLiveTrial)
