@@ -4,6 +4,7 @@
 #include "core/base/crash_report.h"
 #include "core/exchange/text_file.h"
 #include "core/project/project.h"
+#include "core/project/sound_backup.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/crash_notice.h"
 #include "ui/main_window/language.h"
@@ -24,8 +25,8 @@ Result<void> runWorkbench(const std::optional<std::filesystem::path> &project)
     installLanguage(*qApp, chosenLanguage());
     applyAppearance(*qApp);
     if (project) {
-        if (auto sound = Project::checkHeader(*project); !sound)
-            return sound; // on the terminal, without a window
+        if (auto worth = worthOpening(*project); !worth)
+            return worth; // on the terminal, without a window
     }
     MainWindow window;
     QObject::connect(&window.workspace(), &Workspace::opened, &window,

@@ -43,6 +43,14 @@ std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &
     return sound == backups.end() ? std::nullopt : std::optional(sound->second);
 }
 
+Result<void> worthOpening(const std::filesystem::path &project)
+{
+    auto header = checkFileHeader(project, Migrator(projectMigrations()).newestVersion());
+    if (!header && header.error().code == ErrorCode::InvalidInput && soundBackupOf(project))
+        return {};
+    return header;
+}
+
 std::string adviceToCopy(const std::filesystem::path &backup)
 {
     return "copy '" + backup.filename().string() + "', which is sound, to a new name and open that, and keep the damaged file";

@@ -13,6 +13,10 @@ namespace odo {
 /// wrong. Any thread; reads them wholly, up to the first that is sound.
 std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &project);
 
+/// Whether a window has anything to show of a file: the header of a project, or a sound backup of it that can be restored. The errors are
+/// those of Project::checkHeader.
+Result<void> worthOpening(const std::filesystem::path &project);
+
 /// To copy that backup by hand, as the advice of an error.
 std::string adviceToCopy(const std::filesystem::path &backup);
 

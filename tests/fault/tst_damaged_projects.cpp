@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/project/restored_backup.h"
+#include "core/project/sound_backup.h"
 #include "tests/fault/folder_content.h"
 #include "tests/fault/injected_fault.h"
 #include "tests/fault/stored_rows.h"
@@ -37,6 +38,7 @@ private Q_SLOTS:
     void aBackupIsRestored();
     void nothingIsLostByRestoring();
     void withoutABackupThereIsNothingToRestore();
+    void aWindowOpensWhereThereIsABackup();
 
 private:
     fs::path file(const char *name) const { return m_folder / name; }
@@ -324,6 +326,22 @@ void TestDamagedProjects::withoutABackupThereIsNothingToRestore()
     QVERIFY(!restored);
     QCOMPARE(restored.error().message(), std::string("project 'alone.odo': no sound backup lies beside it; restore it from a backup copy"));
     QVERIFY(content(file("alone.odo")) == damagedContent());
+}
+
+/// Double-clicked, of a file that was cut off nothing but a window could be seen.
+void TestDamagedProjects::aWindowOpensWhereThereIsABackup()
+{
+    store(file("cut.odo"), m_whole.left(5000));
+    const auto alone = worthOpening(file("cut.odo"));
+    QVERIFY(!alone);
+    QVERIFY2(alone.error().why.starts_with("the file is cut off"), alone.error().why.c_str());
+    store(file("cut.odo.bak-9"), damagedContent());
+    QVERIFY(!worthOpening(file("cut.odo")));
+    store(file("cut.odo.bak-10"), m_whole);
+    QVERIFY(worthOpening(file("cut.odo")));
+    QVERIFY(worthOpening(file("example.odo")));
+    fs::remove(file("cut.odo"));
+    QCOMPARE(worthOpening(file("cut.odo")).error().code, ErrorCode::NotFound);
 }
 
 QTEST_GUILESS_MAIN(TestDamagedProjects)
