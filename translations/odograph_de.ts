@@ -11549,22 +11549,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Nachsehen, wodurch Kameras Bilder verlieren oder falsch messen, mit Rat</translation>
     </message>
     <message>
-        <source>%1 is measured.</source>
-        <translation>%1 ist ausgewertet.</translation>
-    </message>
-    <message>
-        <source>It is recorded, but could not be measured: %1</source>
-        <translation>Der Versuch ist aufgenommen, ließ sich aber nicht auswerten: %1</translation>
-    </message>
-    <message>
-        <source>%1 is recorded.</source>
-        <translation>%1 ist aufgenommen.</translation>
-    </message>
-    <message>
-        <source>It could not be recorded: %1</source>
-        <translation>Der Versuch ließ sich nicht aufnehmen: %1</translation>
-    </message>
-    <message>
         <source>Give the trial a name</source>
         <translation>Geben Sie dem Versuch einen Namen</translation>
     </message>
@@ -12371,6 +12355,25 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Final, from every picture of the recording.</source>
         <translation>Endgültig, aus jedem Bild der Aufnahme.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunResults</name>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 ist ausgewertet.</translation>
+    </message>
+    <message>
+        <source>It is recorded, but could not be measured: %1</source>
+        <translation>Der Versuch ist aufgenommen, ließ sich aber nicht auswerten: %1</translation>
+    </message>
+    <message>
+        <source>%1 is recorded.</source>
+        <translation>%1 ist aufgenommen.</translation>
+    </message>
+    <message>
+        <source>It could not be recorded: %1</source>
+        <translation>Der Versuch ließ sich nicht aufnehmen: %1</translation>
     </message>
 </context>
 <context>

@@ -11549,22 +11549,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Buscar qué hace que las cámaras pierdan imágenes o midan mal, con consejos</translation>
     </message>
     <message>
-        <source>%1 is measured.</source>
-        <translation>%1 está medido.</translation>
-    </message>
-    <message>
-        <source>It is recorded, but could not be measured: %1</source>
-        <translation>Está grabado, pero no se pudo medir: %1</translation>
-    </message>
-    <message>
-        <source>%1 is recorded.</source>
-        <translation>%1 está grabado.</translation>
-    </message>
-    <message>
-        <source>It could not be recorded: %1</source>
-        <translation>No se pudo grabar: %1</translation>
-    </message>
-    <message>
         <source>Give the trial a name</source>
         <translation>Dé un nombre al ensayo</translation>
     </message>
@@ -12371,6 +12355,25 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Final, from every picture of the recording.</source>
         <translation>Definitivos, de todas las imágenes de la grabación.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunResults</name>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 está medido.</translation>
+    </message>
+    <message>
+        <source>It is recorded, but could not be measured: %1</source>
+        <translation>Está grabado, pero no se pudo medir: %1</translation>
+    </message>
+    <message>
+        <source>%1 is recorded.</source>
+        <translation>%1 está grabado.</translation>
+    </message>
+    <message>
+        <source>It could not be recorded: %1</source>
+        <translation>No se pudo grabar: %1</translation>
     </message>
 </context>
 <context>

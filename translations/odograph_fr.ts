@@ -11549,22 +11549,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Chercher ce qui fait perdre des images aux caméras, ou fausse leurs mesures, avec des conseils</translation>
     </message>
     <message>
-        <source>%1 is measured.</source>
-        <translation>%1 est mesuré.</translation>
-    </message>
-    <message>
-        <source>It is recorded, but could not be measured: %1</source>
-        <translation>Il est enregistré, mais n’a pas pu être mesuré&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>%1 is recorded.</source>
-        <translation>%1 est enregistré.</translation>
-    </message>
-    <message>
-        <source>It could not be recorded: %1</source>
-        <translation>Il n’a pas pu être enregistré&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>Give the trial a name</source>
         <translation>Donnez un nom à l’essai</translation>
     </message>
@@ -12371,6 +12355,25 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Final, from every picture of the recording.</source>
         <translation>Définitif, d’après toutes les images de l’enregistrement.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunResults</name>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 est mesuré.</translation>
+    </message>
+    <message>
+        <source>It is recorded, but could not be measured: %1</source>
+        <translation>Il est enregistré, mais n’a pas pu être mesuré&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 is recorded.</source>
+        <translation>%1 est enregistré.</translation>
+    </message>
+    <message>
+        <source>It could not be recorded: %1</source>
+        <translation>Il n’a pas pu être enregistré&#xa0;: %1</translation>
     </message>
 </context>
 <context>

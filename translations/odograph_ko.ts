@@ -11534,22 +11534,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>카메라의 영상 누락이나 잘못된 측정의 원인을 찾아 조치를 안내합니다</translation>
     </message>
     <message>
-        <source>%1 is measured.</source>
-        <translation>%1 측정을 마쳤습니다.</translation>
-    </message>
-    <message>
-        <source>It is recorded, but could not be measured: %1</source>
-        <translation>녹화했으나 측정하지 못했습니다: %1</translation>
-    </message>
-    <message>
-        <source>%1 is recorded.</source>
-        <translation>%1 녹화를 마쳤습니다.</translation>
-    </message>
-    <message>
-        <source>It could not be recorded: %1</source>
-        <translation>녹화하지 못했습니다: %1</translation>
-    </message>
-    <message>
         <source>Give the trial a name</source>
         <translation>시행의 이름을 지정하십시오</translation>
     </message>
@@ -12352,6 +12336,25 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Final, from every picture of the recording.</source>
         <translation>최종 결과, 녹화의 모든 프레임에서 구함.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunResults</name>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 측정을 마쳤습니다.</translation>
+    </message>
+    <message>
+        <source>It is recorded, but could not be measured: %1</source>
+        <translation>녹화했으나 측정하지 못했습니다: %1</translation>
+    </message>
+    <message>
+        <source>%1 is recorded.</source>
+        <translation>%1 녹화를 마쳤습니다.</translation>
+    </message>
+    <message>
+        <source>It could not be recorded: %1</source>
+        <translation>녹화하지 못했습니다: %1</translation>
     </message>
 </context>
 <context>

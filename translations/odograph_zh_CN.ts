@@ -11534,22 +11534,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>查找导致相机丢失画面或测量错误的原因，并给出建议</translation>
     </message>
     <message>
-        <source>%1 is measured.</source>
-        <translation>%1 已测量。</translation>
-    </message>
-    <message>
-        <source>It is recorded, but could not be measured: %1</source>
-        <translation>已录制，但无法测量：%1</translation>
-    </message>
-    <message>
-        <source>%1 is recorded.</source>
-        <translation>%1 已录制。</translation>
-    </message>
-    <message>
-        <source>It could not be recorded: %1</source>
-        <translation>无法录制：%1</translation>
-    </message>
-    <message>
         <source>Give the trial a name</source>
         <translation>请给试验取一个名称</translation>
     </message>
@@ -12352,6 +12336,25 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Final, from every picture of the recording.</source>
         <translation>最终结果，由录像的每一帧得出。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RunResults</name>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 已测量。</translation>
+    </message>
+    <message>
+        <source>It is recorded, but could not be measured: %1</source>
+        <translation>已录制，但无法测量：%1</translation>
+    </message>
+    <message>
+        <source>%1 is recorded.</source>
+        <translation>%1 已录制。</translation>
+    </message>
+    <message>
+        <source>It could not be recorded: %1</source>
+        <translation>无法录制：%1</translation>
     </message>
 </context>
 <context>

@@ -4,15 +4,15 @@
 #include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "ui/models/error_words.h"
 #include "ui/models/shown_team.h"
 #include "ui/record/doctor_dialog.h"
 #include "ui/record/health_watch.h"
 #include "ui/record/live_board.h"
 #include "ui/record/live_scene.h"
 #include "ui/record/run_card.h"
-#include "ui/record/run_measuring.h"
 #include "ui/record/run_recorder.h"
+#include "ui/record/run_result_card.h"
+#include "ui/record/run_results.h"
 #include "ui/record/start_card.h"
 #include "ui/record/trouble_bar.h"
 #include "ui/views/command_names.h"
@@ -33,22 +33,13 @@ namespace {
 constexpr int tickMs = 50, healthEachTicks = 10;
 constexpr int columnWidth = 320;
 
-QString sentence(QString words)
-{
-    if (!words.isEmpty() && !words.endsWith(u'.'))
-        words += u'.';
-    if (!words.isEmpty())
-        words.front() = words.front().toUpper();
-    return words;
-}
-
 } // namespace
 
 RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWidget *parent)
     : QWidget(parent), m_project(project), m_cameras(project, std::move(access)),
       m_control(steadyNow), m_recorder(new RunRecorder(project.file(), this)),
-      m_measuring(new RunMeasuring(project, this)), m_troubleBar(new TroubleBar), m_start(new StartCard),
-      m_run(new RunCard), m_result(new RunResultCard),
+      m_troubleBar(new TroubleBar), m_start(new StartCard), m_run(new RunCard), m_result(new RunResultCard),
+      m_results(new RunResults(project, *m_result, this)),
       m_empty(new EmptyState(QStringLiteral("camera"), tr("No camera is connected"),
                              tr("Connect a camera, or two, and look again. One that is connected and not "
                                 "found is a case for the set-up doctor."))),
@@ -154,26 +145,8 @@ void RecordPage::connectAll()
     connect(m_recorder, &RunRecorder::recorded, this, &RecordPage::takeRecorded);
     connect(m_recorder, &RunRecorder::gaveUp, this, &RecordPage::takeGivenUp);
     connect(m_recorder, &RunRecorder::failed, this, &RecordPage::failed);
-    connect(m_measuring, &RunMeasuring::measuredLive, this,
-            [this](const QString &trial, const auto &results) {
-                if (m_result->trial() == trial)
-                    m_result->setResults(trial, results, RunResultCard::From::Live);
-            });
-    connect(m_measuring, &RunMeasuring::measured, this,
-            [this](const QString &trial, const auto &results, const QStringList &warnings) {
-                if (m_result->trial() == trial)
-                    m_result->setResults(trial, results, RunResultCard::From::Recording);
-                QStringList sentences{tr("%1 is measured.").arg(trial)};
-                for (const QString &warning : warnings)
-                    sentences << sentence(warning);
-                Q_EMIT changed(sentences.join(u' '));
-            });
-    connect(m_measuring, &RunMeasuring::failed, this, [this](const QString &trial, const Error &error) {
-        if (m_result->trial() == trial)
-            m_result->setFailure(trial, tr("It is recorded, but could not be measured: %1")
-                                            .arg(sentence(errorLine(error))));
-        Q_EMIT failed(error);
-    });
+    connect(m_results, &RunResults::changed, this, &RecordPage::changed);
+    connect(m_results, &RunResults::failed, this, &RecordPage::failed);
     connect(m_result, &RunResultCard::openRequested, this, &RecordPage::trialChosen);
     connect(m_troubleBar, &TroubleBar::clicked, this, &RecordPage::testbedRequested);
 }
@@ -273,7 +246,7 @@ void RecordPage::press()
     if (m_control.phase() == RunPhase::Ready)
         m_control.prepare(m_run->settings(), m_run->task(), m_run->robots().size());
     obey(m_control.press());
-    m_measuring->setRecording(m_control.phase() != RunPhase::Ready);
+    m_results->setRecording(m_control.phase() != RunPhase::Ready);
     m_run->setEnabled(m_control.phase() == RunPhase::Ready);
     showStart();
 }
@@ -286,7 +259,7 @@ void RecordPage::obey(const std::optional<RunOrder> &order)
         begin(order->from);
     else if (order->kind == RunOrder::Kind::End)
         end();
-    m_measuring->setRecording(m_control.phase() != RunPhase::Ready);
+    m_results->setRecording(m_control.phase() != RunPhase::Ready);
     m_run->setEnabled(m_control.phase() == RunPhase::Ready);
     showStart();
 }
@@ -305,11 +278,9 @@ void RecordPage::begin(Nanoseconds from)
 void RecordPage::end()
 {
     const NextRun run = m_run->run();
-    const QString trial = QString::fromStdString(run.trial);
-    m_result->setWorking(trial);
     const TaskRecord *task = m_run->lineUp().task(run.task);
-    m_measuring->measureLive(trial, m_cameras.tracker()->endRun(),
-                             task ? std::optional(*task) : std::nullopt);
+    m_results->takeEnded(QString::fromStdString(run.trial), m_cameras.tracker()->endRun(),
+                         task ? std::optional(*task) : std::nullopt);
     m_recorder->end();
     if (!isVisible())
         hideEvent(nullptr);
@@ -322,11 +293,7 @@ void RecordPage::takeRecorded(const QString &trial, const QStringList &warnings)
         m_run->setLineUp(*lineUp);
         m_run->setRun(lineUp->next(driven));
     }
-    m_measuring->track(trial);
-    QStringList sentences{tr("%1 is recorded.").arg(trial)};
-    for (const QString &warning : warnings)
-        sentences << sentence(warning);
-    Q_EMIT changed(sentences.join(u' '));
+    m_results->takeRecorded(trial, warnings);
     showStart();
     if (!isVisible())
         hideEvent(nullptr);
@@ -335,12 +302,8 @@ void RecordPage::takeRecorded(const QString &trial, const QStringList &warnings)
 void RecordPage::takeGivenUp(const QString &trial, const Error &error)
 {
     m_control.hasEnded();
-    m_measuring->setRecording(false);
     m_run->setEnabled(true);
-    if (m_result->trial() == trial)
-        m_result->setFailure(
-            trial, tr("It could not be recorded: %1").arg(sentence(errorLine(error))));
-    Q_EMIT failed(error);
+    m_results->takeGivenUp(trial, error);
     showStart();
     if (!isVisible())
         hideEvent(nullptr);

@@ -20,9 +20,9 @@ class HealthWatch;
 class LiveBoard;
 class Project;
 class RunCard;
-class RunMeasuring;
 class RunRecorder;
 class RunResultCard;
+class RunResults;
 class StartCard;
 class TroubleBar;
 
@@ -80,7 +80,6 @@ private:
     ChosenCameras m_cameras;
     RunControl m_control;
     RunRecorder *m_recorder;
-    RunMeasuring *m_measuring;
     SentPositions m_sent; ///< as was chosen when robots began to be followed
     bool m_isLineUpRead = false, m_isByPseudonym = false;
     int m_ticks = 0;
@@ -93,6 +92,7 @@ private:
     StartCard *m_start;
     RunCard *m_run;
     RunResultCard *m_result;
+    RunResults *m_results;
     EmptyState *m_empty;
     QStackedWidget *m_stack;
 };
