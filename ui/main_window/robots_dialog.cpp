@@ -11,7 +11,6 @@
 #include "ui/views/plain_button.h"
 #include "ui/views/robot_colours.h"
 #include "ui/views/table_list.h"
-#include "ui/views/theme.h"
 #include "ui/views/undo_keys.h"
 
 #include <QHBoxLayout>
@@ -54,7 +53,7 @@ QTableWidgetItem *drawingItem(const RobotRecord &robot, const QPalette &palette)
     auto *item = new QTableWidgetItem(drawingColourName(robot.drawingColour));
     if (robot.drawingColour != DrawingColour::Automatic) {
         QPixmap swatch(swatchSide, swatchSide);
-        swatch.fill(seriesColour(colourPlaces(std::vector<DrawingColour>{robot.drawingColour}).front(), palette));
+        swatch.fill(drawnColour(robot.drawingColour, {}, palette));
         item->setIcon(swatch);
     }
     return item;

@@ -66,8 +66,9 @@ std::vector<SeenRobot> LiveMap::robots() const
 
 QColor LiveMap::colourOf(std::size_t robot) const
 {
-    const bool isPlain = m_robots.size() == 1 && m_robots.front().robot.drawingColour == DrawingColour::Automatic;
-    return isPlain ? ThemeColours::of(palette()).spike : seriesColour(m_places[robot], palette());
+    return m_robots.size() == 1
+               ? drawnColour(m_robots.front().robot.drawingColour, ThemeColours::of(palette()).spike, palette())
+               : seriesColour(m_places[robot], palette());
 }
 
 void LiveMap::addPosition(std::size_t robot, const LivePosition &position)

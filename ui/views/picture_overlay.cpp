@@ -229,10 +229,9 @@ void paintFloor(QPainter &painter, const TrialScene &scene, std::size_t view, co
     if (!floorView)
         return;
     paintFloorGrid(painter, scene, *floorView, map);
-    const std::vector<int> places = colourPlaces(scene);
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
-        const bool isChosen = scene.robots[robot].robot.drawingColour != DrawingColour::Automatic && colour == trailColour;
-        paintTrail(painter, scene, robot, *floorView, map, isChosen ? seriesColour(places[robot], darkPalette()) : colour);
+        const DrawingColour chosen = scene.robots[robot].robot.drawingColour;
+        paintTrail(painter, scene, robot, *floorView, map, colour == trailColour ? drawnColour(chosen, colour, darkPalette()) : colour);
     }
     paintAxes(painter, scene, *floorView, map);
 }

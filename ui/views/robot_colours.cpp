@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/robot_colours.h"
 
+#include "ui/views/theme.h"
+
 #include <QCoreApplication>
 #include <algorithm>
 
@@ -56,6 +58,11 @@ std::vector<int> colourPlaces(const TrialScene &scene)
     for (const SceneRobot &robot : scene.robots)
         chosen.push_back(robot.robot.drawingColour);
     return colourPlaces(chosen);
+}
+
+QColor drawnColour(DrawingColour chosen, const QColor &plain, const QPalette &palette)
+{
+    return chosen == DrawingColour::Automatic ? plain : seriesColour(placeOf(chosen), palette);
 }
 
 QString drawingColourName(DrawingColour colour)

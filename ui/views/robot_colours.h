@@ -3,9 +3,12 @@
 
 #include "ui/models/trial_scene.h"
 
+#include <QColor>
 #include <QString>
 #include <array>
 #include <vector>
+
+class QPalette;
 
 namespace odo {
 
@@ -14,6 +17,9 @@ namespace odo {
 std::vector<int> colourPlaces(const std::vector<DrawingColour> &chosen);
 std::vector<int> colourPlaces(const std::vector<RobotRecord> &robots);
 std::vector<int> colourPlaces(const TrialScene &scene);
+
+/// The colour of a robot that need not be told from others: the chosen one, else `plain`. Pure.
+QColor drawnColour(DrawingColour chosen, const QColor &plain, const QPalette &palette);
 
 /// Every colour that can be chosen, in the order of the palette.
 constexpr std::array<DrawingColour, 6> drawingColours{DrawingColour::Blue,   DrawingColour::Vermilion, DrawingColour::Green,

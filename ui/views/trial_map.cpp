@@ -68,13 +68,13 @@ void drawTrialRobots(QPainter &painter, const MapPlan &plan, const TrialScene &s
             continue;
         const Profile &profile = shown.analysis->profile;
         const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
-        const bool isPlain = alone && shown.robot.drawingColour == DrawingColour::Automatic;
         MapRobot sign{&shown.robot,
                       point.position,
                       point.sigmaXM,
                       point.sigmaYM,
                       drivenHeadingAt(profile, index),
-                      isPlain ? ThemeColours::of(palette).spike : seriesColour(places[robot], palette),
+                      alone ? drawnColour(shown.robot.drawingColour, ThemeColours::of(palette).spike, palette)
+                            : seriesColour(places[robot], palette),
                       {}};
         if (!alone)
             sign.label = QString::fromStdString(shown.robot.name);

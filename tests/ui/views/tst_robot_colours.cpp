@@ -37,6 +37,13 @@ private Q_SLOTS:
         QCOMPARE(colourPlaces(chosen), places);
     }
 
+    void aChosenOneOverridesThePlainOne()
+    {
+        const QPalette palette = darkPalette();
+        QCOMPARE(drawnColour(Automatic, Qt::white, palette), QColor(Qt::white));
+        QCOMPARE(drawnColour(Green, Qt::white, palette), seriesColour(2, palette));
+    }
+
     void aSceneIsDrawnAsItsRobotsSay()
     {
         TrialScene scene = *exampleScene({.frames = 20});
