@@ -141,15 +141,14 @@ void ReportDialog::refresh()
 
 ReportMaker ReportDialog::maker() const
 {
-    const ReportOptions options = optionsOf(m_settings);
     const ReportSubject &chosen = subject();
-    if (chosen.comparison)
-        return comparisonReport(*chosen.comparison, options);
-    if (!chosen.isClass)
-        return trialReports(chosen.trials, options);
-    return classReport({m_class->currentText().toStdString(), m_task->currentData().toString().toStdString(),
-                        m_figure->currentData().toString().toStdString(), m_teams->isChecked()},
-                       options);
+    const ClassReportSettings ofClass{m_class->currentText().toStdString(), m_task->currentData().toString().toStdString(),
+                                      m_figure->currentData().toString().toStdString(), m_teams->isChecked()};
+    return reportBy(m_settings, [chosen, ofClass](const ReportOptions &options) {
+        if (chosen.comparison)
+            return comparisonReport(*chosen.comparison, options);
+        return chosen.isClass ? classReport(ofClass, options) : trialReports(chosen.trials, options);
+    });
 }
 
 QString ReportDialog::proposedName() const

@@ -36,12 +36,14 @@ void storeReportSettings(const ReportSettings &settings)
     stored.setValue(methodKey, settings.withMethod);
 }
 
-ReportOptions optionsOf(const ReportSettings &settings)
+ReportMaker reportBy(const ReportSettings &settings, std::function<ReportMaker(const ReportOptions &)> of)
 {
-    ReportOptions options{settings.paper, {settings.school, settings.remark, {}}, settings.withMethod};
-    if (!settings.logoFile.isEmpty())
-        options.letterhead.logo = readLogo(settings.logoFile.toStdString()).value_or(QImage());
-    return options;
+    return [settings, of = std::move(of)](Project &project, const JobControl &control, const PageSink &sink) {
+        ReportOptions options{settings.paper, {settings.school, settings.remark, {}}, settings.withMethod};
+        if (!settings.logoFile.isEmpty())
+            options.letterhead.logo = readLogo(settings.logoFile.toStdString()).value_or(QImage());
+        return of(options)(project, control, sink);
+    };
 }
 
 } // namespace odo

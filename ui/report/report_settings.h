@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/trial_report.h"
+#include "ui/report/report_maker.h"
 
 #include <QString>
 
@@ -19,7 +19,8 @@ struct ReportSettings
 ReportSettings storedReportSettings();
 void storeReportSettings(const ReportSettings &settings);
 
-/// For the making of a report. A logo that cannot be read is left out: the preferences say why.
-ReportOptions optionsOf(const ReportSettings &settings);
+/// A report by what is remembered, the options of which include the logo: it is read when the report is made, on that
+/// thread. One that cannot be read is left out: the preferences say why.
+ReportMaker reportBy(const ReportSettings &settings, std::function<ReportMaker(const ReportOptions &)> of);
 
 } // namespace odo

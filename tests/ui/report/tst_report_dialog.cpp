@@ -135,6 +135,30 @@ private Q_SLOTS:
         awaitPages();
         QVERIFY(m_dialog->preview().pictures().front() != before);
     }
+    /// Not before: a large picture would keep the window waiting.
+    void theLogoIsReadWithThePages()
+    {
+        ReportSettings settings = storedReportSettings();
+        settings.logoFile = m_folder.filePath(QStringLiteral("logo.png"));
+        storeReportSettings(settings);
+        open({trial("Trial 1")});
+        QVERIFY(pages() > 0); // a logo that is not there is left out
+        const ReportMaker maker = m_dialog->maker();
+        QImage logo(400, 100, QImage::Format_RGB32);
+        logo.fill(Qt::magenta);
+        QVERIFY(logo.save(settings.logoFile));
+        QImage page;
+        const auto made = maker(*m_project, {}, [&page](const ReportPage &each) -> Result<void> {
+            if (page.isNull())
+                page = pagePicture(each, 600);
+            return {};
+        });
+        QVERIFY2(made.has_value(), made ? "" : made.error().message().c_str());
+        bool isThere = false;
+        for (int x = 0; x < page.width(); ++x)
+            isThere = isThere || page.pixelColor(x, 48) == QColor(Qt::magenta);
+        QVERIFY(isThere);
+    }
     void neverKeepsTheWindowWaiting()
     {
         BusyWatch watch;
