@@ -6,6 +6,7 @@
 #include "ui/views/path_field.h"
 
 #include <QFormLayout>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPixmap>
@@ -29,6 +30,7 @@ ReportsPage::ReportsPage(QWidget *parent) : QWidget(parent), m_settings(storedRe
     form->addRow(QString(), m_picture);
     m_remark = addLine(*form, tr("&At the foot"), m_settings.remark);
     m_remark->setPlaceholderText(tr("for example: who answers questions"));
+    connect(&m_reading, &BackgroundTask::finished, this, &ReportsPage::takeLogo);
     showLogo();
 }
 
@@ -54,16 +56,30 @@ void ReportsPage::store()
 /// Or why it cannot be used.
 void ReportsPage::showLogo()
 {
-    constexpr QSize most(220, 60);
-    m_picture->setPixmap({});
-    m_picture->setText({});
-    if (m_settings.logoFile.isEmpty())
+    static constexpr QSize most(220, 60);
+    m_isOther = m_reading.isRunning();
+    if (m_isOther)
         return;
-    const auto logo = readLogo(m_settings.logoFile.toStdString());
-    if (!logo)
-        m_picture->setText(errorLine(logo.error()));
-    else
-        m_picture->setPixmap(QPixmap::fromImage(logo->scaled(most, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+    const auto picture = std::make_shared<QImage>();
+    m_read = picture;
+    m_reading.start([file = m_settings.logoFile, picture](const JobControl &) -> Result<void> {
+        if (file.isEmpty())
+            return {};
+        const auto logo = readLogo(file.toStdString());
+        if (!logo)
+            return tl::unexpected(logo.error());
+        *picture = logo->scaled(most, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+        return {};
+    });
+}
+
+void ReportsPage::takeLogo(const std::optional<Error> &error)
+{
+    if (m_isOther)
+        return showLogo();
+    m_picture->setPixmap(QPixmap::fromImage(*m_read));
+    if (error)
+        m_picture->setText(errorLine(*error));
 }
 
 } // namespace odo
