@@ -3,6 +3,7 @@
 
 #include "ui/models/error_words.h"
 #include "ui/views/theme_icon.h"
+#include "ui/views/words_label.h"
 
 #include <QAccessible>
 #include <QHBoxLayout>
@@ -27,9 +28,7 @@ MessageBar::MessageBar(QWidget *parent)
       m_timer(new QTimer(this))
 {
     setObjectName(QStringLiteral("messageBar"));
-    m_text->setTextFormat(Qt::PlainText);
-    m_text->setWordWrap(true);
-    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    showAsWords(*m_text);
     auto *close = new QToolButton(this);
     close->setProperty("flat", true);
     close->setIcon(themeIcon(QStringLiteral("close")));

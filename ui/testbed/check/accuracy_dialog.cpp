@@ -9,6 +9,7 @@
 #include "ui/views/card.h"
 #include "ui/views/number_box.h"
 #include "ui/views/plain_button.h"
+#include "ui/views/words_label.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -52,11 +53,8 @@ AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<Che
     setWindowTitle(tr("Expected accuracy"));
     for (const CheckCamera &camera : cameras)
         m_entries.push_back({camera.name, camera.view, camera.badge.text});
-    for (QLabel *label : {m_summary, m_problem}) {
-        label->setWordWrap(true);
-        label->setTextFormat(Qt::PlainText);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    }
+    for (QLabel *label : {m_summary, m_problem})
+        showAsWords(*label);
     m_summary->setStyleSheet(QStringLiteral("font-weight: 600"));
     m_summary->setAccessibleName(tr("Expected accuracy in words"));
     m_problem->setObjectName(QStringLiteral("problem"));

@@ -12,6 +12,7 @@
 #include "ui/views/card.h"
 #include "ui/views/number_box.h"
 #include "ui/views/table_list.h"
+#include "ui/views/words_label.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -52,9 +53,7 @@ LengthPage::LengthPage(QWidget *parent)
 {
     m_canvas->setAccessibleName(tr("Picture with both ends; arrow keys move the chosen one, Space snaps it"));
     m_canvas->setJoined(true);
-    m_words->setWordWrap(true);
-    m_words->setTextFormat(Qt::PlainText);
-    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    showAsWords(*m_words);
     m_words->setAccessibleName(tr("Verdict"));
     m_length->setStyleSheet(QStringLiteral("font-size: 18pt; font-weight: 600"));
     m_length->setAccessibleName(tr("Measured length"));

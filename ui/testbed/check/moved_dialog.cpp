@@ -11,6 +11,7 @@
 #include "ui/views/path_field.h"
 #include "ui/views/plain_button.h"
 #include "ui/views/table_list.h"
+#include "ui/views/words_label.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -108,9 +109,7 @@ MovedDialog::~MovedDialog() = default;
 
 QWidget *MovedDialog::makeDetail()
 {
-    m_words->setWordWrap(true);
-    m_words->setTextFormat(Qt::PlainText);
-    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    showAsWords(*m_words);
     m_words->setAccessibleName(tr("What was found"));
     m_words->setMinimumHeight(4 * m_words->fontMetrics().lineSpacing()); // so that the table does not jump
     m_words->setAlignment(Qt::AlignTop | Qt::AlignLeft);

@@ -9,6 +9,7 @@
 #include "ui/models/figure_text.h"
 #include "ui/views/plain_button.h"
 #include "ui/views/table_list.h"
+#include "ui/views/words_label.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -56,9 +57,7 @@ ReprocessDialog::ReprocessDialog(Project &project, QWidget *parent)
     m_table->setAccessibleName(tr("What changes"));
     showAsList(*m_table);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_words->setWordWrap(true);
-    m_words->setTextFormat(Qt::PlainText);
-    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    showAsWords(*m_words);
     m_words->setAccessibleName(tr("What changes, in words"));
     auto *intro = new QLabel(tr("What was seen in the videos stays as it is; where it lies on the floor is computed with the registrations in "
                                 "force now. Look at what changes, then keep it or not: the older analysis stays in the project too."));

@@ -13,6 +13,7 @@
 #include "ui/views/badge_delegate.h"
 #include "ui/views/plain_button.h"
 #include "ui/views/table_list.h"
+#include "ui/views/words_label.h"
 
 #include <QComboBox>
 #include <QDateTime>
@@ -65,9 +66,7 @@ RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, c
     m_table->setItemDelegateForColumn(StateColumn, new BadgeDelegate(badgeTextRole, badgeStateRole, this));
     m_choose->setToolTip(tr("Puts the chosen revision in force for what is measured from now on; trials keep theirs"));
     m_register->setToolTip(tr("Computes the registration in force anew from the same markers, with the lens in force"));
-    m_words->setWordWrap(true);
-    m_words->setTextFormat(Qt::PlainText);
-    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    showAsWords(*m_words);
     m_words->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_words->setMinimumHeight(4 * m_words->fontMetrics().lineSpacing());
     m_words->setAccessibleName(tr("Verdict"));

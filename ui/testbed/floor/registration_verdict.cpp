@@ -3,6 +3,7 @@
 
 #include "ui/models/core_words.h"
 #include "ui/models/error_words.h"
+#include "ui/views/words_label.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -13,14 +14,8 @@ namespace odo {
 RegistrationVerdict::RegistrationVerdict(QWidget *parent)
     : Card(tr("Where the camera stands"), parent), m_verdict(new QLabel), m_advice(new QLabel)
 {
-    for (QLabel *label : {m_verdict, m_advice}) {
-        label->setWordWrap(true);
-        label->setTextFormat(Qt::PlainText);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    }
-    m_verdict->setStyleSheet(QStringLiteral("font-weight: 600"));
+    showAsVerdict(*m_verdict, *m_advice);
     m_verdict->setAccessibleName(tr("Verdict"));
-    m_advice->setObjectName(QStringLiteral("quiet"));
     auto *said = new QWidget;
     auto *layout = new QVBoxLayout(said);
     layout->setContentsMargins(12, 10, 12, 10);

@@ -7,6 +7,7 @@
 #include "ui/views/card.h"
 #include "ui/views/number_box.h"
 #include "ui/views/table_list.h"
+#include "ui/views/words_label.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -67,14 +68,8 @@ JointDialog::JointDialog(const QString &layout, Prepare prepare, QWidget *parent
     m_tape->setAccessibleName(tr("Error of the tape measure"));
     auto *form = new QFormLayout;
     form->addRow(tr("The markers' places were &measured to"), m_tape);
-    for (QLabel *label : {m_verdict, m_advice}) {
-        label->setWordWrap(true);
-        label->setTextFormat(Qt::PlainText);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    }
-    m_verdict->setStyleSheet(QStringLiteral("font-weight: 600"));
+    showAsVerdict(*m_verdict, *m_advice);
     m_verdict->setAccessibleName(tr("Verdict"));
-    m_advice->setObjectName(QStringLiteral("quiet"));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
     m_save = buttons->button(QDialogButtonBox::Save);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
