@@ -155,6 +155,23 @@ void TrialActions::updateActions()
     m_track->setEnabled(writable && !m_workspace.isBusy() && !m_trial.isEmpty());
 }
 
+void TrialActions::tellFailure(const Result<void> &result)
+{
+    if (!result)
+        Q_EMIT failed(result.error());
+}
+
+template <class ImportJob>
+void TrialActions::startImport(const std::shared_ptr<ImportJob> &job, const std::string &trial)
+{
+    // A plain tr() would lupdate look for in a class ImportJob.
+    const QString words = TrialActions::tr("Importing %1").arg(QString::fromStdString(trial));
+    tellFailure(m_workspace.start(job, words, [this, job] {
+        Q_EMIT trialImported(QString::fromStdString(job->trial().name));
+        Q_EMIT done(importedWords(*job));
+    }));
+}
+
 void TrialActions::askImport(const QStringList &videos)
 {
     Project &project = *m_workspace.project();
@@ -170,14 +187,7 @@ void TrialActions::askImport(const QStringList &videos)
         dialog.addVideo({}, video);
     if (dialog.exec() != QDialog::Accepted)
         return;
-    const auto job = std::make_shared<ImportTrialJob>(dialog.settings());
-    const QString name = QString::fromStdString(dialog.settings().trial);
-    const Result<void> started = m_workspace.start(job, tr("Importing %1").arg(name), [this, job] {
-        Q_EMIT trialImported(QString::fromStdString(job->trial().name));
-        Q_EMIT done(importedWords(*job));
-    });
-    if (!started)
-        Q_EMIT failed(started.error());
+    startImport(std::make_shared<ImportTrialJob>(dialog.settings()), dialog.settings().trial);
 }
 
 void TrialActions::askImportTracks(const QStringList &files)
@@ -191,14 +201,7 @@ void TrialActions::askImportTracks(const QStringList &files)
         dialog.addTrack(file);
     if (dialog.exec() != QDialog::Accepted)
         return;
-    const auto job = std::make_shared<ImportTracksJob>(dialog.settings());
-    const QString name = QString::fromStdString(dialog.settings().trial);
-    const Result<void> started = m_workspace.start(job, tr("Importing %1").arg(name), [this, job] {
-        Q_EMIT trialImported(QString::fromStdString(job->trial().name));
-        Q_EMIT done(importedWords(*job));
-    });
-    if (!started)
-        Q_EMIT failed(started.error());
+    startImport(std::make_shared<ImportTracksJob>(dialog.settings()), dialog.settings().trial);
 }
 
 void TrialActions::askTrack(const QString &trial)
@@ -232,12 +235,10 @@ void TrialActions::askTrack(const QString &trial)
     const auto imported = importedTracksOf(project, *record);
     settings.again = imported && !imported->empty(); // there is no video to track in
     const auto job = std::make_shared<TrackJob>(trial.toStdString(), std::move(settings));
-    const Result<void> started = m_workspace.start(job, tr("Tracking %1").arg(trial), [this, job] {
+    tellFailure(m_workspace.start(job, tr("Tracking %1").arg(trial), [this, job] {
         Q_EMIT trialTracked(QString::fromStdString(job->outcome().trial));
         Q_EMIT done(trackedWords(job->outcome()));
-    });
-    if (!started)
-        Q_EMIT failed(started.error());
+    }));
 }
 
 void TrialActions::overrule(const OverruleRequest &word)
@@ -251,14 +252,12 @@ void TrialActions::overrule(const OverruleRequest &word)
     }
     const auto job = std::make_shared<OverruleJob>(word);
     const QString trial = QString::fromStdString(word.trial);
-    const Result<void> started = m_workspace.start(job, tr("Measuring %1 again").arg(trial), [this, job, trial] {
+    tellFailure(m_workspace.start(job, tr("Measuring %1 again").arg(trial), [this, job, trial] {
         const QString time = secondsText(job->outcome().time);
         Q_EMIT done(isRejected(job->outcome().flags)
                         ? tr("The sample at %1 of %2 is not used. Undo takes it back.").arg(time, trial)
                         : tr("The sample at %1 of %2 is used. Undo takes it back.").arg(time, trial));
-    });
-    if (!started)
-        Q_EMIT failed(started.error());
+    }));
 }
 
 void TrialActions::askExport()
@@ -286,12 +285,9 @@ void TrialActions::askVideo()
     AnnotatedVideoSettings settings = dialog.settings();
     settings.file = pathOf(file);
     const auto job = std::make_shared<AnnotatedVideoJob>(m_trial.toStdString(), settings);
-    const Result<void> started =
-        m_workspace.start(job, tr("Making the video of %1").arg(m_trial), [this, file, trial = m_trial] {
-            Q_EMIT done(tr("The video of %1 is there: %2").arg(trial, QDir::toNativeSeparators(file)));
-        });
-    if (!started)
-        Q_EMIT failed(started.error());
+    tellFailure(m_workspace.start(job, tr("Making the video of %1").arg(m_trial), [this, file, trial = m_trial] {
+        Q_EMIT done(tr("The video of %1 is there: %2").arg(trial, QDir::toNativeSeparators(file)));
+    }));
 }
 
 bool TrialActions::askRobot()

@@ -6,6 +6,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <memory>
 
 class QAction;
 class QMenu;
@@ -43,6 +44,9 @@ private:
     void askVideo();
     bool askRobot();
     void updateActions();
+    void tellFailure(const Result<void> &result);
+    /// Of either way of importing.
+    template <class ImportJob> void startImport(const std::shared_ptr<ImportJob> &job, const std::string &trial);
 
     Workspace &m_workspace;
     QWidget &m_window;
