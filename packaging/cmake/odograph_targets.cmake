@@ -17,6 +17,11 @@ if(ODOGRAPH_SANITIZE)
   target_compile_definitions(odograph_options INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   target_compile_options(odograph_options INTERFACE -fsanitize=${ODOGRAPH_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(odograph_options INTERFACE -fsanitize=${ODOGRAPH_SANITIZE})
+  if(ODOGRAPH_SANITIZE STREQUAL "address,undefined")
+    # Undefined behaviour ends in a trap, which the address sanitizer reports with the functions that led there. What the
+    # words for each place take made a test of the window a gigabyte, and all of them more than a disk holds.
+    target_compile_options(odograph_options INTERFACE -fsanitize-undefined-trap-on-error)
+  endif()
 endif()
 
 if(ODOGRAPH_COVERAGE)
