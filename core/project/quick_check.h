@@ -5,7 +5,7 @@
 
 namespace odo {
 
-class ProjectConnection;
+struct ProjectConnection;
 
 /// Whether SQLite finds nothing wrong in a project's file, all of which it reads. Errors: those of reading it. The connection's thread.
 Result<bool> passesQuickCheck(const ProjectConnection &connection);

@@ -109,6 +109,15 @@ void *operator new(std::size_t size, std::align_val_t alignment)
 {
     return allocated(size, static_cast<std::size_t>(alignment), __builtin_return_address(0));
 }
+// Who asks so can do without. Ours, because the sanitizer's are not to be given back to malloc.
+void *operator new(std::size_t size, const std::nothrow_t &) noexcept
+{
+    return std::malloc(size > 0 ? size : 1);
+}
+void *operator new[](std::size_t size, const std::nothrow_t &) noexcept
+{
+    return std::malloc(size > 0 ? size : 1);
+}
 void operator delete(void *memory) noexcept
 {
     std::free(memory);
