@@ -88,7 +88,7 @@ void TestTasksDialog::aTemplateIsMadeAndSized()
     form->setTemplate(TaskTemplate::Circle, sizes);
     QCOMPARE(editor.task().task.path.points.size() > 10, true);
     Q_EMIT form->changed();
-    const Gate &lap = editor.task().task.gates.front();
+    const Gate lap = editor.task().task.gates.front();
     QVERIFY(std::abs(((lap.from + lap.to) / 2 - sizes.centre).norm() - 0.6) < 1e-9);
 }
 
