@@ -27,7 +27,7 @@ namespace {
 
 constexpr double clipS = 30, mostMissingS = 1.0;
 /// The program looks at the disk once a second, and then ends what it began; more on a busy machine. The recording would go on for twenty.
-constexpr Nanoseconds longestEnd = 5s;
+constexpr Nanoseconds longestEnd = 10s;
 
 bool works(const char *program, const QStringList &arguments)
 {
