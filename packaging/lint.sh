@@ -18,7 +18,7 @@ fi
 
 packaging/install_packages.sh
 packaging/install_packages.sh packages_lint.txt
-[ -f build/lint/build.ninja ] || cmake --preset lint >/dev/null
+cmake --preset lint >/dev/null # anew, for files that have come since
 
 # The sources that are built, of those asked for.
 mapfile -t paths < <(realpath -m "${paths[@]:-.}")

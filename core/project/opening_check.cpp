@@ -111,7 +111,7 @@ Result<void> quickCheck(const ProjectConnection &connection)
 Result<int> checkContent(const ProjectConnection &connection, const Migrator &migrator)
 {
     const StepLimit limit(connection, mostOpeningSteps);
-    const auto version = migrator.knownVersion(connection);
+    auto version = migrator.knownVersion(connection);
     if (!version)
         return version;
     if (auto ours = checkSchema(connection, migrator, *version); !ours)

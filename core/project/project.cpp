@@ -293,7 +293,8 @@ Result<void> Project::saveCopy(const std::filesystem::path &file) const
 Result<std::vector<ProjectProblem>> Project::check(bool withHashes) const
 {
     // Repositories are reached through a Project that may be changed; checking only reads.
-    return checkProject(const_cast<Project &>(*this), *m_impl->connection, withHashes);
+    auto &self = const_cast<Project &>(*this); // NOLINT(cppcoreguidelines-pro-type-const-cast): see above
+    return checkProject(self, *m_impl->connection, withHashes);
 }
 
 } // namespace odo

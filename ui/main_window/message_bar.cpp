@@ -87,7 +87,7 @@ QString MessageBar::text() const
 void MessageBar::present(const char *kind, const QString &icon, const QString &text)
 {
     setProperty("kind", QString::fromLatin1(kind));
-    for (QWidget *widget : {static_cast<QWidget *>(this), static_cast<QWidget *>(m_text)}) {
+    for (QWidget *widget : std::initializer_list<QWidget *>{this, m_text}) {
         widget->style()->unpolish(widget);
         widget->style()->polish(widget);
     }
