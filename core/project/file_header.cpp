@@ -2,7 +2,9 @@
 #include "core/project/file_header.h"
 
 #include "core/project/schema.h"
+#include "core/project/side_files.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string_view>
@@ -51,15 +53,10 @@ bool leadsElsewhere(const std::filesystem::path &file)
     std::filesystem::path real = std::filesystem::weakly_canonical(file, problem); // SQLite looks beside that one
     if (problem)
         real = file;
-    for (const char *side : {"-journal", "-wal", "-shm"}) {
-        std::filesystem::path other = real;
-        other += side;
-        if (std::filesystem::is_symlink(other, problem))
-            return true;
-        if (side == std::string_view("-journal") && std::filesystem::is_regular_file(other, problem) && namesAnotherFile(other))
-            return true;
-    }
-    return false;
+    if (std::ranges::any_of(sideFileSuffixes, [&](const char *side) { return std::filesystem::is_symlink(besideFile(real, side), problem); }))
+        return true;
+    const std::filesystem::path journal = besideFile(real, journalSuffix);
+    return std::filesystem::is_regular_file(journal, problem) && namesAnotherFile(journal);
 }
 
 } // namespace
@@ -110,9 +107,7 @@ Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersio
         return fail(ErrorCode::InvalidInput, what, "the journal beside it names another file",
                     "copy it again from where it came, or restore a backup copy");
     // While a write-ahead log lies beside it, the file itself may lag behind.
-    std::filesystem::path log = file;
-    log += "-wal";
-    if (!std::filesystem::exists(log, problem) && bytes < promisedBytes(header))
+    if (!std::filesystem::exists(besideFile(file, logSuffix), problem) && bytes < promisedBytes(header))
         return truncated(promisedBytes(header));
     return {};
 }

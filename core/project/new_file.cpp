@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/new_file.h"
 
+#include "core/project/side_files.h"
+
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -32,7 +34,8 @@ NewFile::NewFile(std::filesystem::path target, std::string what)
     : m_target(std::move(target)), m_temporary(m_target), m_what(std::move(what))
 {
     m_temporary += ".new-" + std::to_string(::getpid());
-    for (const char *side : {"", "-journal", "-wal", "-shm"})
+    m_toRemove.push_back(m_temporary.string());
+    for (const char *side : sideFileSuffixes)
         m_toRemove.push_back(m_temporary.string() + side);
 }
 

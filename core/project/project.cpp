@@ -12,26 +12,19 @@
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/project/schema.h"
+#include "core/project/side_files.h"
 #include "core/project/sound_backup.h"
 
 namespace odo {
 
 namespace {
 
-std::filesystem::path beside(const std::filesystem::path &file, const char *suffix)
-{
-    std::filesystem::path other = file;
-    other += suffix;
-    return other;
-}
-
 DatabaseAccess databaseAccess(const std::filesystem::path &file, Project::Access access)
 {
     if (access == Project::Access::ReadWrite)
         return DatabaseAccess::ReadWrite;
     std::error_code problem;
-    return std::filesystem::exists(beside(file, "-wal"), problem) ? DatabaseAccess::ReadOnly
-                                                                  : DatabaseAccess::Immutable;
+    return std::filesystem::exists(besideFile(file, logSuffix), problem) ? DatabaseAccess::ReadOnly : DatabaseAccess::Immutable;
 }
 
 Result<void> setProperty(ProjectConnection &connection, const char *name, const std::string &value)

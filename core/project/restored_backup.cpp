@@ -4,10 +4,10 @@
 #include "core/project/connection.h"
 #include "core/project/migrator.h"
 #include "core/project/new_file.h"
+#include "core/project/side_files.h"
 #include "core/project/sound_backup.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -18,14 +18,6 @@ namespace odo {
 
 namespace {
 
-/// What SQLite has beside a database. A log that stayed would be read into the file that takes its place.
-constexpr std::array sideSuffixes{"-journal", "-wal", "-shm"};
-
-std::filesystem::path with(const std::filesystem::path &file, const std::string &suffix)
-{
-    return file.string() + suffix;
-}
-
 bool isThere(const std::filesystem::path &file)
 {
     std::error_code problem;
@@ -35,11 +27,11 @@ bool isThere(const std::filesystem::path &file)
 std::filesystem::path freeName(const std::filesystem::path &first)
 {
     const auto isFree = [](const std::filesystem::path &name) {
-        return !isThere(name) && std::ranges::none_of(sideSuffixes, [&name](const char *side) { return isThere(with(name, side)); });
+        return !isThere(name) && std::ranges::none_of(sideFileSuffixes, [&name](const char *side) { return isThere(besideFile(name, side)); });
     };
     std::filesystem::path name = first;
     for (int i = 2; !isFree(name); ++i)
-        name = with(first, '.' + std::to_string(i));
+        name = besideFile(first, '.' + std::to_string(i));
     return name;
 }
 
@@ -64,8 +56,8 @@ public:
     {
         // A link leaves the file under its name until another replaces it. Not every disk (a USB stick's FAT) knows links.
         m_isLinked = ::link(m_project.c_str(), m_kept.c_str()) == 0;
-        for (const char *side : sideSuffixes) {
-            if (isThere(with(m_project, side)) && !move(with(m_project, side), with(m_kept, side)))
+        for (const char *side : sideFileSuffixes) {
+            if (isThere(besideFile(m_project, side)) && !move(besideFile(m_project, side), besideFile(m_kept, side)))
                 return false;
         }
         return m_isLinked || move(m_project, m_kept);
@@ -110,14 +102,14 @@ Result<RestoredBackup> restoreBackup(const std::filesystem::path &project)
     std::filesystem::path real = std::filesystem::canonical(project, problem); // a link stays one
     if (problem)
         real = project;
-    const FreshCopy fresh{with(real, ".new-" + std::to_string(::getpid()))};
+    const FreshCopy fresh{besideFile(real, ".new-" + std::to_string(::getpid()))};
     std::filesystem::remove(fresh.file, problem);
     const auto source = ProjectConnection::open(*backup, DatabaseAccess::Immutable);
     if (!source)
         return refused(source.error().code, source.error().why);
     if (auto copied = copyDatabase(**source, fresh.file); !copied)
         return refused(copied.error().code, copied.error().why);
-    KeptAside aside(real, freeName(with(real, ".damaged")));
+    KeptAside aside(real, freeName(besideFile(real, ".damaged")));
     const auto failed = [&refused] { return refused(ErrorCode::Io, std::string("writing it failed (") + std::strerror(errno) + ")"); };
     if (!aside.take())
         return failed();

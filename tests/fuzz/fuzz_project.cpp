@@ -22,9 +22,7 @@ void removeOthers(const std::filesystem::path &file)
 void readEverything(odo::Project &project)
 {
     const odo::fuzz::Ids ids = odo::fuzz::idsOf(project);
-    for (const auto read : odo::fuzz::listReaders<odo::Project>)
-        read(project, ids);
-    for (const auto read : odo::fuzz::trialReaders<odo::Project>)
+    for (const auto read : odo::fuzz::readers<odo::Project>)
         read(project, ids);
 }
 

@@ -96,16 +96,13 @@ public:
         AnalysisRepository m_analyses;
     };
 
-    static constexpr std::size_t readerCount = fuzz::listReaders<Repositories>.size() + fuzz::trialReaders<Repositories>.size() + 1;
+    static constexpr std::size_t readerCount = fuzz::readers<Repositories>.size() + 1;
 
     /// which: below readerCount.
     void read(std::size_t which)
     {
-        if (which < fuzz::listReaders<Repositories>.size())
-            return fuzz::listReaders<Repositories>[which](*m_repositories, m_ids);
-        which -= fuzz::listReaders<Repositories>.size();
-        if (which < fuzz::trialReaders<Repositories>.size())
-            return fuzz::trialReaders<Repositories>[which](*m_repositories, m_ids);
+        if (which < fuzz::readers<Repositories>.size())
+            return fuzz::readers<Repositories>[which](*m_repositories, m_ids);
         static_cast<void>(changeEntries(*m_connection));
     }
 

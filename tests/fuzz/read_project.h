@@ -43,9 +43,9 @@ void forEachPair(const std::vector<RecordId> &outer, const std::vector<RecordId>
 template <class Repositories>
 using Reader = void (*)(Repositories &, const Ids &);
 
-/// Each way in which the program reads something of a Project, or of the same repositories: records of the school's things.
+/// Each way in which the program reads something of a Project, or of the same repositories.
 template <class Repositories>
-inline constexpr std::array<Reader<Repositories>, 12> listReaders = {
+inline constexpr std::array<Reader<Repositories>, 27> readers = {
     [](Repositories &project, const Ids &) { static_cast<void>(project.cameras().all()); },
     [](Repositories &project, const Ids &ids) {
         for (const RecordId camera : ids.cameras)
@@ -64,11 +64,6 @@ inline constexpr std::array<Reader<Repositories>, 12> listReaders = {
     [](Repositories &project, const Ids &) { static_cast<void>(project.tasks().uses()); },
     [](Repositories &project, const Ids &) { static_cast<void>(project.tasks().current()); },
     [](Repositories &project, const Ids &) { static_cast<void>(project.tasks().scorings()); },
-};
-
-/// The same of trials, and of what was measured in them.
-template <class Repositories>
-inline constexpr std::array<Reader<Repositories>, 15> trialReaders = {
     [](Repositories &project, const Ids &) {
         const auto page = project.trials().page(nullptr, 2);
         if (page && !page->empty())
