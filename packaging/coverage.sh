@@ -2,13 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs the tests on a build whose core counts the lines that run, and tells how many of them did: a table of the files,
 # the least covered first, in build/coverage/coverage.txt, and the whole at the end. Fails below nine lines in ten.
-# Needs gcovr. Arguments go to ctest; a test that fails is told, and what the others reached is counted all the same.
+# Arguments go to ctest; a test that fails is told, and what the others reached is counted all the same.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
-command -v gcovr >/dev/null || {
-    echo "coverage.sh: gcovr is not there; install the package gcovr" >&2
-    exit 1
-}
+packaging/install_packages.sh
+packaging/install_packages.sh packages_quality.txt
 cmake --preset coverage >/dev/null
 cmake --build --preset coverage
 find build/coverage -name '*.gcda' -delete

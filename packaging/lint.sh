@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Has clang-tidy (.clang-tidy) and clazy look through the sources and prints what they find; docs/testing.md says what for.
-# The status is 0 if nothing was found, 1 otherwise. Nothing is compiled but two precompiled headers.
+# The status is 0 if nothing was found, 1 otherwise. Nothing is compiled but precompiled headers.
 #   packaging/lint.sh                     all of core, ui, app and tests: some two hours of one processor
 #   packaging/lint.sh FILE|FOLDER...      these alone
 #   packaging/lint.sh --changed COMMIT    what differs from COMMIT; of a changed header, the source of its name
@@ -17,7 +17,7 @@ if [ "${1:-}" = --changed ]; then
 fi
 
 packaging/install_packages.sh
-packaging/install_packages.sh packages_lint.txt
+packaging/install_packages.sh packages_quality.txt
 cmake --preset lint >/dev/null # anew, for files that have come since
 
 # The sources that are built, of those asked for.
@@ -32,7 +32,7 @@ done < <(sed -n 's/^ *"file": "\(.*\)".*/\1/p' build/lint/compile_commands.json 
 [ ${#sources[@]} -gt 0 ] || { echo "lint.sh: ${paths[*]}: no source that is built; name files or folders of the tree" >&2; exit 2; }
 
 # What they include beside themselves and headers: the precompiled headers, and what moc makes of a test.
-made=(odograph_pch_std odograph_pch_qt)
+made=(odograph_pch_{std,qt,widgets,test,widgets_test})
 mapfile -t mocs < <(ninja -C build/lint -t targets all | sed -n 's/^\(tests\/.*\.moc\): .*/\1/p')
 for moc in "${mocs[@]}"; do
     [[ " ${sources[*]} " = *" $PWD/${moc%.moc}.cpp "* ]] && made+=("$moc")

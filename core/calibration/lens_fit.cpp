@@ -65,6 +65,28 @@ RigidTransform transformOf(const Pose &pose)
     return transform;
 }
 
+// Of any size, for these are computed once a fit, and matrices of each lens's own size take the compiler a minute.
+using Derivatives = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The share of a view in the lens's normal matrix, its pose eliminated (Schur complement).
+Eigen::MatrixXd withoutPose(const Derivatives &byLens, const Derivatives &byPose)
+{
+    const Eigen::MatrixXd posePose = byPose.transpose() * byPose;
+    const Eigen::MatrixXd lensPose = byLens.transpose() * byPose;
+    return byLens.transpose() * byLens - lensPose * posePose.inverse() * lensPose.transpose();
+}
+
+/// Inverse of a normal matrix; what is not determined gets an enormous variance instead of a wrong small one.
+Eigen::MatrixXd inverse(const Eigen::MatrixXd &normal)
+{
+    const Eigen::VectorXd scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
+    const Eigen::VectorXd inverted = eigen.eigenvalues().cwiseMax(1e-14).cwiseInverse();
+    return scale.asDiagonal() * (eigen.eigenvectors() * inverted.asDiagonal() * eigen.eigenvectors().transpose()) *
+           scale.asDiagonal();
+}
+
 template <LensModel model>
 class Fit
 {
@@ -123,7 +145,7 @@ public:
         fit.intrinsics.cxPx = m_lens[2];
         fit.intrinsics.cyPx = m_lens[3];
         fit.intrinsics.distortion.assign(m_lens.begin() + 4, m_lens.end());
-        Matrix reduced = Matrix::Zero();
+        Eigen::MatrixXd reduced = Eigen::MatrixXd::Zero(size, size);
         std::size_t count = 0;
         for (std::size_t view = 0; view < m_views.size(); ++view) {
             fit.cameraFromBoard.push_back(transformOf(m_poses[view]));
@@ -141,40 +163,21 @@ public:
 
 private:
     static constexpr int size = lensSize(model);
-    using Matrix = Eigen::Matrix<double, size, size>;
 
-    /// Adds a view's share to the lens's normal matrix, its pose eliminated (Schur complement); returns its
-    /// squares.
-    double addNormal(std::size_t view, Matrix &reduced, std::vector<Eigen::Vector2d> &residuals) const
+    /// Adds a view's share to the lens's normal matrix; returns its squares.
+    double addNormal(std::size_t view, Eigen::MatrixXd &reduced, std::vector<Eigen::Vector2d> &residuals) const
     {
         const std::size_t corners = m_views[view].pixels.size();
         const auto rows = static_cast<Eigen::Index>(2 * corners);
-        Eigen::Matrix<double, Eigen::Dynamic, size, Eigen::RowMajor> byLens(rows, size);
-        Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor> byPose(rows, 6);
+        Derivatives byLens(rows, size), byPose(rows, 6);
         Eigen::VectorXd errors(rows);
         const double *parameters[] = {m_lens.data(), m_poses[view].data()};
         double *derivatives[] = {byLens.data(), byPose.data()};
         ViewCost<model>(m_views[view], 0).Evaluate(parameters, errors.data(), derivatives);
         for (std::size_t i = 0; i < corners; ++i)
             residuals.emplace_back(-errors.segment<2>(static_cast<Eigen::Index>(2 * i)));
-        const Eigen::Matrix<double, 6, 6> posePose = byPose.transpose() * byPose;
-        const Eigen::Matrix<double, size, 6> lensPose = byLens.transpose() * byPose;
-        reduced += byLens.transpose() * byLens - lensPose * posePose.inverse() * lensPose.transpose();
+        reduced += withoutPose(byLens, byPose);
         return errors.squaredNorm();
-    }
-
-    /// Inverse of a normal matrix; what is not determined gets an enormous variance instead of a wrong small
-    /// one.
-    static Eigen::MatrixXd inverse(const Matrix &normal)
-    {
-        const Eigen::Matrix<double, size, 1> scale =
-            normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-        const Matrix scaled = scale.asDiagonal() * normal * scale.asDiagonal();
-        const Eigen::SelfAdjointEigenSolver<Matrix> eigen(scaled);
-        const Eigen::Matrix<double, size, 1> inverted = eigen.eigenvalues().cwiseMax(1e-14).cwiseInverse();
-        return scale.asDiagonal() *
-               (eigen.eigenvectors() * inverted.asDiagonal() * eigen.eigenvectors().transpose()) *
-               scale.asDiagonal();
     }
 
     const std::vector<BoardView> &m_views;

@@ -28,26 +28,51 @@ if(ODOGRAPH_COVERAGE)
   target_link_options(odograph_options INTERFACE --coverage)
 endif()
 
-# One precompiled header for the parts below Qt, one for those with it; each is compiled once and reused.
-function(odograph_precompile target qt)
-  if(qt)
-    set(owner odograph_pch_qt)
-  else()
-    set(owner odograph_pch_std)
-  endif()
-  target_precompile_headers(${target} REUSE_FROM ${owner})
+# odograph_precompiled(KIND LINKS libraries... HEADERS headers...): headers that are compiled once, for all targets that say
+# odograph_precompile(TARGET KIND). GCC takes them only where the same macros are defined, so KIND follows which parts of Qt a
+# target is linked with.
+set(plain_headers <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span>
+  <string> <string_view> <vector> <Eigen/Core> <Eigen/Geometry> <tl/expected.hpp>)
+function(odograph_precompiled kind)
+  cmake_parse_arguments(ARG "" "" "LINKS;HEADERS" ${ARGN})
+  set(owner odograph_pch_${kind})
+  file(WRITE ${PROJECT_BINARY_DIR}/pch/${kind}.cpp "// owner of precompiled headers\n")
+  add_library(${owner} STATIC ${PROJECT_BINARY_DIR}/pch/${kind}.cpp)
+  target_link_libraries(${owner} PUBLIC odograph_options Eigen3::Eigen tl::expected ${ARG_LINKS})
+  target_precompile_headers(${owner} PRIVATE ${plain_headers} ${ARG_HEADERS})
 endfunction()
 
-# odograph_library(NAME SOURCES a.cpp ... [LINKS public...] [PRIVATE_LINKS private...] [QT])
-# QT: runs moc over the sources and uses the Qt precompiled header.
+function(odograph_precompile target kind)
+  target_precompile_headers(${target} REUSE_FROM odograph_pch_${kind})
+endfunction()
+
+set(qt_headers <QObject> <QString> <QHash> <QVector> <QVariant>)
+set(widget_headers <QAction> <QComboBox> <QCoreApplication> <QDialog> <QFormLayout> <QHBoxLayout> <QHeaderView> <QImage> <QLabel>
+  <QLocale> <QPainter> <QPushButton> <QStringList> <QTableView> <QVBoxLayout> <QWidget>)
+set(test_headers <QDir> <QFile> <QSignalSpy> <QTemporaryDir> <QTest>)
+# Where a test lies would make each test's macros its own; QFINDTESTDATA, which is what that is for, is not used.
+set_target_properties(Qt6::Test PROPERTIES INTERFACE_COMPILE_DEFINITIONS QT_TESTLIB_LIB)
+odograph_precompiled(std)
+odograph_precompiled(qt LINKS Qt6::Core HEADERS ${qt_headers})
+odograph_precompiled(widgets LINKS Qt6::Widgets HEADERS ${qt_headers} ${widget_headers})
+odograph_precompiled(test LINKS Qt6::Test HEADERS ${qt_headers} ${test_headers})
+odograph_precompiled(widgets_test LINKS Qt6::Widgets Qt6::Test HEADERS ${qt_headers} ${widget_headers} ${test_headers})
+
+# odograph_library(NAME SOURCES a.cpp ... [LINKS public...] [PRIVATE_LINKS private...] [QT|WIDGETS])
+# QT, WIDGETS: runs moc over the sources; WIDGETS where they are linked with Qt's widgets.
 function(odograph_library name)
-  cmake_parse_arguments(ARG "QT" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "QT;WIDGETS" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   target_link_libraries(${name} PUBLIC odograph_options ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
-  if(ARG_QT)
+  set(kind std)
+  if(ARG_QT OR ARG_WIDGETS)
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
+    set(kind qt)
   endif()
-  odograph_precompile(${name} "${ARG_QT}")
+  if(ARG_WIDGETS)
+    set(kind widgets)
+  endif()
+  odograph_precompile(${name} ${kind})
 endfunction()
 
 # odograph_moc_own(tst_unit): makes tst_unit.moc, which tst_unit.cpp includes. AUTOMOC would start CMake twice for each of
@@ -76,8 +101,15 @@ function(odograph_test name)
   add_executable(${name} ${name}.cpp ${ARG_SOURCES})
   odograph_moc_own(${name})
   target_link_libraries(${name} PRIVATE odograph_options Qt6::Test ${ARG_LINKS})
-  odograph_precompile(${name} ON)
   string(REGEX MATCH "^[a-z0-9]+" part ${folder})
+  if(part MATCHES "^(ui|manual)$")
+    target_link_libraries(${name} PRIVATE Qt6::Widgets)
+    odograph_precompile(${name} widgets_test)
+  elseif(ARG_LINKS MATCHES "Qt6::(Gui|Svg)|test_stored_example") # with Qt's pictures, but no widgets
+    odograph_precompile(${name} qt)
+  else()
+    odograph_precompile(${name} test)
+  endif()
   if(NOT TARGET ${part}_tests)
     add_custom_target(${part}_tests) # all of a folder and those below it
   endif()
@@ -89,17 +121,3 @@ function(odograph_test name)
     SKIP_REGULAR_EXPRESSION "ODOGRAPH-SKIPPED"
     ENVIRONMENT "QT_QPA_PLATFORM=offscreen;ODOGRAPH_SOURCE_DIR=${PROJECT_SOURCE_DIR};ODOGRAPH_PROGRAM=$<TARGET_FILE:odograph>;${ARG_ENVIRONMENT}")
 endfunction()
-
-file(WRITE ${PROJECT_BINARY_DIR}/pch/empty_std.cpp "// owner of the precompiled header of the parts below Qt\n")
-file(WRITE ${PROJECT_BINARY_DIR}/pch/empty_qt.cpp "// owner of the precompiled header of the parts with Qt\n")
-add_library(odograph_pch_std STATIC ${PROJECT_BINARY_DIR}/pch/empty_std.cpp)
-target_link_libraries(odograph_pch_std PUBLIC odograph_options Eigen3::Eigen tl::expected)
-target_precompile_headers(odograph_pch_std PRIVATE
-  <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span>
-  <string> <string_view> <vector> <Eigen/Core> <Eigen/Geometry> <tl/expected.hpp>)
-add_library(odograph_pch_qt STATIC ${PROJECT_BINARY_DIR}/pch/empty_qt.cpp)
-target_link_libraries(odograph_pch_qt PUBLIC odograph_options Eigen3::Eigen tl::expected Qt6::Core)
-target_precompile_headers(odograph_pch_qt PRIVATE
-  <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span>
-  <string> <string_view> <vector> <Eigen/Core> <Eigen/Geometry> <tl/expected.hpp> <QObject> <QString> <QHash>
-  <QVector> <QVariant>)
