@@ -6303,6 +6303,10 @@
         <source>nothing was recorded</source>
         <translation>nichts wurde aufgenommen</translation>
     </message>
+    <message>
+        <source>the disk has become read-only, the change was not saved</source>
+        <translation>die Platte ist schreibgeschützt geworden, die Änderung wurde nicht gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

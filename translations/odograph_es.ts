@@ -6303,6 +6303,10 @@
         <source>nothing was recorded</source>
         <translation>no se grabó nada</translation>
     </message>
+    <message>
+        <source>the disk has become read-only, the change was not saved</source>
+        <translation>el disco ha pasado a ser de solo lectura, el cambio no se guardó</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

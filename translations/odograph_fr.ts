@@ -6303,6 +6303,10 @@
         <source>nothing was recorded</source>
         <translation>rien n’a été enregistré</translation>
     </message>
+    <message>
+        <source>the disk has become read-only, the change was not saved</source>
+        <translation>le disque est passé en lecture seule, la modification n’a pas été enregistrée</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

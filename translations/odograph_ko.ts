@@ -6301,6 +6301,10 @@
         <source>nothing was recorded</source>
         <translation>아무것도 녹화되지 않았습니다</translation>
     </message>
+    <message>
+        <source>the disk has become read-only, the change was not saved</source>
+        <translation>디스크가 읽기 전용이 되어 변경이 저장되지 않았습니다</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

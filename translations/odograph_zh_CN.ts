@@ -6301,6 +6301,10 @@
         <source>nothing was recorded</source>
         <translation>什么也没有录制</translation>
     </message>
+    <message>
+        <source>the disk has become read-only, the change was not saved</source>
+        <translation>磁盘已变为只读，更改未保存</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -7,6 +7,7 @@
 #include <QSqlError>
 #include <QUrl>
 #include <atomic>
+#include <cerrno>
 #include <limits>
 #include <sqlite3.h>
 #include <utility>
@@ -33,8 +34,8 @@ struct Explanation
     const char *why, *advice;
 };
 
-/// SQLite's result codes in words for a person.
-Explanation explain(int resultCode)
+/// SQLite's result codes in words for a person. systemError: the errno of what it last asked of the system, 0 where that is not known.
+Explanation explain(int resultCode, int systemError)
 {
     switch (resultCode & 0xff) {
     case SQLITE_BUSY:
@@ -52,6 +53,9 @@ Explanation explain(int resultCode)
         return {ErrorCode::Io, "the disk is full, the change was not saved",
                 "make room on the disk and try again"};
     case SQLITE_IOERR:
+        if (systemError == EROFS)
+            return {ErrorCode::Io, "the disk has become read-only, the change was not saved",
+                    "check the disk, and copy the project to another one"};
         if (resultCode == SQLITE_IOERR_READ || resultCode == SQLITE_IOERR_CORRUPTFS) // what EIO is to it
             return {ErrorCode::Io, "the disk could not be read, and nothing was changed",
                     "check the disk, and copy the project to another one"};
@@ -98,7 +102,7 @@ Result<std::unique_ptr<ProjectConnection>> ProjectConnection::open(const std::fi
     database.setConnectOptions(options);
     database.setDatabaseName(access == DatabaseAccess::Immutable ? immutableAddress(file) : toQString(file));
     if (!database.open()) {
-        const Explanation reason = explain(database.lastError().nativeErrorCode().toInt());
+        const Explanation reason = explain(database.lastError().nativeErrorCode().toInt(), 0);
         return fail(reason.code, connection->displayName(), reason.why, reason.advice);
     }
     if (auto configured = connection->configure(access); !configured)
@@ -275,7 +279,7 @@ Result<bool> Statement::firstRow()
 tl::unexpected<Error> Statement::failure() const
 {
     const QSqlError error = m_query.lastError();
-    const Explanation reason = explain(error.nativeErrorCode().toInt());
+    const Explanation reason = explain(error.nativeErrorCode().toInt(), sqlite3_system_errno(m_connection.handle()));
     std::string why = reason.why;
     if (reason.code == ErrorCode::Internal)
         why += " (" + error.databaseText().toStdString() + ")";

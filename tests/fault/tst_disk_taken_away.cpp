@@ -81,7 +81,7 @@ void TestDiskTakenAway::whatWasRecordedIsThere_data()
     QTest::addColumn<QByteArray>("words");
     // As the kernel does by itself when the disk fails.
     QTest::newRow("it becomes read-only") << QStringList{QStringLiteral("mount"), QStringLiteral("-o"), QStringLiteral("remount,abort")}
-                                          << QByteArray("the disk reported an error");
+                                          << QByteArray("the disk has become read-only");
     QTest::newRow("it is unmounted") << QStringList{QStringLiteral("umount"), QStringLiteral("-l")} << QByteArray("its file is no longer there");
 }
 

@@ -18,6 +18,7 @@ std::span<const CorePattern> errorsProject()
         {QT_TRANSLATE_NOOP("CoreWords", "the disk is full")},
         {QT_TRANSLATE_NOOP("CoreWords", "make room on the disk and try again")},
         {QT_TRANSLATE_NOOP("CoreWords", "the disk reported an error, the change was not saved")},
+        {QT_TRANSLATE_NOOP("CoreWords", "the disk has become read-only, the change was not saved")},
         {QT_TRANSLATE_NOOP("CoreWords", "check the disk, and copy the project to another one")},
         {QT_TRANSLATE_NOOP("CoreWords", "check the disk and try again")},
         {QT_TRANSLATE_NOOP("CoreWords", "check the disk")},
