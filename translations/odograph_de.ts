@@ -7369,6 +7369,10 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <source>±: %1.</source>
         <translation>±: %1.</translation>
     </message>
+    <message>
+        <source>rate varies</source>
+        <translation>Rate schwankt</translation>
+    </message>
 </context>
 <context>
     <name>ReportStills</name>
@@ -9314,8 +9318,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Abweichung der Sichten: %1</translation>
     </message>
     <message>
-        <source>coloured by</source>
-        <translation>gefärbt nach</translation>
+        <source>colour</source>
+        <translation>Farbe</translation>
     </message>
 </context>
 <context>

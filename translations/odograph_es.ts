@@ -7369,6 +7369,10 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <source>±: %1.</source>
         <translation>±: %1.</translation>
     </message>
+    <message>
+        <source>rate varies</source>
+        <translation>frecuencia variable</translation>
+    </message>
 </context>
 <context>
     <name>ReportStills</name>
@@ -9314,8 +9318,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Discrepancia entre vistas: %1</translation>
     </message>
     <message>
-        <source>coloured by</source>
-        <translation>color según</translation>
+        <source>colour</source>
+        <translation>color</translation>
     </message>
 </context>
 <context>

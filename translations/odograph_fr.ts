@@ -7369,6 +7369,10 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <source>±: %1.</source>
         <translation>±&#xa0;: %1.</translation>
     </message>
+    <message>
+        <source>rate varies</source>
+        <translation>cadence variable</translation>
+    </message>
 </context>
 <context>
     <name>ReportStills</name>
@@ -9314,8 +9318,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Désaccord des vues&#xa0;: %1</translation>
     </message>
     <message>
-        <source>coloured by</source>
-        <translation>coloré selon</translation>
+        <source>colour</source>
+        <translation>couleur</translation>
     </message>
 </context>
 <context>

@@ -7364,6 +7364,10 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <source>±: %1.</source>
         <translation>±: %1.</translation>
     </message>
+    <message>
+        <source>rate varies</source>
+        <translation>속도 불규칙</translation>
+    </message>
 </context>
 <context>
     <name>ReportStills</name>
@@ -9306,8 +9310,8 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>뷰 간 불일치: %1</translation>
     </message>
     <message>
-        <source>coloured by</source>
-        <translation>색 기준</translation>
+        <source>colour</source>
+        <translation>색</translation>
     </message>
 </context>
 <context>

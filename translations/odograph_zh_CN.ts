@@ -7364,6 +7364,10 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <source>±: %1.</source>
         <translation>±：%1。</translation>
     </message>
+    <message>
+        <source>rate varies</source>
+        <translation>帧率不恒定</translation>
+    </message>
 </context>
 <context>
     <name>ReportStills</name>
@@ -9306,8 +9310,8 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>视角差异：%1</translation>
     </message>
     <message>
-        <source>coloured by</source>
-        <translation>着色依据</translation>
+        <source>colour</source>
+        <translation>颜色</translation>
     </message>
 </context>
 <context>

@@ -48,7 +48,7 @@ FloorMap::~FloorMap() = default;
 void FloorMap::setColouring(bool byDisagreement)
 {
     m_colouring->setCurrentIndex(byDisagreement ? 1 : 0);
-    setRemark(tr("coloured by"));
+    setRemark(tr("colour"));
     m_area->setColouring(byDisagreement ? MapColouring::Disagreement : MapColouring::Speed);
     m_how->setVisible(byDisagreement);
     compare();

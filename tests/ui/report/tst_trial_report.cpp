@@ -11,6 +11,7 @@
 
 using namespace odo;
 using namespace odo::test;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -79,6 +80,16 @@ private Q_SLOTS:
               "Straightness", "0.4200 ±0.0010", "Remarks", "lens calibrated to 0.21 px", "90 frames at 30.00/s, 0 missing",
               "Kalman/RTS, noise from the data"})
             QVERIFY2(text.contains(QString::fromUtf8(words)), qPrintable(QString::fromUtf8(words) + QStringLiteral(" is not in: ") + text));
+    }
+    void aVaryingRateIsPrinted()
+    {
+        auto scene = exampleCopy();
+        std::vector<Nanoseconds> &times = scene->views.front().recording.frameTimes;
+        for (std::size_t i = 0; i < times.size(); ++i)
+            times[i] = 40ms * static_cast<int>(i) + (i % 5 == 4 ? 25ms : 0ms);
+        const QString text = printedText(printed(trialPages(contentOf(scene), {}))).simplified();
+        QCOMPARE(text.count(QStringLiteral("rate varies")), 1); // of the two views
+        QVERIFY2(text.indexOf(QStringLiteral("rate varies")) < text.indexOf(QStringLiteral("B: 90 frames")), qPrintable(text));
     }
     void paperHasItsSize()
     {
