@@ -8058,7 +8058,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>All ticked cameras together</source>
-        <translation>Alle angekreuzten Kameras zusammen</translation>
+        <translation>Alle angekreuzten Kameras</translation>
     </message>
     <message>
         <source>The chosen camera alone</source>

@@ -21,8 +21,7 @@ FloorMap::FloorMap(Timeline &timeline, QWidget *parent)
     m_colouring->setAccessibleName(tr("What colours the trails of the map"));
     m_colouring->setFocusPolicy(Qt::TabFocus); // Space goes on playing
     m_colouring->addItems({tr("Speed"), tr("Disagreement")});
-    m_colouring->setMinimumContentsLength(8);
-    m_colouring->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_colouring->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_how->setText(QStringLiteral("?"));
     m_how->setProperty("flat", true);
     m_how->setFocusPolicy(Qt::StrongFocus);

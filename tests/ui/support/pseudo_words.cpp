@@ -12,6 +12,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QRegularExpression>
+#include <QStyle>
+#include <QStyleOptionComboBox>
 #include <QTabBar>
 #include <QTextDocumentFragment>
 #include <QToolButton>
@@ -107,6 +109,15 @@ QStringList textsOf(const QWidget &widget)
     return texts;
 }
 
+int roomForText(const QComboBox &box)
+{
+    QStyleOptionComboBox option;
+    option.initFrom(&box);
+    option.editable = box.isEditable();
+    option.frame = box.hasFrame();
+    return box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box).width();
+}
+
 } // namespace
 
 QString PseudoWords::translate(const char *context, const char *source, const char *, int) const
@@ -154,6 +165,8 @@ QStringList cutOffIn(const QWidget &window)
             const int sign = button->icon().isNull() || isBelow ? 0 : button->iconSize().width();
             note(*widget, button->text(), widget->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width() + sign + edges, widget->width());
         }
+        if (const auto *box = qobject_cast<const QComboBox *>(widget))
+            note(*widget, box->currentText(), widget->fontMetrics().horizontalAdvance(box->currentText()), roomForText(*box));
         const auto *label = qobject_cast<const QLabel *>(widget);
         if (!label || label->text().isEmpty() || qobject_cast<const ElidedLabel *>(widget))
             continue;
