@@ -4,6 +4,7 @@
 #include "core/base/crash_report.h"
 #include "core/base/memory_pools.h"
 #include "core/base/shortage.h"
+#include "core/project/sound_backup.h"
 
 #include <QApplication>
 #include <QFileInfo>
@@ -53,6 +54,9 @@ constexpr NamedCommand commands[] = {
     {"check", "check a project and its recordings", runCheck, false},
 };
 
+/// As a desktop calls it, where nobody sees a terminal.
+constexpr const char *windowOption = "--window";
+
 constexpr int exitDone = 0, exitFailed = 1, exitWrongCall = 2, exitCancelled = 130;
 
 /// Set by Ctrl-C; the one global, because a signal handler can reach nothing else. Its flag is lock-free.
@@ -62,8 +66,9 @@ void onInterrupt(int) { cancelToken.cancel(); }
 
 void printHelp()
 {
-    std::puts("odograph [PROJECT.odo]        open the workbench\n"
-              "odograph COMMAND ...          run without a window; odograph COMMAND --help tells how\n");
+    std::puts("odograph [PROJECT.odo]           open the workbench\n"
+              "odograph --window [PROJECT.odo]  the same, and tell in the window what is wrong with the project\n"
+              "odograph COMMAND ...             run without a window; odograph COMMAND --help tells how\n");
     for (const NamedCommand &command : commands)
         std::printf("  %-11s %s\n", command.name, command.summary);
 }
@@ -138,10 +143,15 @@ int openWorkbench(int argc, char **argv)
     QCoreApplication::setOrganizationName(QStringLiteral("odograph")); // its settings lie in a folder of that name
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
-    const QStringList arguments = QCoreApplication::arguments().mid(1);
-    if (arguments.isEmpty())
-        return report(runWorkbench(std::nullopt));
-    return report(runWorkbench(arguments.first().toStdString()));
+    QStringList arguments = QCoreApplication::arguments().mid(1);
+    const bool hasTerminal = arguments.removeAll(QLatin1String(windowOption)) == 0;
+    const auto project = arguments.isEmpty() ? std::nullopt : std::optional<std::filesystem::path>(arguments.first().toStdString());
+    if (project && hasTerminal) {
+        if (auto worth = worthOpening(*project); !worth)
+            return report(worth); // without a window
+    }
+    runWorkbench(project);
+    return exitDone;
 }
 
 } // namespace
@@ -165,7 +175,7 @@ int main(int argc, char **argv)
             return runCommand(command, argc, argv);
     }
     const bool isProject = first.ends_with(".odo") || QFileInfo(QString::fromLocal8Bit(argc > 1 ? argv[1] : "")).isFile();
-    if (argc == 1 || (argc == 2 && isProject))
+    if (argc == 1 || (argc == 2 && isProject) || (argc <= 3 && first == windowOption))
         return openWorkbench(argc, argv);
     return report(fail(ErrorCode::WrongCall, '\'' + std::string(first) + '\'', "neither a command nor a project",
                        "see odograph help"));

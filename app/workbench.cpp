@@ -4,7 +4,6 @@
 #include "core/base/crash_report.h"
 #include "core/exchange/text_file.h"
 #include "core/project/project.h"
-#include "core/project/sound_backup.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/crash_notice.h"
 #include "ui/main_window/language.h"
@@ -20,14 +19,10 @@
 
 namespace odo {
 
-Result<void> runWorkbench(const std::optional<std::filesystem::path> &project)
+void runWorkbench(const std::optional<std::filesystem::path> &project)
 {
     installLanguage(*qApp, chosenLanguage());
     applyAppearance(*qApp);
-    if (project) {
-        if (auto worth = worthOpening(*project); !worth)
-            return worth; // on the terminal, without a window
-    }
     MainWindow window;
     QObject::connect(&window.workspace(), &Workspace::opened, &window,
                      [&window] { noteOpenProject(window.workspace().project()->file()); });
@@ -36,7 +31,6 @@ Result<void> runWorkbench(const std::optional<std::filesystem::path> &project)
     if (project)
         window.beginOpening(*project);
     QApplication::exec();
-    return {};
 }
 
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,

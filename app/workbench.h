@@ -11,8 +11,9 @@
 
 namespace odo {
 
-/// Opens the window, with a project or with the welcome page, and returns when the user has closed it.
-Result<void> runWorkbench(const std::optional<std::filesystem::path> &project);
+/// Opens the window, with a project or with the welcome page, and returns when the user has closed it. What is wrong with the
+/// project is told there.
+void runWorkbench(const std::optional<std::filesystem::path> &project);
 
 /// The window as a user would see it with a trial in one of its modes, painted without a display into a picture file.
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,

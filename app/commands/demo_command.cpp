@@ -20,7 +20,7 @@ Result<void> runDemo(const QStringList &arguments, const CancelToken &cancel)
     const QString path = QString::fromStdString(file->string());
     call.answer({{QStringLiteral("project"), path}}, QStringLiteral("The demo lesson is in %1.").arg(path));
     if (call.isSet(open))
-        return runWorkbench(*file);
+        runWorkbench(*file);
     return {};
 }
 

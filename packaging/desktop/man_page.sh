@@ -16,6 +16,7 @@ cat <<EOF
 odograph \- measure how a mobile robot moved, from two ordinary cameras
 .SH SYNOPSIS
 .B odograph
+.RB [ \-\-window ]
 .RI [ PROJECT.odo ]
 .br
 .B odograph
@@ -25,7 +26,9 @@ odograph \- measure how a mobile robot moved, from two ordinary cameras
 Odograph finds a robot in the videos of two or more cameras, maps the views to the floor, and gives position, velocity and
 acceleration in millimetres and seconds, each with its uncertainty.
 .PP
-With no argument, or with a project, it opens the workbench. With a command it runs without a window and without a display.
+With no argument, or with a project, it opens the workbench; with
+.B \-\-window
+it does so in any case and tells there what is wrong with the project. With a command it runs without a window and without a display.
 .PP
 With
 .B \-\-json

@@ -8,6 +8,7 @@
 #include <QImage>
 #include <QMimeDatabase>
 #include <QPainter>
+#include <QProcess>
 #include <QRegularExpression>
 #include <QSvgRenderer>
 #include <QTemporaryDir>
@@ -171,7 +172,7 @@ private Q_SLOTS:
             }
         }
         // No line is taken for a request of roff that is none.
-        static const QRegularExpression known(QStringLiteral("^\\.(TH|SH|SS|B|I|BR|RI|IR|TP|PP|br|nf|fi)( |$)"));
+        static const QRegularExpression known(QStringLiteral("^\\.(TH|SH|SS|B|I|BR|RB|RI|IR|TP|PP|br|nf|fi)( |$)"));
         for (const QString &line : page.split(u'\n'))
             QVERIFY2(!line.startsWith(u'.') || known.match(line).hasMatch(), qPrintable(line));
     }
@@ -187,6 +188,27 @@ private Q_SLOTS:
         QCOMPARE(completed({QStringLiteral("odograph"), QStringLiteral("export"), QStringLiteral("--format"), QStringLiteral("t")}),
                  (QStringList{QStringLiteral("tum"), QStringLiteral("tracker")}));
         QVERIFY(completed({QStringLiteral("odograph"), QStringLiteral("nonsense"), QStringLiteral("--x")}).isEmpty());
+    }
+
+    /// Who double-clicks a file sees no terminal: the window stays, and tells what is wrong with the project.
+    void aDesktopIsToldInTheWindow()
+    {
+        const QString missing = m_folder.filePath(QStringLiteral("missing.odo"));
+        static const QRegularExpression line(QStringLiteral("^Exec=odograph (.*)$"), QRegularExpression::MultilineOption);
+        QStringList arguments = line.match(QString::fromUtf8(contentOf(source(QStringLiteral("packaging/desktop/%1.desktop").arg(appId)))))
+                                    .captured(1)
+                                    .split(u' ');
+        QVERIFY(arguments.contains(QStringLiteral("%f")));
+        arguments.replaceInStrings(QStringLiteral("%f"), missing);
+        QProcess byDesktop;
+        byDesktop.start(qEnvironmentVariable("ODOGRAPH_PROGRAM"), arguments);
+        QVERIFY(byDesktop.waitForStarted());
+        const ProgramRun byHand = runProgram({missing});
+        QCOMPARE(byHand.exitStatus, 1);
+        QVERIFY2(byHand.err.contains("missing.odo': there is no such file; "), byHand.err.constData());
+        QVERIFY2(!byDesktop.waitForFinished(0), byDesktop.readAllStandardError().constData()); // though it was begun before
+        byDesktop.kill();
+        QVERIFY(byDesktop.waitForFinished());
     }
 
     void theVersionIsTheSameEverywhere()
