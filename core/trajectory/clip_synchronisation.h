@@ -37,12 +37,13 @@ struct OffsetRange
 /// least squares of r(t) = p1(t) − p2((t − offset)(1 + rate)). A constant shift and a small scale between the
 /// tracks are fitted as well, for a plane at a wrong height moves a view's track by just these (away from the
 /// camera's foot, in proportion); so a straight run at constant speed determines nothing, and is refused.
+/// Of cameras with more than 120 frames a second the means of neighbouring positions count as frames.
 /// Searches the range in half frames, refines by Gauss–Newton. σ from the curvature, less what noise
 /// adds to it, and the residual, taking the residuals as correlated over half a second. The rate is taken
 /// where it is beyond 3σ, makes the tracks agree better, and is one that a clock can have (half a percent).
 /// Pure; any thread. Undetermined: too few common positions, no or uniform motion, periodic motion with two
 /// equal answers.
-Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &first,
-                                      const std::vector<TimedPosition> &second, const OffsetRange &range);
+Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTrack,
+                                      const std::vector<TimedPosition> &secondTrack, const OffsetRange &range);
 
 } // namespace odo

@@ -57,19 +57,23 @@ private Q_SLOTS:
     void findsTheOffset_data()
     {
         QTest::addColumn<double>("offset");
+        QTest::addColumn<double>("firstRate");
         QTest::addColumn<double>("secondRate");
+        QTest::newRow("1000/s") << 1.2345 << 1000.0 << 1000.0; // took minutes when the search went by half frames
+        QTest::newRow("240/s") << -2.5 << 30.0 << 240.0;
         for (const double offset : {0.0, 0.0137, -0.41, 1.2345, -2.5}) {
-            QTest::addRow("%g s", offset) << offset << 30.0;
-            QTest::addRow("%g s, 25/s", offset) << offset << 25.0;
+            QTest::addRow("%g s", offset) << offset << 30.0 << 30.0;
+            QTest::addRow("%g s, 25/s", offset) << offset << 30.0 << 25.0;
         }
     }
     void findsTheOffset()
     {
         QFETCH(double, offset);
+        QFETCH(double, firstRate);
         QFETCH(double, secondRate);
         // 3 mm of noise and 40 mm of parallax: at about 0.6 m/s and 240 frames the offset is known to about
         // 0.4 ms.
-        const auto first = view(slowingCurve, 3, 30, 0.003, {0, 0}, 1);
+        const auto first = view(slowingCurve, 3, firstRate, 0.003, {0, 0}, 1);
         const auto second = view(slowingCurve, 3 + offset, secondRate, 0.003, {0.03, -0.026}, 2);
         const auto found = estimateClipOffset(first, second, {0, 4});
         QVERIFY2(found.has_value(), found ? "" : found.error().message().c_str());
