@@ -8,6 +8,7 @@
 #include <cstring>
 #include <dlfcn.h>
 #include <link.h>
+#include <malloc.h>
 #include <new>
 #include <pthread.h>
 
@@ -149,7 +150,7 @@ extern "C" int posix_memalign(void **memory, std::size_t alignment, std::size_t 
 {
     if (isToFail(Scarce::VideoMemory))
         return ENOMEM;
-    *memory = std::aligned_alloc(alignment, size);
+    *memory = ::memalign(alignment, size);
     return *memory || size == 0 ? 0 : ENOMEM;
 }
 #endif
