@@ -70,6 +70,10 @@
         <source>, its clock %1 ppm slow</source>
         <translation>, ihre Uhr geht %1 ppm nach</translation>
     </message>
+    <message>
+        <source>%1 to %2 ms apart</source>
+        <translation>%1 bis %2 ms auseinander</translation>
+    </message>
 </context>
 <context>
     <name>AnnotatedPicture</name>
@@ -7368,10 +7372,6 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
     <message>
         <source>±: %1.</source>
         <translation>±: %1.</translation>
-    </message>
-    <message>
-        <source>rate varies</source>
-        <translation>Rate schwankt</translation>
     </message>
 </context>
 <context>

@@ -70,6 +70,10 @@
         <source>, its clock %1 ppm slow</source>
         <translation>, su reloj atrasa %1 ppm</translation>
     </message>
+    <message>
+        <source>%1 to %2 ms apart</source>
+        <translation>separadas de %1 a %2 ms</translation>
+    </message>
 </context>
 <context>
     <name>AnnotatedPicture</name>
@@ -7368,10 +7372,6 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
     <message>
         <source>±: %1.</source>
         <translation>±: %1.</translation>
-    </message>
-    <message>
-        <source>rate varies</source>
-        <translation>frecuencia variable</translation>
     </message>
 </context>
 <context>

@@ -70,6 +70,10 @@
         <source>, its clock %1 ppm slow</source>
         <translation>, horloge trop lente de %1 ppm</translation>
     </message>
+    <message>
+        <source>%1 to %2 ms apart</source>
+        <translation>espacées de %1 à %2 ms</translation>
+    </message>
 </context>
 <context>
     <name>AnnotatedPicture</name>
@@ -7368,10 +7372,6 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
     <message>
         <source>±: %1.</source>
         <translation>±&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>rate varies</source>
-        <translation>cadence variable</translation>
     </message>
 </context>
 <context>

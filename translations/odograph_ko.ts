@@ -70,6 +70,10 @@
         <source>, its clock %1 ppm slow</source>
         <translation>, 시계가 %1 ppm 느림</translation>
     </message>
+    <message>
+        <source>%1 to %2 ms apart</source>
+        <translation>간격 %1–%2 ms</translation>
+    </message>
 </context>
 <context>
     <name>AnnotatedPicture</name>
@@ -7363,10 +7367,6 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
     <message>
         <source>±: %1.</source>
         <translation>±: %1.</translation>
-    </message>
-    <message>
-        <source>rate varies</source>
-        <translation>속도 불규칙</translation>
     </message>
 </context>
 <context>

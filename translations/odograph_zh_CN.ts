@@ -70,6 +70,10 @@
         <source>, its clock %1 ppm slow</source>
         <translation>，其时钟慢 %1 ppm</translation>
     </message>
+    <message>
+        <source>%1 to %2 ms apart</source>
+        <translation>间隔 %1 至 %2 ms</translation>
+    </message>
 </context>
 <context>
     <name>AnnotatedPicture</name>
@@ -7363,10 +7367,6 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
     <message>
         <source>±: %1.</source>
         <translation>±：%1。</translation>
-    </message>
-    <message>
-        <source>rate varies</source>
-        <translation>帧率不恒定</translation>
     </message>
 </context>
 <context>

@@ -46,23 +46,31 @@ FrameSpacing spacingOf(const std::vector<Nanoseconds> &frameTimes)
     return spacingOfIntervals(intervalsOf(frameTimes));
 }
 
-std::string unevenRateWords(const std::vector<Nanoseconds> &frameTimes)
+std::optional<UnevenRate> unevenRate(const std::vector<Nanoseconds> &frameTimes)
 {
     constexpr double share = 0.05;
     const std::vector<Nanoseconds> intervals = intervalsOf(frameTimes);
     const FrameSpacing spacing = spacingOfIntervals(intervals);
     if (!spacing.isVariable || spacing.usual.count() <= 0)
-        return {};
+        return std::nullopt;
     const auto offBeat = [usualS = toSeconds(spacing.usual)](Nanoseconds interval) {
         const double beats = toSeconds(interval) / usualS;
         return std::abs(beats - std::max(1.0, std::round(beats))) > tolerance;
     };
     if (static_cast<double>(std::ranges::count_if(intervals, offBeat)) < share * static_cast<double>(intervals.size()))
-        return {};
+        return std::nullopt;
     const auto [shortest, longest] = std::ranges::minmax(intervals);
+    return UnevenRate{shortest, longest};
+}
+
+std::string unevenRateWords(const std::vector<Nanoseconds> &frameTimes)
+{
+    const auto uneven = unevenRate(frameTimes);
+    if (!uneven)
+        return {};
     char text[120];
     std::snprintf(text, sizeof text, "its frame rate varies, pictures are %.0f to %.0f ms apart; each counts at its own time",
-                  1e3 * toSeconds(shortest), 1e3 * toSeconds(longest));
+                  1e3 * toSeconds(uneven->shortest), 1e3 * toSeconds(uneven->longest));
     return text;
 }
 

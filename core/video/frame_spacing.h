@@ -17,8 +17,15 @@ struct FrameSpacing
 };
 FrameSpacing spacingOf(const std::vector<Nanoseconds> &frameTimes);
 
-/// That a camera takes its pictures unevenly, as phones do, as one sentence of an error: at least one interval in twenty is off a whole
-/// number of the usual ones by more than a tenth. Empty where they are even, though some may be missing.
+/// The shortest and the longest interval of a camera that takes its pictures unevenly, as phones do: at least one interval in twenty is
+/// off a whole number of the usual ones by more than a tenth. Nothing where they are even, though some may be missing.
+struct UnevenRate
+{
+    Nanoseconds shortest{0}, longest{0};
+};
+std::optional<UnevenRate> unevenRate(const std::vector<Nanoseconds> &frameTimes);
+
+/// The same as one sentence of a warning; empty where they are even.
 std::string unevenRateWords(const std::vector<Nanoseconds> &frameTimes);
 
 } // namespace odo

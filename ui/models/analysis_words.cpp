@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/analysis_words.h"
 
+#include "core/video/frame_spacing.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <cmath>
@@ -60,6 +62,13 @@ QString stepText(const RecordingRecord &view)
         text += view.clockRate > 0 ? Words::tr(", its clock %1 ppm fast").arg(std::lround(view.clockRate * 1e6))
                                    : Words::tr(", its clock %1 ppm slow").arg(std::lround(-view.clockRate * 1e6));
     return text;
+}
+
+QString unevenText(const RecordingRecord &view)
+{
+    const auto uneven = unevenRate(view.frameTimes);
+    const auto ms = [](Nanoseconds interval) { return QLocale().toString(toSeconds(interval) * 1e3, 'f', 0); };
+    return uneven ? Words::tr("%1 to %2 ms apart").arg(ms(uneven->shortest), ms(uneven->longest)) : QString();
 }
 
 } // namespace odo

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/method_page.h"
 
-#include "core/video/frame_spacing.h"
 #include "ui/models/analysis_words.h"
 #include "ui/models/core_words.h"
 #include "ui/models/explanation.h"
@@ -56,8 +55,8 @@ QString viewLine(const TrialContent &content, std::size_t view)
                      .arg(decimals(shown.registration->rmsPx, 2), lengthText(shown.registration->rmsM));
     else
         parts << Words::tr("not registered");
-    if (!unevenRateWords(shown.recording.frameTimes).empty())
-        parts << Words::tr("rate varies");
+    if (const QString uneven = unevenText(shown.recording); !uneven.isEmpty())
+        parts << uneven;
     return parts.join(QStringLiteral(", "));
 }
 

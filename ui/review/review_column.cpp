@@ -29,7 +29,7 @@ bool isTracked(const TrialScene &scene)
 
 ReviewColumn::ReviewColumn(Timeline &timeline, QWidget *chooser, QWidget *parent)
     : QWidget(parent), m_track(makeTrackCard()), m_result(new ResultPanel), m_spikes(new SpikeList(timeline)),
-      m_range(new RangeCard(timeline)), m_trial(new Card(tr("Trial"))), m_facts(new FactList)
+      m_range(new RangeCard(timeline)), m_trial(new Card(tr("Trial"))), m_facts(new FactList(FactList::Badges::Beneath))
 {
     auto *scroll = scrolled(m_facts, tr("Facts of the trial"));
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

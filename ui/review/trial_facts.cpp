@@ -2,7 +2,6 @@
 #include "ui/review/trial_facts.h"
 
 #include "core/trajectory/gate_passages.h"
-#include "core/video/frame_spacing.h"
 #include "ui/models/analysis_words.h"
 #include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
@@ -43,12 +42,12 @@ QString viewText(const SceneView &view)
         .arg(view.recording.frameTimes.size());
 }
 
-/// What is worse comes in the place of the badge that the rate varies, which the words say all the same.
+/// What is worse comes in the place of the badge that the rate varies, of which the words remain.
 Fact viewFact(const SceneView &view)
 {
     Fact fact{Words::tr("View"), viewText(view), {}};
-    if (const std::string uneven = unevenRateWords(view.recording.frameTimes); !uneven.empty()) {
-        fact.value += u'\n' + shownWords(uneven);
+    if (const QString uneven = unevenText(view.recording); !uneven.isEmpty()) {
+        fact.value += u'\n' + uneven;
         fact.badge = {Words::tr("rate varies"), BadgeState::Neutral};
     }
     std::error_code ignored;

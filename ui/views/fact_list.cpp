@@ -39,9 +39,20 @@ QToolButton *howButton(const Fact &fact, QWidget *parent)
     return button;
 }
 
+QWidget *withBadgeBeneath(QLabel *value, const Badge &badge, QWidget *parent)
+{
+    auto *both = new QWidget(parent);
+    auto *layout = new QVBoxLayout(both);
+    layout->setContentsMargins(0, 0, 0, rowMargin + 2);
+    layout->setSpacing(0);
+    layout->addWidget(value);
+    layout->addWidget(new BadgeLabel(badge, both), 0, Qt::AlignLeft);
+    return both;
+}
+
 } // namespace
 
-FactList::FactList(QWidget *parent) : QWidget(parent), m_layout(new QGridLayout(this))
+FactList::FactList(Badges badges) : m_badges(badges), m_layout(new QGridLayout(this))
 {
     m_layout->setContentsMargins(10, 0, 10, 0);
     m_layout->setHorizontalSpacing(14);
@@ -70,11 +81,11 @@ void FactList::addRow(int row, const Fact &fact)
         label->setContentsMargins(0, rowMargin, 0, rowMargin + 1);
     }
     m_layout->addWidget(name, row, 0);
-    const bool hasBadge = !fact.badge.text.isEmpty();
-    m_layout->addWidget(value, row, 1, 1, hasBadge || fact.how ? 1 : 2);
+    const bool hasBadge = !fact.badge.text.isEmpty(), isBeside = hasBadge && m_badges == Badges::Beside;
+    m_layout->addWidget(hasBadge && !isBeside ? withBadgeBeneath(value, fact.badge, this) : value, row, 1, 1, isBeside || fact.how ? 1 : 2);
     if (fact.how)
         m_layout->addWidget(howButton(fact, this), row, 2, Qt::AlignRight | Qt::AlignTop);
-    if (hasBadge)
+    if (isBeside)
         m_layout->addWidget(new BadgeLabel(fact.badge, this), row, 2, Qt::AlignRight | Qt::AlignVCenter);
 }
 

@@ -28,7 +28,9 @@ class FactList : public QWidget
 {
     Q_OBJECT
 public:
-    explicit FactList(QWidget *parent = nullptr);
+    /// Beside the words badges make a column that is seen at a glance; in a narrow list they would leave the words too little room.
+    enum class Badges { Beside, Beneath };
+    explicit FactList(Badges badges = Badges::Beside);
     void setFacts(const QList<Fact> &facts);
 
 protected:
@@ -36,6 +38,7 @@ protected:
 
 private:
     void addRow(int row, const Fact &fact);
+    const Badges m_badges;
     QGridLayout *m_layout;
 };
 

@@ -37,7 +37,7 @@ private Q_SLOTS:
         const auto fact = std::ranges::find(facts, QStringLiteral("View"), &Fact::name);
         QVERIFY(fact != facts.end());
         QTEST(fact->badge.text, "badge");
-        QCOMPARE(fact->value.contains(QStringLiteral("\nits frame rate varies, pictures are 15 to 65 ms apart; each counts at its own time")), isUneven);
+        QCOMPARE(fact->value.contains(QStringLiteral("\n15 to 65 ms apart")), isUneven);
     }
 
 private:
