@@ -33,6 +33,7 @@ endif()
 # target is linked with.
 set(plain_headers <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span>
   <string> <string_view> <vector> <Eigen/Core> <Eigen/Geometry> <tl/expected.hpp>)
+add_custom_target(odograph_precompiled_headers) # all of them
 function(odograph_precompiled kind)
   cmake_parse_arguments(ARG "" "" "LINKS;HEADERS" ${ARGN})
   set(owner odograph_pch_${kind})
@@ -40,6 +41,7 @@ function(odograph_precompiled kind)
   add_library(${owner} STATIC ${PROJECT_BINARY_DIR}/pch/${kind}.cpp)
   target_link_libraries(${owner} PUBLIC odograph_options Eigen3::Eigen tl::expected ${ARG_LINKS})
   target_precompile_headers(${owner} PRIVATE ${plain_headers} ${ARG_HEADERS})
+  add_dependencies(odograph_precompiled_headers ${owner})
 endfunction()
 
 function(odograph_precompile target kind)
