@@ -6311,6 +6311,10 @@
         <source>the disk has become read-only, the change was not saved</source>
         <translation>die Platte ist schreibgeschützt geworden, die Änderung wurde nicht gespeichert</translation>
     </message>
+    <message>
+        <source>with %1 called %2 they fit to %3 px</source>
+        <translation>mit %1 als %2 bezeichnet passen sie auf %3 px</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6311,6 +6311,10 @@
         <source>the disk has become read-only, the change was not saved</source>
         <translation>el disco ha pasado a ser de solo lectura, el cambio no se guardó</translation>
     </message>
+    <message>
+        <source>with %1 called %2 they fit to %3 px</source>
+        <translation>llamando a %1 como %2 encajan a %3 px</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6311,6 +6311,10 @@
         <source>the disk has become read-only, the change was not saved</source>
         <translation>le disque est passé en lecture seule, la modification n’a pas été enregistrée</translation>
     </message>
+    <message>
+        <source>with %1 called %2 they fit to %3 px</source>
+        <translation>avec %1 nommés %2, ils conviennent à %3 px</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6309,6 +6309,10 @@
         <source>the disk has become read-only, the change was not saved</source>
         <translation>디스크가 읽기 전용이 되어 변경이 저장되지 않았습니다</translation>
     </message>
+    <message>
+        <source>with %1 called %2 they fit to %3 px</source>
+        <translation>%1을(를) %2(으)로 부르면 %3 px로 맞습니다</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6309,6 +6309,10 @@
         <source>the disk has become read-only, the change was not saved</source>
         <translation>磁盘已变为只读，更改未保存</translation>
     </message>
+    <message>
+        <source>with %1 called %2 they fit to %3 px</source>
+        <translation>若将 %1 称为 %2，则吻合到 %3 px</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

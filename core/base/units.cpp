@@ -34,6 +34,8 @@ std::string formatNumber(double value, int decimals)
     return std::string(text, end);
 }
 
+std::string secondsText(double seconds, int decimals) { return formatNumber(seconds, decimals) + " s"; }
+
 Result<double> parseLengthM(std::string_view text)
 {
     struct Unit

@@ -23,6 +23,9 @@ struct BoardSpec
     std::string dictionary;       ///< ChArUco: e.g. "DICT_6X6_250"; empty: find out
 };
 
+/// With fewer corners a view tells nothing of a lens.
+inline constexpr std::size_t leastCornersOfView = 6;
+
 /// Corners found in one picture, with their places on the board (metres, z = 0).
 struct BoardView
 {

@@ -39,7 +39,6 @@ constexpr NamedDictionary smallDictionaries[] = {
     {"DICT_6X6_250", cv::aruco::DICT_6X6_250}, {"DICT_7X7_50", cv::aruco::DICT_7X7_50},
     {"DICT_7X7_100", cv::aruco::DICT_7X7_100}, {"DICT_7X7_250", cv::aruco::DICT_7X7_250},
 };
-constexpr std::size_t leastCorners = 6;
 constexpr int widestWindowPx = 11;
 
 std::vector<NamedDictionary> dictionariesFor(const std::string &name)
@@ -174,7 +173,7 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
                 continue;
             const double ratio = measuredMarkerRatio(markers, *layout);
             BoardView view = refined(luma, foretellCorners(markers, *layout, ratio), *layout, spec, source);
-            if (view.pixels.size() < leastCorners)
+            if (view.pixels.size() < leastCornersOfView)
                 return refuse(source,
                               "only " + std::to_string(view.pixels.size()) + " corners of the board are seen",
                               "show more of the board");

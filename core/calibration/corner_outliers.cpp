@@ -13,7 +13,7 @@ namespace {
 
 constexpr double standingOut = 5, leastPx = 0.1;
 constexpr double medianOfRayleigh = 1.17741; // sqrt(2 ln 2): of distances whose coordinates have σ 1
-constexpr std::size_t leastCorners = 6, leastTogether = 3;
+constexpr std::size_t leastTogether = 3;
 constexpr double sameWay = 0.8; // length of the mean of their directions
 
 /// σ of one coordinate, from the median distance; what the fit took away by adapting is given back.
@@ -106,7 +106,7 @@ CornerMarks singleCorners(const std::vector<BoardView> &views, const LensFit &fi
 {
     CornerMarks single(marks.size());
     for (std::size_t view = 0; view < marks.size(); ++view) {
-        if (views[view].pixels.size() < marks[view].size() + leastCorners)
+        if (views[view].pixels.size() < marks[view].size() + leastCornersOfView)
             continue;
         for (const auto &group : groupsOf(views[view], marks[view])) {
             if (!movesTogether(group, fit.residualsPx[view]))

@@ -3,6 +3,7 @@
 
 #include "core/base/units.h"
 #include "core/calibration/lens_influence.h"
+#include "core/calibration/mark_noise.h"
 #include "core/calibration/marker_order.h"
 #include "core/calibration/plane_pose.h"
 #include "core/calibration/wording.h"
@@ -19,11 +20,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr const char *what = "the floor cannot be registered";
-// What is believed of a marker's pixel before its residual is seen, and how many residuals that belief
-// weighs: four markers leave two, which alone would often call the noise nearly nothing. It holds for tags as
-// well: the program finds them better than that, but the layout's places were measured too.
-constexpr double priorSigmaPx = 0.3, priorFreedom = 4;
-constexpr double refutedBeyond = 3; // times the prior: then the residuals alone speak
 constexpr double leastHeightM = 0.05, mostHeightM = 100;
 constexpr double nearestPixels = 1.0;  // markers closer than that are one and the same
 constexpr double nearestPlaces = 1e-3; // of the layout's extent
@@ -225,16 +221,10 @@ Result<void> checkPlace(const PlanePose &pose)
     return {};
 }
 
-/// Of one coordinate of a marker's pixel: the mean of the prior's and the residuals' variances by what each
-/// weighs, which is the posterior mean of the variance under a scaled inverse χ² prior (Gelman et al.,
-/// Bayesian Data Analysis, 2.6) of that mean and priorFreedom + 2 degrees of freedom.
 double markerSigmaPx(const PlanePose &pose, std::size_t markers)
 {
     const double freedom = 2.0 * static_cast<double>(markers) - (pose.focalSigmaPx ? 7 : 6);
-    if (pose.sigmaPx > refutedBeyond * priorSigmaPx)
-        return pose.sigmaPx;
-    return std::sqrt((priorFreedom * priorSigmaPx * priorSigmaPx + freedom * pose.sigmaPx * pose.sigmaPx) /
-                     (priorFreedom + freedom));
+    return markSigmaPx(freedom * pose.sigmaPx * pose.sigmaPx, freedom);
 }
 
 /// The lens of a pose; where its focal length was estimated, with the covariance of that: one number, by

@@ -14,14 +14,14 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t leastViews = 3, leastCorners = 6;
+constexpr std::size_t leastViews = 3;
 constexpr double mostDisagreeing = 0.25; // of the corners: with more it is not known which of them are right
 
 /// Why a view cannot be used and what to do; empty where it can.
 std::string faultOf(const BoardView &view)
 {
     const std::size_t corners = std::min(view.pixels.size(), view.pointsOnBoard.size());
-    if (corners < leastCorners || view.pixels.size() != view.pointsOnBoard.size())
+    if (corners < leastCornersOfView || view.pixels.size() != view.pointsOnBoard.size())
         return "it has " + std::to_string(corners) + " corners of the board, six are needed: show more of it";
     if (!std::ranges::all_of(view.pixels, [](const auto &p) { return p.allFinite(); }) ||
         !std::ranges::all_of(view.pointsOnBoard, [](const auto &p) { return p.allFinite(); }))

@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "core/calibration/joint_fit.h"
 #include "core/calibration/lens_influence.h"
+#include "core/calibration/mark_noise.h"
 #include "core/calibration/wording.h"
 #include "core/geometry/point_layout.h"
 
@@ -48,7 +49,7 @@ public:
         if (!fit)
             return undetermined();
         leaveOutWhatDoesNotFit(*fit);
-        m_problem.sigmaPx = sigmaFrom(*fit);
+        m_problem.sigmaPx = markSigmaPx(fit->pixelSquares, fit->pixelFreedom);
         fit = fitJointly(m_problem);
         if (!fit)
             return undetermined();
@@ -156,17 +157,6 @@ private:
     {
         return static_cast<std::size_t>(
             std::ranges::count(m_problem.observations, camera, &JointObservation::camera));
-    }
-
-    /// As registerFloor weighs 0.3 px against the residuals; of a joint fit the pixels' share of the freedom counts.
-    static double sigmaFrom(const JointFit &fit)
-    {
-        constexpr double priorSigmaPx = 0.3, priorFreedom = 4, refutedBeyond = 3;
-        const double freedom = std::max(0.0, fit.pixelFreedom);
-        const double squares = fit.pixelSquares;
-        if (freedom > 1 && std::sqrt(squares / freedom) > refutedBeyond * priorSigmaPx)
-            return std::sqrt(squares / freedom);
-        return std::sqrt((priorFreedom * priorSigmaPx * priorSigmaPx + squares) / (priorFreedom + freedom));
     }
 
     JointRegistration outcomeOf(const JointFit &fit) const

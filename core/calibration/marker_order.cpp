@@ -41,19 +41,22 @@ std::vector<Order> exchanges(std::size_t count)
     return orders;
 }
 
-std::string describe(std::span<const PointPair> pairs, const Order &order)
+std::string describe(std::span<const PointPair> pairs, const Order &order, double rmsPx)
 {
     std::vector<std::size_t> moved;
     for (std::size_t i = 0; i < order.size(); ++i) {
         if (order[i] != i)
             moved.push_back(i);
     }
+    const std::string fit = formatNumber(rmsPx, 1);
     if (moved.size() == 2)
-        return pairs[moved[0]].label + " and " + pairs[moved[1]].label + " exchanged";
-    std::string text;
-    for (std::size_t i : moved)
-        text += (text.empty() ? "" : ", ") + pairs[order[i]].label + " called " + pairs[i].label;
-    return text;
+        return "with " + pairs[moved[0]].label + " and " + pairs[moved[1]].label + " exchanged they fit to " + fit + " px";
+    std::string told, meant;
+    for (std::size_t i : moved) {
+        told += (told.empty() ? "" : ", ") + pairs[order[i]].label;
+        meant += (meant.empty() ? "" : ", ") + pairs[i].label;
+    }
+    return "with " + told + " called " + meant + " they fit to " + fit + " px";
 }
 
 } // namespace
@@ -62,13 +65,9 @@ std::string betterOrder(std::span<const PointPair> pairs, const CameraModel &cam
                         double fitPx)
 {
     std::string words;
-    double bestPx = fitPx;
     const auto consider = [&](const Order &order) {
-        const auto rmsPx = misfit(pairs, order, camera, focal);
-        if (!rmsPx || *rmsPx > fitPx)
-            return;
-        bestPx = std::min(bestPx, *rmsPx);
-        words += (words.empty() ? "with " : " or with ") + describe(pairs, order);
+        if (const auto rmsPx = misfit(pairs, order, camera, focal); rmsPx && *rmsPx <= fitPx)
+            words += (words.empty() ? "" : "; ") + describe(pairs, order, *rmsPx);
     };
     for (const Order &order : exchanges(pairs.size()))
         consider(order);
@@ -77,7 +76,7 @@ std::string betterOrder(std::span<const PointPair> pairs, const CameraModel &cam
         while (words.empty() && std::ranges::next_permutation(order).found)
             consider(order);
     }
-    return words.empty() ? words : words + " they fit to " + formatNumber(bestPx, 1) + " px";
+    return words;
 }
 
 } // namespace odo

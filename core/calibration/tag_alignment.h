@@ -28,6 +28,9 @@ struct TagAlignment
     Eigen::Vector2d middle() const { return pixelFromTag.col(2).hnormalized(); }
 };
 
+/// The likeness from which a tag is one: of one read out of noise, or laid where there is none, it is less than 0.5.
+inline constexpr double leastTagLikeness = 0.7;
+
 /// Lays a tag whose cells are known over the picture so that what it would look like is nearest to what is
 /// seen: eight values of the map, the blur, black, white and a gradient of the light, by Gauss–Newton on the
 /// grey values (Lucas and Kanade 1981, forwards), pixels that do not agree counting less (Huber). All edges

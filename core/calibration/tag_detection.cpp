@@ -22,7 +22,6 @@ using Eigen::Matrix3d;
 
 constexpr int mostMendedBits = 1;
 constexpr int leastSidePx = 32;
-constexpr double leastLikeness = 0.7; // of a tag read out of noise it is less than 0.5
 constexpr double leastSigmaPx = 0.02; // what the lens bends within a tag and the fit's grid leave
 
 using Family = std::unique_ptr<apriltag_family_t, void (*)(apriltag_family_t *)>;
@@ -67,7 +66,7 @@ std::vector<SeenTag> read(const cv::Mat &luma, image_u8_t picture, double scale)
         zarray_get(found, i, static_cast<void *>(&tag));
         const Matrix3d map = mapOf(*tag, scale);
         const auto aligned = alignTag(luma, cellsOf(*family, tag->id), map);
-        if (aligned && aligned->likeness >= leastLikeness)
+        if (aligned && aligned->likeness >= leastTagLikeness)
             tags.push_back({tag->id, aligned->middle(), std::max(leastSigmaPx, aligned->sigmaPx),
                             aligned->pixelFromTag});
     }

@@ -20,7 +20,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double leastLikeness = 0.7;   // a floor without the tag has less than 0.5
 constexpr double nearOfHalfSide = 0.15; // of what is foretold: 0.6 cells
 constexpr double worstFitPx = 1;        // RMS of the read tags' corners
 
@@ -253,7 +252,7 @@ std::vector<SeenTag> foretoldTags(const Frame &frame, const MarkerLayout &layout
             const auto map = mapAt(place, turn, *tags, *lens);
             const auto aligned = map ? alignTag(lumaMatrix(frame), tagCells(number), *map) : std::nullopt;
             // A cell beside its place a tag that is cut off may look like itself, but it cannot lie there.
-            if (aligned && aligned->likeness >= leastLikeness && isNear(*map, aligned->middle()) &&
+            if (aligned && aligned->likeness >= leastTagLikeness && isNear(*map, aligned->middle()) &&
                 (!best || aligned->likeness > best->likeness))
                 best = aligned;
         }

@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto pictureWithin = 500ms;
+constexpr auto cameraWithin = 500ms;
 
 CameraDescription knownOf(const std::string &uri)
 {
@@ -53,7 +53,7 @@ public:
         CameraSource *source = nullptr;
         {
             std::unique_lock lock(m_mutex);
-            m_wake.wait_for(lock, pictureWithin, [this] { return m_stopped || m_camera || isHopeless(); });
+            m_wake.wait_for(lock, cameraWithin, [this] { return m_stopped || m_camera || isHopeless(); });
             if (m_stopped)
                 return cancelled(m_known.uri);
             if (!m_camera && isHopeless())

@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 constexpr Nanoseconds longestWait = 150ms;
 constexpr auto longestEnd = 1s;
-constexpr Nanoseconds shortestSleep = 100ms, sleepToldFor = 10s;
+constexpr Nanoseconds shortestPause = 100ms, sleepToldFor = 10s;
 constexpr double usualFramesPerSecond = 30;
 
 /// Half an interval of the slowest camera: two that run free are never further apart.
@@ -106,7 +106,7 @@ CaptureHealth CaptureSession::health() const
 std::optional<Trouble> CaptureSession::sleep(Nanoseconds now) const
 {
     const Nanoseconds slept = machineSlept() - m_slept;
-    if (slept >= shortestSleep) {
+    if (slept >= shortestPause) {
         m_slept += slept;
         m_sleep = Trouble{machineSleptError(slept), now};
     }

@@ -10,8 +10,6 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t maxBytes = 1024 * 1024;
-
 /// Cuts a text into rows of cells.
 class CsvParser
 {
@@ -117,7 +115,7 @@ bool isToBeMarked(std::string_view text)
 
 Result<std::vector<CsvRow>> readCsvRows(const std::filesystem::path &file)
 {
-    const auto text = readTextFile(file, maxBytes);
+    const auto text = readTextFile(file);
     if (!text)
         return tl::unexpected(text.error());
     return CsvParser(file, *text).parse();

@@ -10,7 +10,6 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t maxBytes = 1024 * 1024;
 constexpr int maxPicturePx = 100'000;
 constexpr auto whatToUse = "use a calibration file as ROS or OpenCV writes it";
 
@@ -197,7 +196,7 @@ Result<ImportedIntrinsics> parseCalibration(const std::filesystem::path &file, c
 
 Result<ImportedIntrinsics> readCalibrationFile(const std::filesystem::path &file)
 {
-    const auto text = readTextFile(file, maxBytes);
+    const auto text = readTextFile(file);
     if (!text)
         return tl::unexpected(text.error());
     return parseCalibration(file, *text);

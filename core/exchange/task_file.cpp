@@ -13,8 +13,7 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t maxBytes = 1024 * 1024;
-constexpr auto whatToUse = "write the task as odograph task list --json shows one";
+constexpr auto taskAdvice = "write the task as odograph task list --json shows one";
 
 using Kind = YamlNode::Kind;
 
@@ -54,7 +53,7 @@ public:
 private:
     static bool isNull(const YamlNode &node) { return node.kind == Kind::Scalar && node.text == "null"; }
 
-    tl::unexpected<Error> failure(int line, const std::string &why, const std::string &advice = whatToUse) const
+    tl::unexpected<Error> failure(int line, const std::string &why, const std::string &advice = taskAdvice) const
     {
         return fail(ErrorCode::InvalidInput, atLine(m_file, line), why, advice);
     }
@@ -324,10 +323,10 @@ private:
 
 Result<Task> readTaskFile(const std::filesystem::path &file)
 {
-    const auto text = readTextFile(file, maxBytes);
+    const auto text = readTextFile(file);
     if (!text)
         return tl::unexpected(text.error());
-    const auto root = parseYaml(file, *text, whatToUse);
+    const auto root = parseYaml(file, *text, taskAdvice);
     if (!root)
         return tl::unexpected(root.error());
     return TaskReader(file).read(*root);

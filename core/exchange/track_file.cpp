@@ -12,7 +12,7 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t maxBytes = std::size_t(256) << 20;
+constexpr std::size_t mostTrackBytes = std::size_t(256) << 20;
 constexpr std::size_t mostPlaces = 4'000'000; // a blank one takes thirty times its bytes in the file
 constexpr double mostM = 100e3;
 constexpr auto longest = std::chrono::hours(24 * 7);
@@ -259,7 +259,7 @@ std::string_view trackFormatWord(TrackFormat format)
 
 Result<TrackFile> readTrackFile(const std::filesystem::path &file, const JobControl &control)
 {
-    const auto text = readTextFile(file, maxBytes);
+    const auto text = readTextFile(file, mostTrackBytes);
     if (!text)
         return tl::unexpected(text.error());
     return TrackReader(file, *text, control).read();

@@ -11,12 +11,12 @@ namespace {
 
 constexpr int mostLines = 160, leastLines = 16;
 constexpr float leastWidth = 13;   ///< luma pixels: of a smaller region the two sides disturb one another
-constexpr float leastShare = 0.4f; ///< of lines that found an edge
+constexpr float leastShareOfLines = 0.4f; ///< of lines that found an edge
 constexpr float stray = 2.5f;      ///< of an edge from the median of its neighbours
 constexpr int reach = 3;           ///< lines on both sides that are a line's neighbours
 constexpr int least = 6;           ///< scatters to tell a variance from
 constexpr double unknownVariance = 0.15 * 0.15; ///< of an edge, where there are too few to tell
-constexpr double modelVariance = 0.01 * 0.01;
+constexpr double outlineModelVariance = 0.01 * 0.01;
 
 /// A polygon through points of a smooth curve cuts off a little of it at each chord: moved outwards by a
 /// twelfth of the second difference its corners enclose the curve's own area (to the fourth order of the
@@ -196,7 +196,7 @@ void OutlineFit::gather(const ChromaGrid &grid, const std::vector<ScanLine> &lin
     }
     const double swept = m_scanLines.stride() / outline.moments.areaPx2;
     outline.centreCovariance *= varianceOfEdges(lines) * swept * swept;
-    outline.centreCovariance.diagonal().array() += modelVariance;
+    outline.centreCovariance.diagonal().array() += outlineModelVariance;
 }
 
 bool OutlineFit::fit(const Frame &frame, const ChromaGrid &grid, const RegionMask &mask,
@@ -220,7 +220,7 @@ bool OutlineFit::fit(const Frame &frame, const ChromaGrid &grid, const RegionMas
     const auto good =
         std::count_if(m_edges.begin(), m_edges.end(), [](const LineEdge &edge) { return edge.good; });
     outline.goodShare = static_cast<double>(good) / static_cast<double>(lines.size());
-    if (good < leastLines || outline.goodShare < static_cast<double>(leastShare))
+    if (good < leastLines || outline.goodShare < static_cast<double>(leastShareOfLines))
         return false;
     m_finder.learnSharpness();
     fillGaps();

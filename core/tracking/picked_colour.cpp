@@ -12,8 +12,8 @@ namespace odo {
 namespace {
 
 constexpr int leastSamples = 4;        // of the box, along each axis
-constexpr double leastSaturation = 12; // code values of 128; the tracker needs 8 in the shade too
-constexpr double leastShare = 0.08;    // of the box
+constexpr double leastPickedSaturation = 12; // code values of 128; the tracker needs 8 in the shade too
+constexpr double leastShareOfBox = 0.08;    // of the box
 constexpr double likeTheSame = 0.3;    // likeness to the commonest hue
 constexpr double clearlyCommoner = 3;  // inside than around
 constexpr int smoothings = 2;          // of the densities: noise spreads a colour over several bins
@@ -69,7 +69,7 @@ Standing findStanding(const ChromaDensity &inside, const ChromaDensity &around)
     Chroma hue = Chroma::Zero();
     for (std::size_t bin = 0; bin < ChromaDensity::binCount; ++bin) {
         const Chroma seen = ChromaDensity::centreOf(bin);
-        if (seen.norm() < leastSaturation) {
+        if (seen.norm() < leastPickedSaturation) {
             standing.grey += excess(bin);
         } else if (excess(bin) > most) {
             most = excess(bin);
@@ -78,7 +78,7 @@ Standing findStanding(const ChromaDensity &inside, const ChromaDensity &around)
     }
     for (std::size_t bin = 0; bin < ChromaDensity::binCount && most > 0; ++bin) {
         const Chroma seen = ChromaDensity::centreOf(bin);
-        if (seen.norm() < leastSaturation || excess(bin) <= 0 || likeness(seen, hue) < likeTheSame)
+        if (seen.norm() < leastPickedSaturation || excess(bin) <= 0 || likeness(seen, hue) < likeTheSame)
             continue;
         standing.own[bin] = true;
         standing.coloured += excess(bin);
@@ -119,9 +119,9 @@ Result<PickedColour> pickColour(const Frame &frame, const PixelRect &box)
         return fail(ErrorCode::InvalidInput, what, "the box leaves nothing of the floor to compare with",
                     "draw it closely round the robot");
     const Standing standing = findStanding(densityOf(grid, area), around);
-    if (standing.coloured >= leastShare)
+    if (standing.coloured >= leastShareOfBox)
         return PickedColour{meanColour(frame, grid, area, standing.own), std::min(1.0, standing.coloured)};
-    if (standing.grey >= leastShare)
+    if (standing.grey >= leastShareOfBox)
         return fail(ErrorCode::Undetermined, what,
                     "what differs from the floor around it is grey, black or white",
                     "put a coloured plate on the robot, and draw the box round that");

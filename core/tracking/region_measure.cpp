@@ -13,11 +13,11 @@ namespace {
 constexpr std::uint8_t outsideClass = 0, edgeClass = 1, insideClass = 2;
 constexpr double alphaLow = 0.1, alphaRange = 0.8;
 constexpr int farthestReference = 6;  ///< samples from an edge sample to what is wholly in or out
-constexpr double leastContrast = 5.0; ///< code values between inside and outside, else the mask decides
+constexpr double leastRegionContrast = 5.0; ///< code values between inside and outside, else the mask decides
 constexpr double referenceNoise =
     1.35; ///< variance of alpha with that of its two references, each of two samples
 constexpr double leastNoise = 0.35;             ///< rounding to whole code values
-constexpr double modelVariance = 0.015 * 0.015; ///< what the finite number of samples leaves in the centre
+constexpr double centreModelVariance = 0.015 * 0.015; ///< what the finite number of samples leaves in the centre
 
 } // namespace
 
@@ -187,7 +187,7 @@ void RegionMeasure::addEdge(const ChromaGrid &grid, const Blob &blob, const Regi
                     in = wholeInside;
                 const float du = in.u - out.u, dv = in.v - out.v;
                 const float squared = du * du + dv * dv;
-                if (squared >= leastContrast * leastContrast) {
+                if (squared >= leastRegionContrast * leastRegionContrast) {
                     const float along = (grid.u.at(x, y) - out.u) * du + (grid.v.at(x, y) - out.v) * dv;
                     alpha = std::clamp((along / squared - alphaLow) / alphaRange, 0.0, 1.0);
                     if (alpha > 0 && alpha < 1)
@@ -228,7 +228,7 @@ RegionShape RegionMeasure::measure(const ChromaGrid &grid, const Blob &blob, con
         sums.yy / a - my * my + 1.0 / 12;
     shape.centreCovariance << sums.noiseXX, sums.noiseXY, sums.noiseXY, sums.noiseYY;
     shape.centreCovariance /= a * a;
-    shape.centreCovariance.diagonal().array() += modelVariance;
+    shape.centreCovariance.diagonal().array() += centreModelVariance;
     return shape;
 }
 

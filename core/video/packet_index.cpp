@@ -22,13 +22,6 @@ bool isNeverShown(const AVPacket &packet, AVCodecID codec)
     return codec == AV_CODEC_ID_VP8 && (packet.data[0] & 0x10) == 0;
 }
 
-std::string secondsText(Nanoseconds time)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, "%.2f s", toSeconds(time));
-    return text;
-}
-
 void addWarning(PacketIndex &index, const std::string &text)
 {
     index.warning += (index.warning.empty() ? "" : "; ") + text;
@@ -143,10 +136,10 @@ void warnIfCutShort(PacketIndex &index, const VideoInput &input, const Walk &wal
         const std::int64_t missing = av_sat_sub64(container.duration, input.lastEnd());
         const auto frame = index.times.back().count() / 1000 / static_cast<std::int64_t>(index.times.size());
         if (missing > 3 * frame && missing > container.duration / 100)
-            why = "its header promises " + secondsText(Nanoseconds(std::min(container.duration, longestVideoNs / 1000) * 1000));
+            why = "its header promises " + secondsText(toSeconds(Nanoseconds(std::min(container.duration, longestVideoNs / 1000) * 1000)));
     }
     if (!why.empty())
-        addWarning(index, "ends early at " + secondsText(index.times.back()) + ": " + why);
+        addWarning(index, "ends early at " + secondsText(toSeconds(index.times.back())) + ": " + why);
 }
 
 } // namespace
@@ -192,7 +185,7 @@ Result<PacketIndex> indexPackets(VideoInput &input)
         timeByStamps(index, input.stream());
     if (index.times.back().count() > longestVideoNs)
         return fail(ErrorCode::InvalidInput, "cannot open the video " + input.file().string(),
-                    "its time stamps span " + secondsText(index.times.back()),
+                    "its time stamps span " + secondsText(toSeconds(index.times.back())),
                     "copy it from the camera again");
     warnIfCutShort(index, input, walk);
     return index;

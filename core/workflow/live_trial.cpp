@@ -10,20 +10,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 namespace odo {
 
 namespace {
 
 constexpr double slowFromS = 1;
-
-std::string secondsText(double seconds)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f s", seconds);
-    return text;
-}
 
 std::string picturesText(std::uint64_t count)
 {
@@ -247,10 +239,10 @@ void LiveTrial::warnOf(const ViewRecording &view, const std::string &camera, boo
     else if (view.problem)
         m_warnings.push_back(who + "it ended early, because " + view.problem->message());
     for (const RecordingGap &gap : view.gaps)
-        m_warnings.push_back(who + "nothing came for " + secondsText(toSeconds(gap.length)) + ", because " +
+        m_warnings.push_back(who + "nothing came for " + secondsText(toSeconds(gap.length), 1) + ", because " +
                              gap.why.message());
     if (view.longestWaitS > slowFromS && view.lostByUs == 0)
-        m_warnings.push_back(who + "pictures waited up to " + secondsText(view.longestWaitS) +
+        m_warnings.push_back(who + "pictures waited up to " + secondsText(view.longestWaitS, 1) +
                              " for the disk, and none was lost; record to a faster disk");
     if (view.lostByUs > 0)
         m_warnings.push_back(who + picturesText(view.lostByUs) + " lost because this computer or its disk was too slow; " +

@@ -10,7 +10,7 @@
 namespace odo {
 namespace {
 constexpr int steps = 1000;
-constexpr int barWidth = 180;
+constexpr int progressWidth = 180;
 constexpr int textWidth = 320;
 } // namespace
 
@@ -21,7 +21,7 @@ JobIndicator::JobIndicator(QWidget *parent)
     m_text->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_text->setFixedWidth(textWidth);
     m_bar->setRange(0, steps);
-    m_bar->setFixedWidth(barWidth);
+    m_bar->setFixedWidth(progressWidth);
     m_bar->setTextVisible(false);
     m_bar->setAccessibleName(tr("Progress"));
     m_cancel->setAccessibleName(tr("Cancel the running job"));

@@ -18,7 +18,7 @@
 namespace odo {
 namespace {
 
-constexpr int iconSide = 20, buttonMargin = 14;
+constexpr int messageIconSide = 20, buttonMargin = 14;
 constexpr std::chrono::seconds doneStays{8};
 
 } // namespace
@@ -91,7 +91,7 @@ void MessageBar::present(const char *kind, const QString &icon, const QString &t
         widget->style()->unpolish(widget);
         widget->style()->polish(widget);
     }
-    m_icon->setPixmap(themeIcon(icon, m_text->palette().color(QPalette::WindowText)).pixmap(iconSide));
+    m_icon->setPixmap(themeIcon(icon, m_text->palette().color(QPalette::WindowText)).pixmap(messageIconSide));
     m_text->setText(text);
     m_act = nullptr;
     m_button->hide();

@@ -18,7 +18,7 @@
 namespace odo {
 namespace {
 
-class Words
+class PageMenusWords
 {
     Q_DECLARE_TR_FUNCTIONS(PageMenus)
 };
@@ -32,7 +32,7 @@ void fill(QMenu &menu, const QList<QAction *> &actions)
 } // namespace
 
 PageMenus::PageMenus(QMenuBar &bar, const ModeBar &modes, ViewActions &views, TrialActions &trials)
-    : m_view(bar.addMenu(Words::tr("&View"))), m_trial(bar.addMenu(Words::tr("T&rial")))
+    : m_view(bar.addMenu(PageMenusWords::tr("&View"))), m_trial(bar.addMenu(PageMenusWords::tr("T&rial")))
 {
     m_view->addActions(modes.modeActions());
     m_view->addSeparator();
@@ -40,11 +40,11 @@ PageMenus::PageMenus(QMenuBar &bar, const ModeBar &modes, ViewActions &views, Tr
     m_view->addSeparator();
     trials.fillMenu(*m_trial);
     m_trial->addSeparator();
-    m_spikes = m_trial->addMenu(Words::tr("&Spikes"));
-    m_history = m_trial->addMenu(Words::tr("&History"));
-    m_record = m_trial->addMenu(Words::tr("Re&cord"));
-    m_play = m_trial->addMenu(Words::tr("&Play"));
-    m_tools = bar.addMenu(Words::tr("&Tools"));
+    m_spikes = m_trial->addMenu(PageMenusWords::tr("&Spikes"));
+    m_history = m_trial->addMenu(PageMenusWords::tr("&History"));
+    m_record = m_trial->addMenu(PageMenusWords::tr("Re&cord"));
+    m_play = m_trial->addMenu(PageMenusWords::tr("&Play"));
+    m_tools = bar.addMenu(PageMenusWords::tr("&Tools"));
     clear();
 }
 

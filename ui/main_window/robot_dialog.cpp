@@ -18,7 +18,7 @@
 namespace odo {
 namespace {
 constexpr double usualHeightMm = 60;
-constexpr int swatchSide = 16;
+constexpr int robotSwatchSide = 16;
 } // namespace
 
 RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
@@ -44,7 +44,7 @@ RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     qobject_cast<QLabel *>(form->labelForField(colour))->setBuddy(m_colourButton);
     m_drawing->addItem(drawingColourName(DrawingColour::Automatic), static_cast<int>(DrawingColour::Automatic));
     for (std::size_t place = 0; place < drawingColours.size(); ++place) {
-        QPixmap swatch(swatchSide, swatchSide);
+        QPixmap swatch(robotSwatchSide, robotSwatchSide);
         swatch.fill(seriesColour(static_cast<int>(place), palette()));
         m_drawing->addItem(swatch, drawingColourName(drawingColours[place]), static_cast<int>(drawingColours[place]));
     }
@@ -87,7 +87,7 @@ void RobotDialog::pickColour()
 
 void RobotDialog::showColour()
 {
-    QPixmap swatch(swatchSide, swatchSide);
+    QPixmap swatch(robotSwatchSide, robotSwatchSide);
     swatch.fill(QColor(m_colour.red, m_colour.green, m_colour.blue));
     m_colourButton->setIcon(swatch);
     m_colourButton->setText(QString::fromStdString(m_colour.toString()));

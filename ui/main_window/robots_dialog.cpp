@@ -24,7 +24,7 @@ namespace odo {
 namespace {
 
 enum Column { NameColumn, ColourColumn, DrawingColumn, HeightColumn, SizeColumn, ColumnCount };
-constexpr int swatchSide = 14;
+constexpr int listSwatchSide = 14;
 
 QString heightText(const RobotRecord &robot)
 {
@@ -41,7 +41,7 @@ QString heightText(const RobotRecord &robot)
 
 QTableWidgetItem *colourItem(const RobotRecord &robot)
 {
-    QPixmap swatch(swatchSide, swatchSide);
+    QPixmap swatch(listSwatchSide, listSwatchSide);
     swatch.fill(QColor(robot.colour.red, robot.colour.green, robot.colour.blue));
     QIcon icon(swatch);
     icon.addPixmap(swatch, QIcon::Selected); // in a chosen row too it is the colour of the robot
@@ -52,7 +52,7 @@ QTableWidgetItem *drawingItem(const RobotRecord &robot, const QPalette &palette)
 {
     auto *item = new QTableWidgetItem(drawingColourName(robot.drawingColour));
     if (robot.drawingColour != DrawingColour::Automatic) {
-        QPixmap swatch(swatchSide, swatchSide);
+        QPixmap swatch(listSwatchSide, listSwatchSide);
         swatch.fill(drawnColour(robot.drawingColour, {}, palette));
         item->setIcon(swatch);
     }

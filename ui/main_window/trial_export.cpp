@@ -20,7 +20,7 @@
 namespace odo {
 namespace {
 
-class Words
+class TrialExportWords
 {
     Q_DECLARE_TR_FUNCTIONS(TrialExport)
 };
@@ -39,13 +39,13 @@ std::string csvText(const AnalysisRecord &analysis)
 
 QList<Format> formats()
 {
-    return {{Words::tr("CSV for programs (*.csv)"), QStringLiteral("csv"), &csvText<CsvStyle::Analysis>},
-            {Words::tr("CSV for spreadsheets, 1.5 (*.csv)"), QStringLiteral("csv"),
+    return {{TrialExportWords::tr("CSV for programs (*.csv)"), QStringLiteral("csv"), &csvText<CsvStyle::Analysis>},
+            {TrialExportWords::tr("CSV for spreadsheets, 1.5 (*.csv)"), QStringLiteral("csv"),
              &csvText<CsvStyle::International>},
-            {Words::tr("CSV for spreadsheets, 1,5 (*.csv)"), QStringLiteral("csv"),
+            {TrialExportWords::tr("CSV for spreadsheets, 1,5 (*.csv)"), QStringLiteral("csv"),
              &csvText<CsvStyle::Continental>},
-            {Words::tr("Tracker text (*.txt)"), QStringLiteral("txt"), &trackTracker},
-            {Words::tr("TUM trajectory (*.tum)"), QStringLiteral("tum"), &trackTum}};
+            {TrialExportWords::tr("Tracker text (*.txt)"), QStringLiteral("txt"), &trackTracker},
+            {TrialExportWords::tr("TUM trajectory (*.tum)"), QStringLiteral("tum"), &trackTum}};
 }
 
 /// The index of the one that is meant; -1: the person thought better of it.
@@ -58,7 +58,7 @@ int chooseRobot(const std::vector<AnalysisRecord> &analyses, QWidget &window)
         names << QString::fromStdString(analysis.robotName);
     bool accepted = false;
     const QString name =
-        QInputDialog::getItem(&window, Words::tr("Export"), Words::tr("Robot:"), names, 0, false, &accepted);
+        QInputDialog::getItem(&window, TrialExportWords::tr("Export"), TrialExportWords::tr("Robot:"), names, 0, false, &accepted);
     return accepted ? static_cast<int>(names.indexOf(name)) : -1;
 }
 
@@ -73,9 +73,9 @@ Result<QString> exportTrial(Project &project, const QString &trial, QWidget &win
     if (!analyses)
         return tl::unexpected(analyses.error());
     if (analyses->empty())
-        return fail(ErrorCode::NotFound, Words::tr("export of %1").arg(trial).toStdString(),
-                    Words::tr("it has not been tracked yet").toStdString(),
-                    Words::tr("track it first").toStdString());
+        return fail(ErrorCode::NotFound, TrialExportWords::tr("export of %1").arg(trial).toStdString(),
+                    TrialExportWords::tr("it has not been tracked yet").toStdString(),
+                    TrialExportWords::tr("track it first").toStdString());
     const int robot = chooseRobot(*analyses, window);
     if (robot < 0)
         return QString();
@@ -84,7 +84,7 @@ Result<QString> exportTrial(Project &project, const QString &trial, QWidget &win
         filters << format.filter;
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     QString chosen = filters.front();
-    QString file = QFileDialog::getSaveFileName(&window, Words::tr("Export %1").arg(trial),
+    QString file = QFileDialog::getSaveFileName(&window, TrialExportWords::tr("Export %1").arg(trial),
                                                 QDir(folder).filePath(QString::fromStdString(fileNameOf(trial.toStdString())) + QStringLiteral(".csv")),
                                                 filters.join(QStringLiteral(";;")), &chosen);
     if (file.isEmpty())
@@ -95,7 +95,7 @@ Result<QString> exportTrial(Project &project, const QString &trial, QWidget &win
     const std::string text = format.text(analyses->at(static_cast<std::size_t>(robot)));
     if (const Result<void> written = writeTextFile(pathOf(file), text); !written)
         return tl::unexpected(written.error());
-    return Words::tr("%1 was exported to %2.").arg(trial, QDir::toNativeSeparators(file));
+    return TrialExportWords::tr("%1 was exported to %2.").arg(trial, QDir::toNativeSeparators(file));
 }
 
 } // namespace odo

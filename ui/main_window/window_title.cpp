@@ -10,7 +10,7 @@
 namespace odo {
 namespace {
 
-class Words
+class WindowTitleWords
 {
     Q_DECLARE_TR_FUNCTIONS(WindowTitle)
 };
@@ -25,10 +25,10 @@ QString windowTitleOf(const Project *project, const TrialScenePtr &trial)
     if (trial) {
         QStringList words(QString::fromStdString(trial->trial.name));
         if (!trial->trial.teamName.empty())
-            words << Words::tr("Team %1").arg(shownTeam(trial->trial));
+            words << WindowTitleWords::tr("Team %1").arg(shownTeam(trial->trial));
         parts << words.join(QStringLiteral(", "));
     }
-    parts << Words::tr("Odograph");
+    parts << WindowTitleWords::tr("Odograph");
     // An asterisk in brackets would be taken as the place of the "changed" mark.
     return parts.join(QStringLiteral(" — ")).replace(QLatin1String("[*]"), QLatin1String("[ *]"));
 }

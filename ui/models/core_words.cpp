@@ -206,7 +206,7 @@ std::optional<QString> shownPart(const QString &english)
     return stops ? fullSentence(words) : words;
 }
 
-QString joined(const QString &first, QChar sign, const QString &second)
+QString joinedBy(const QString &first, QChar sign, const QString &second)
 {
     if (sign == u':')
         return joinedWords(first, second);
@@ -226,11 +226,11 @@ QString shownWords(const QString &english)
          at = CompiledPattern::joinIn(english, at + 1)) {
         first = at;
         if (const auto part = shownPart(english.left(english.at(at) == u'.' ? at + 1 : at)))
-            return joined(*part, english.at(at), shownWords(english.mid(at + 2)));
+            return joinedBy(*part, english.at(at), shownWords(english.mid(at + 2)));
     }
     if (first < 0)
         return english;
-    return joined(english.left(english.at(first) == u'.' ? first + 1 : first), english.at(first),
+    return joinedBy(english.left(english.at(first) == u'.' ? first + 1 : first), english.at(first),
                   shownWords(english.mid(first + 2)));
 }
 

@@ -14,7 +14,7 @@ namespace odo {
 
 namespace {
 
-class Words
+class ExplanationWords
 {
     Q_DECLARE_TR_FUNCTIONS(Explanation)
 };
@@ -153,16 +153,16 @@ QString smootherSource(Smoother smoother)
 {
     switch (smoother) {
     case Smoother::Rts:
-        return Words::tr("smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, "
+        return ExplanationWords::tr("smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, "
                          "Tung, Striebel 1965; Bar-Shalom et al. 2001)");
     case Smoother::SavGol:
-        return Words::tr("smoothed by a cubic through eleven points (Savitzky and Golay 1964)");
+        return ExplanationWords::tr("smoothed by a cubic through eleven points (Savitzky and Golay 1964)");
     case Smoother::Tracker:
-        return Words::tr("differences as in Tracker, positions not smoothed");
+        return ExplanationWords::tr("differences as in Tracker, positions not smoothed");
     case Smoother::None:
         break;
     }
-    return Words::tr("raw differences (Park 2018, eq. 6 to 8), nothing smoothed");
+    return ExplanationWords::tr("raw differences (Park 2018, eq. 6 to 8), nothing smoothed");
 }
 
 QString viewNames(const TrialScene &scene)
@@ -178,9 +178,9 @@ QString viewNames(const TrialScene &scene)
 QStringList methodLines(const AnalysisRecord &analysis)
 {
     return {smootherSource(analysis.options.smoother),
-            (analysis.profile.heightEstimated ? Words::tr("robot %1 high (estimated)") : Words::tr("robot %1 high"))
+            (analysis.profile.heightEstimated ? ExplanationWords::tr("robot %1 high (estimated)") : ExplanationWords::tr("robot %1 high"))
                 .arg(lengthText(analysis.profile.heightM)),
-            Words::tr("analysis %1 by Odograph %2").arg(analysis.id).arg(QString::fromStdString(analysis.softwareVersion))};
+            ExplanationWords::tr("analysis %1 by Odograph %2").arg(analysis.id).arg(QString::fromStdString(analysis.softwareVersion))};
 }
 
 struct CurveWords
@@ -191,26 +191,26 @@ struct CurveWords
 /// The formulas are those of core/trajectory/quantity_curve.h.
 CurveWords curveWords(Quantity quantity)
 {
-    const QString ofVelocity = Words::tr("σ of the smoothed velocity there, with the calibration's error of scale");
+    const QString ofVelocity = ExplanationWords::tr("σ of the smoothed velocity there, with the calibration's error of scale");
     switch (quantity) {
     case Quantity::Speed:
-        return {Words::tr("Speed"), Words::tr("|v| = √(vx² + vy²) of the smoothed curve at this frame"), ofVelocity};
+        return {ExplanationWords::tr("Speed"), ExplanationWords::tr("|v| = √(vx² + vy²) of the smoothed curve at this frame"), ofVelocity};
     case Quantity::Acceleration:
-        return {Words::tr("Acceleration"),
-                Words::tr("a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands"),
-                Words::tr("σ of the smoothed acceleration there, with the calibration's error of scale")};
+        return {ExplanationWords::tr("Acceleration"),
+                ExplanationWords::tr("a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands"),
+                ExplanationWords::tr("σ of the smoothed acceleration there, with the calibration's error of scale")};
     case Quantity::Heading:
-        return {Words::tr("Heading"), Words::tr("atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn"),
-                Words::tr("σ of the velocity across the motion over the speed")};
+        return {ExplanationWords::tr("Heading"), ExplanationWords::tr("atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn"),
+                ExplanationWords::tr("σ of the velocity across the motion over the speed")};
     case Quantity::TurnRate:
-        return {Words::tr("Turn rate"), Words::tr("(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame"),
-                Words::tr("σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order")};
+        return {ExplanationWords::tr("Turn rate"), ExplanationWords::tr("(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame"),
+                ExplanationWords::tr("σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order")};
     case Quantity::PositionX:
     case Quantity::PositionY:
         break;
     }
-    return {quantity == Quantity::PositionX ? Words::tr("Position X") : Words::tr("Position Y"),
-            Words::tr("the smoothed curve at this frame"), Words::tr("σ of the smoothed position, with the calibration's part")};
+    return {quantity == Quantity::PositionX ? ExplanationWords::tr("Position X") : ExplanationWords::tr("Position Y"),
+            ExplanationWords::tr("the smoothed curve at this frame"), ExplanationWords::tr("σ of the smoothed position, with the calibration's part")};
 }
 
 /// What was measured at a sample, and whether it counted.
@@ -219,10 +219,10 @@ QStringList sampleLines(const TrialScene &scene, std::size_t robot, std::size_t 
     const Sample &sample = scene.robots.at(robot).analysis->profile.samples[index];
     QStringList lines;
     if (!sample.position) {
-        lines << Words::tr("at this frame no view found the robot: the curve goes across");
+        lines << ExplanationWords::tr("at this frame no view found the robot: the curve goes across");
         return lines;
     }
-    lines << Words::tr("measured there: %1, %2 ±%3")
+    lines << ExplanationWords::tr("measured there: %1, %2 ±%3")
                  .arg(distanceText(sample.position->x()), distanceText(sample.position->y()),
                       lengthText(std::sqrt(sample.covariance.trace() / 2)));
     QStringList views;
@@ -230,9 +230,9 @@ QStringList sampleLines(const TrialScene &scene, std::size_t robot, std::size_t 
         if ((sample.views >> view & 1U) != 0)
             views << QString::fromStdString(scene.views[view].camera);
     if (!views.isEmpty())
-        lines << Words::tr("by %1").arg(views.join(QStringLiteral(", ")));
+        lines << ExplanationWords::tr("by %1").arg(views.join(QStringLiteral(", ")));
     if (isRejected(sample.flags))
-        lines << Words::tr("it is flagged and not used: the curve comes from its neighbours");
+        lines << ExplanationWords::tr("it is flagged and not used: the curve comes from its neighbours");
     return lines;
 }
 
@@ -245,20 +245,20 @@ QStringList flagMeanings(SampleFlags flags)
         QString words;
     };
     const std::array<Meaning, 9> meanings{{
-        {SampleFlag::Jump, Words::tr("Jump: the place is beyond what the motion before and after allows for "
+        {SampleFlag::Jump, ExplanationWords::tr("Jump: the place is beyond what the motion before and after allows for "
                                      "(χ² of two degrees of freedom, 99.9 %).")},
         {SampleFlag::SpeedLimit,
-         Words::tr("Limit: to get there it had to be faster than the limit of the task or of the analysis.")},
-        {SampleFlag::AccelerationLimit, Words::tr("Limit: to get there it had to accelerate harder than the "
+         ExplanationWords::tr("Limit: to get there it had to be faster than the limit of the task or of the analysis.")},
+        {SampleFlag::AccelerationLimit, ExplanationWords::tr("Limit: to get there it had to accelerate harder than the "
                                                   "limit of the task or of the analysis.")},
-        {SampleFlag::ViewsDisagree, Words::tr("Views disagree: their places differ by more than their errors "
+        {SampleFlag::ViewsDisagree, ExplanationWords::tr("Views disagree: their places differ by more than their errors "
                                               "and their usual disagreement explain (χ², 99.9 %).")},
-        {SampleFlag::LowScore, Words::tr("Low score: the tracker was not sure of what it saw.")},
-        {SampleFlag::Lost, Words::tr("Lost: no view found the robot.")},
+        {SampleFlag::LowScore, ExplanationWords::tr("Low score: the tracker was not sure of what it saw.")},
+        {SampleFlag::Lost, ExplanationWords::tr("Lost: no view found the robot.")},
         {SampleFlag::DuplicateFrame,
-         Words::tr("Repeated picture: the camera gave the same picture twice, so its time is not known.")},
-        {SampleFlag::Interpolated, Words::tr("Bridged: the curve goes across without a measurement.")},
-        {SampleFlag::ByHand, Words::tr("By hand: a person judged it, over the analysis.")},
+         ExplanationWords::tr("Repeated picture: the camera gave the same picture twice, so its time is not known.")},
+        {SampleFlag::Interpolated, ExplanationWords::tr("Bridged: the curve goes across without a measurement.")},
+        {SampleFlag::ByHand, ExplanationWords::tr("By hand: a person judged it, over the analysis.")},
     }};
     QStringList words;
     for (const Meaning &meaning : meanings)
@@ -276,17 +276,17 @@ QString Explanation::text() const
         if (!words.isEmpty())
             parts << QString() << name << words;
     };
-    add(Words::tr("How it is computed"), formula);
-    add(Words::tr("What ± contains (one standard deviation)"), uncertainty);
-    add(Words::tr("What went into it"), inputs.join(u'\n'));
-    add(Words::tr("Source"), source);
+    add(ExplanationWords::tr("How it is computed"), formula);
+    add(ExplanationWords::tr("What ± contains (one standard deviation)"), uncertainty);
+    add(ExplanationWords::tr("What went into it"), inputs.join(u'\n'));
+    add(ExplanationWords::tr("Source"), source);
     return parts.join(u'\n');
 }
 
 QStringList analysisInputs(const TrialRecord &trial, const AnalysisRecord &analysis)
 {
     QStringList lines;
-    lines << Words::tr("trial %1, robot %2").arg(QString::fromStdString(trial.name), QString::fromStdString(analysis.robotName));
+    lines << ExplanationWords::tr("trial %1, robot %2").arg(QString::fromStdString(trial.name), QString::fromStdString(analysis.robotName));
     return lines + methodLines(analysis);
 }
 
@@ -294,7 +294,7 @@ QStringList analysisInputs(const TrialScene &scene, std::size_t robot)
 {
     QStringList lines;
     const SceneRobot &shown = scene.robots.at(robot);
-    lines << Words::tr("trial %1, robot %2")
+    lines << ExplanationWords::tr("trial %1, robot %2")
                  .arg(QString::fromStdString(scene.trial.name), QString::fromStdString(shown.robot.name));
     if (!shown.analysis)
         return lines;
@@ -302,9 +302,9 @@ QStringList analysisInputs(const TrialScene &scene, std::size_t robot)
     const auto used = std::count_if(samples.begin(), samples.end(), [](const Sample &sample) {
         return sample.position && !isRejected(sample.flags);
     });
-    lines << Words::tr("%1 of %2 samples used").arg(used).arg(samples.size());
+    lines << ExplanationWords::tr("%1 of %2 samples used").arg(used).arg(samples.size());
     if (const QString views = viewNames(scene); !views.isEmpty())
-        lines << Words::tr("views: %1").arg(views);
+        lines << ExplanationWords::tr("views: %1").arg(views);
     return lines + methodLines(*shown.analysis);
 }
 
@@ -315,7 +315,7 @@ QStringList zoneBreachLines(const TrialScene &scene, std::size_t robot)
     if (!analysis || !scene.task || analysis->task != scene.taskId)
         return lines;
     for (const ZoneBreach &breach : findZoneBreaches(scene.task->zones, analysis->profile.samples, analysis->profile.points))
-        lines << Words::tr("%1: from %2 to %3, %4 beyond the edge at most")
+        lines << ExplanationWords::tr("%1: from %2 to %3, %4 beyond the edge at most")
                      .arg(QString::fromStdString(breach.zone), secondsText(breach.from), secondsText(breach.to),
                           lengthText(breach.depthM));
     return lines;
@@ -326,9 +326,9 @@ Explanation explainMetric(const Metric &metric, const QStringList &inputs)
     Explanation explanation{metricName(metric.name), metricFigure(metric).text(), {}, {}, inputs, {}};
     for (const MetricWords &words : metricWords())
         if (metric.name == words.name) {
-            explanation.formula = Words::tr(words.formula);
+            explanation.formula = ExplanationWords::tr(words.formula);
             if (metric.sigma && *words.uncertainty)
-                explanation.uncertainty = Words::tr(words.uncertainty);
+                explanation.uncertainty = ExplanationWords::tr(words.uncertainty);
             explanation.source = QString::fromUtf8(words.source);
         }
     return explanation;
@@ -345,7 +345,7 @@ Explanation explainMetric(const TrialScene &scene, std::size_t robot, const Metr
 Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity quantity, Nanoseconds time, const QString &value)
 {
     const CurveWords words = curveWords(quantity);
-    Explanation explanation{Words::tr("%1 at %2").arg(words.name, secondsText(time)), value, words.formula, words.uncertainty, {}, {}};
+    Explanation explanation{ExplanationWords::tr("%1 at %2").arg(words.name, secondsText(time)), value, words.formula, words.uncertainty, {}, {}};
     const auto &analysis = scene.robots.at(robot).analysis;
     if (analysis) {
         const auto &samples = analysis->profile.samples;
@@ -359,7 +359,7 @@ Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity qu
 
 Explanation explainSpike(const TrialScene &scene, std::size_t robot, const Spike &spike)
 {
-    Explanation explanation{Words::tr("Spike at %1").arg(secondsText(spike.time)),
+    Explanation explanation{ExplanationWords::tr("Spike at %1").arg(secondsText(spike.time)),
                             shownWords(spike.reason),
                             flagMeanings(spike.flags).join(u'\n'),
                             {},
@@ -367,13 +367,13 @@ Explanation explainSpike(const TrialScene &scene, std::size_t robot, const Spike
                             {}};
     explanation.formula += u'\n';
     explanation.formula += isRejected(spike.flags)
-                               ? Words::tr("The sample is kept, but not used for the curve.")
-                               : Words::tr("The sample is used for the curve nevertheless: what is wrong "
+                               ? ExplanationWords::tr("The sample is kept, but not used for the curve.")
+                               : ExplanationWords::tr("The sample is used for the curve nevertheless: what is wrong "
                                            "with it was left out, or a person restored it.");
     const auto index = static_cast<std::size_t>(spike.sampleIndex);
     const Profile &profile = scene.robots.at(robot).analysis->profile;
     if (index < profile.samples.size() && profile.samples[index].viewDisagreementM)
-        explanation.inputs.prepend(Words::tr("the views are %1 apart there")
+        explanation.inputs.prepend(ExplanationWords::tr("the views are %1 apart there")
                                        .arg(lengthText(*profile.samples[index].viewDisagreementM)));
     return explanation;
 }

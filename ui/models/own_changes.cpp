@@ -10,7 +10,7 @@ namespace odo {
 
 namespace {
 
-class Words
+class OwnChangesWords
 {
     Q_DECLARE_TR_FUNCTIONS(OwnChanges)
 };
@@ -24,8 +24,8 @@ std::size_t countOf(const Project &project)
 
 tl::unexpected<Error> nothing(const QString &what)
 {
-    return fail(ErrorCode::NotFound, what.toStdString(), Words::tr("nothing was changed here").toStdString(),
-                Words::tr("what was changed before is taken back in the window's menu Edit").toStdString());
+    return fail(ErrorCode::NotFound, what.toStdString(), OwnChangesWords::tr("nothing was changed here").toStdString(),
+                OwnChangesWords::tr("what was changed before is taken back in the window's menu Edit").toStdString());
 }
 
 } // namespace
@@ -39,31 +39,31 @@ Result<QString> OwnChanges::make(const QString &words, const std::function<Resul
         return QString(); // nothing is another now
     ++m_made;
     m_takenBack = 0;
-    return Words::tr("Done: %1. Ctrl+Z takes it back.").arg(words);
+    return OwnChangesWords::tr("Done: %1. Ctrl+Z takes it back.").arg(words);
 }
 
 Result<QString> OwnChanges::undo()
 {
     if (m_made == 0)
-        return nothing(Words::tr("undo"));
+        return nothing(OwnChangesWords::tr("undo"));
     const auto words = m_project.undo();
     if (!words)
         return tl::unexpected(words.error());
     --m_made;
     ++m_takenBack;
-    return Words::tr("Undone: %1.").arg(shownWords(*words));
+    return OwnChangesWords::tr("Undone: %1.").arg(shownWords(*words));
 }
 
 Result<QString> OwnChanges::redo()
 {
     if (m_takenBack == 0)
-        return nothing(Words::tr("redo"));
+        return nothing(OwnChangesWords::tr("redo"));
     const auto words = m_project.redo();
     if (!words)
         return tl::unexpected(words.error());
     ++m_made;
     --m_takenBack;
-    return Words::tr("Made again: %1.").arg(shownWords(*words));
+    return OwnChangesWords::tr("Made again: %1.").arg(shownWords(*words));
 }
 
 } // namespace odo

@@ -10,7 +10,7 @@ namespace odo {
 
 namespace {
 
-class Words
+class SceneDisagreementWords
 {
     Q_DECLARE_TR_FUNCTIONS(SceneDisagreement)
 };
@@ -46,26 +46,26 @@ std::vector<ViewDisagreement> disagreementsOf(const TrialScene &scene)
 QString disagreementWords(const ViewDisagreement &disagreement)
 {
     if (disagreement.places.empty())
-        return Words::tr("Only one view at a time: nothing to compare");
+        return SceneDisagreementWords::tr("Only one view at a time: nothing to compare");
     const QString measured =
-        Words::tr("RMS %1, median %2").arg(lengthText(disagreement.rmsM), lengthText(disagreement.medianM));
+        SceneDisagreementWords::tr("RMS %1, median %2").arg(lengthText(disagreement.rmsM), lengthText(disagreement.medianM));
     const QString expected =
-        Words::tr("expected by the errors: %1").arg(lengthText(disagreement.expectedRmsM));
+        SceneDisagreementWords::tr("expected by the errors: %1").arg(lengthText(disagreement.expectedRmsM));
     return measured + u'\n' +
-           (disagreement.ratio() > surprising ? Words::tr("%1 – more than they explain").arg(expected)
+           (disagreement.ratio() > surprising ? SceneDisagreementWords::tr("%1 – more than they explain").arg(expected)
                                               : expected);
 }
 
 Explanation explainDisagreement(const TrialScene &scene, std::size_t robot,
                                 const ViewDisagreement &disagreement)
 {
-    Explanation explanation{Words::tr("Disagreement of the views"),
+    Explanation explanation{SceneDisagreementWords::tr("Disagreement of the views"),
                             disagreementWords(disagreement).replace(u'\n', QStringLiteral("; ")),
                             {},
                             {},
                             analysisInputs(scene, robot),
                             {}};
-    explanation.formula = Words::tr("Each view alone puts the robot at a place on the floor. Shown is how "
+    explanation.formula = SceneDisagreementWords::tr("Each view alone puts the robot at a place on the floor. Shown is how "
                                     "far these places are apart in each "
                                     "frame in which two views or more saw it (of more than two, the largest "
                                     "distance); RMS is √(mean of the "
@@ -79,7 +79,7 @@ Explanation explainDisagreement(const TrialScene &scene, std::size_t robot,
                                     "depends on the place), or the robot's "
                                     "height is wrong (then it points to and from the cameras).");
     explanation.inputs.prepend(
-        Words::tr("%1 frames seen by two views or more; largest %2; views in step to %3 ms")
+        SceneDisagreementWords::tr("%1 frames seen by two views or more; largest %2; views in step to %3 ms")
             .arg(disagreement.places.size())
             .arg(lengthText(disagreement.largestM),
                  QLocale().toString(1e3 * stepSigmaS(scene), 'f', 1)));

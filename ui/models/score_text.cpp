@@ -14,7 +14,7 @@ namespace odo {
 
 namespace {
 
-class Words
+class ScoreTextWords
 {
     Q_DECLARE_TR_FUNCTIONS(ScoreText)
 };
@@ -43,11 +43,11 @@ QString lineText(const CriterionScore &line)
 {
     const QString name = metricName(line.criterion.metric), rule = criterionText(line.criterion);
     if (!line.metric)
-        return Words::tr("%1: not measured, no points (%2)").arg(name, rule);
+        return ScoreTextWords::tr("%1: not measured, no points (%2)").arg(name, rule);
     const QString figure = metricFigure(*line.metric).text();
     if (line.criterion.points < 0)
-        return Words::tr("%1 %2: %3 points (%4)").arg(name, figure, withSigma(line.points, line.sigma), rule);
-    return Words::tr("%1 %2: %3 of %4 points (%5)")
+        return ScoreTextWords::tr("%1 %2: %3 points (%4)").arg(name, figure, withSigma(line.points, line.sigma), rule);
+    return ScoreTextWords::tr("%1 %2: %3 of %4 points (%5)")
         .arg(name, figure, withSigma(line.points, line.sigma), pointsText(line.criterion.points), rule);
 }
 
@@ -79,14 +79,14 @@ BoundUnit boundUnit(const std::string &metric)
 
 QString scoreText(const Score &score)
 {
-    return Words::tr("%1 of %2").arg(withSigma(score.points, score.sigma), pointsText(score.most));
+    return ScoreTextWords::tr("%1 of %2").arg(withSigma(score.points, score.sigma), pointsText(score.most));
 }
 
 FigureText scoreFigure(const Score &score)
 {
     const bool isSure = score.sigma < 0.05;
     return {pointsText(score.points), isSure ? QString() : pointsText(score.sigma),
-            Words::tr("of %1").arg(pointsText(score.most))};
+            ScoreTextWords::tr("of %1").arg(pointsText(score.most))};
 }
 
 Explanation explainScore(const Score &score, const QStringList &inputs)
@@ -94,9 +94,9 @@ Explanation explainScore(const Score &score, const QStringList &inputs)
     Explanation told;
     told.what = metricName("score");
     told.value = scoreText(score);
-    told.formula = Words::tr("the sum of the points of each line; a line gives points × (figure − none at) / "
+    told.formula = ScoreTextWords::tr("the sum of the points of each line; a line gives points × (figure − none at) / "
                              "(all at − none at), from 0 to all");
-    told.uncertainty = Words::tr("of each line half of what its points differ by when its figure is one σ "
+    told.uncertainty = ScoreTextWords::tr("of each line half of what its points differ by when its figure is one σ "
                                  "more or less; root of the sum of the squares");
     told.inputs = scoreLines(score) + inputs;
     return told;
@@ -110,10 +110,10 @@ QString criterionText(const Criterion &criterion)
     const bool less = criterion.fullAt < criterion.noneAt;
     if (criterion.points < 0)
         return less
-                   ? Words::tr("%1 points off at %2 or less, none off at %3 or more").arg(points, full, none)
-                   : Words::tr("%1 points off at %2 or more, none off at %3 or less").arg(points, full, none);
-    return less ? Words::tr("%1 points at %2 or less, none at %3 or more").arg(points, full, none)
-                : Words::tr("%1 points at %2 or more, none at %3 or less").arg(points, full, none);
+                   ? ScoreTextWords::tr("%1 points off at %2 or less, none off at %3 or more").arg(points, full, none)
+                   : ScoreTextWords::tr("%1 points off at %2 or more, none off at %3 or less").arg(points, full, none);
+    return less ? ScoreTextWords::tr("%1 points at %2 or less, none at %3 or more").arg(points, full, none)
+                : ScoreTextWords::tr("%1 points at %2 or more, none at %3 or less").arg(points, full, none);
 }
 
 QStringList scoreLines(const Score &score)

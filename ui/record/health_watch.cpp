@@ -14,7 +14,7 @@
 namespace odo {
 namespace {
 
-class Words
+class HealthWatchWords
 {
     Q_DECLARE_TR_FUNCTIONS(HealthWatch)
 };
@@ -53,10 +53,10 @@ void HealthWatch::countFromNow()
 QString HealthWatch::blocked() const
 {
     if (m_readOnly)
-        return Words::tr("The project can only be read");
+        return HealthWatchWords::tr("The project can only be read");
     if (!m_cameras.session())
-        return m_cameras.isPreparing() ? Words::tr("Opening the cameras…") : Words::tr("No camera runs");
-    return m_anyDelivers ? QString() : Words::tr("No camera sends pictures");
+        return m_cameras.isPreparing() ? HealthWatchWords::tr("Opening the cameras…") : HealthWatchWords::tr("No camera runs");
+    return m_anyDelivers ? QString() : HealthWatchWords::tr("No camera sends pictures");
 }
 
 void HealthWatch::showTrouble(const CaptureHealth &health)
@@ -64,10 +64,10 @@ void HealthWatch::showTrouble(const CaptureHealth &health)
     const auto &cameras = m_cameras.cameras();
     QString words = troubleWords(health, cameras);
     if (m_readOnly)
-        words = Words::tr("This project can only be read: nothing can be recorded into it.");
+        words = HealthWatchWords::tr("This project can only be read: nothing can be recorded into it.");
     const QString unregistered = m_cameras.session() ? unregisteredWords(cameras) : QString();
     if (words.isEmpty() && !unregistered.isEmpty())
-        m_trouble.setWords(unregistered, Words::tr("Register &it in Testbed"));
+        m_trouble.setWords(unregistered, HealthWatchWords::tr("Register &it in Testbed"));
     else
         m_trouble.setWords(words);
 }

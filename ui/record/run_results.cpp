@@ -6,7 +6,7 @@
 namespace odo {
 namespace {
 
-QString sentence(QString words)
+QString asSentence(QString words)
 {
     if (!words.isEmpty() && !words.endsWith(u'.'))
         words += u'.';
@@ -19,7 +19,7 @@ QString withWarnings(const QString &said, const QStringList &warnings)
 {
     QStringList sentences{said};
     for (const QString &warning : warnings)
-        sentences << sentence(warning);
+        sentences << asSentence(warning);
     return sentences.join(u' ');
 }
 
@@ -39,7 +39,7 @@ RunResults::RunResults(Project &project, RunResultCard &card, QObject *parent)
             });
     connect(m_measuring, &RunMeasuring::failed, this, [this](const QString &trial, const Error &error) {
         showFailure(trial,
-                    tr("It is recorded, but could not be measured: %1").arg(sentence(errorLine(error))));
+                    tr("It is recorded, but could not be measured: %1").arg(asSentence(errorLine(error))));
         Q_EMIT failed(error);
     });
 }
@@ -60,7 +60,7 @@ void RunResults::takeRecorded(const QString &trial, const QStringList &warnings)
 void RunResults::takeGivenUp(const QString &trial, const Error &error)
 {
     setRecording(false);
-    showFailure(trial, tr("It could not be recorded: %1").arg(sentence(errorLine(error))));
+    showFailure(trial, tr("It could not be recorded: %1").arg(asSentence(errorLine(error))));
     Q_EMIT failed(error);
 }
 

@@ -20,14 +20,14 @@
 namespace odo {
 namespace {
 
-class Words
+class AnnotatedPictureWords
 {
     Q_DECLARE_TR_FUNCTIONS(AnnotatedPicture)
 };
 
 /// What is painted in: whatever the size of the video, text has the same share of it.
 constexpr double leastWidth = 1280, leastHeight = 720;
-constexpr double gap = 10, headerHeight = 46, titleHeight = 26;
+constexpr double pictureGap = 10, headerHeight = 46, titleHeight = 26;
 constexpr double textPx = 13, headingPx = 20;
 
 QRectF snapped(const QRectF &rect, double scale)
@@ -82,24 +82,24 @@ void AnnotatedPicture::layOut()
     const bool hasMap =
         hasTrack || std::ranges::any_of(m_scene->views, [](const SceneView &v) { return v.floorView.has_value(); });
     const double width = m_look.sizePx.width() / m_scale, height = m_look.sizePx.height() / m_scale;
-    m_header = QRectF(gap, 0, width - 2 * gap, headerHeight);
-    QRectF room(gap, headerHeight, width - 2 * gap, height - headerHeight - gap);
+    m_header = QRectF(pictureGap, 0, width - 2 * pictureGap, headerHeight);
+    QRectF room(pictureGap, headerHeight, width - 2 * pictureGap, height - headerHeight - pictureGap);
     const bool isAlone = m_scene->views.size() == 1; // then the map stands beside it
     const double viewsWidth = isAlone && hasMap ? 0.62 * room.width() : room.width();
     if (hasTrack || (hasMap && !isAlone)) {
         constexpr double mostForViews = 0.64;
         QRectF low = room;
-        low.setTop(room.top() + std::min(mostForViews * room.height(), viewsHeight(viewsWidth)) + gap);
-        room.setBottom(low.top() - gap);
+        low.setTop(room.top() + std::min(mostForViews * room.height(), viewsHeight(viewsWidth)) + pictureGap);
+        room.setBottom(low.top() - pictureGap);
         const double mapWidth = isAlone ? 0 : hasTrack ? 0.36 * low.width() : low.width();
         if (!isAlone)
             m_map = snapped(QRectF(low.topLeft(), QSizeF(mapWidth, low.height())), m_scale);
         if (hasTrack)
-            m_chart = snapped(low.adjusted(isAlone ? 0 : mapWidth + gap, 0, 0, 0), m_scale);
+            m_chart = snapped(low.adjusted(isAlone ? 0 : mapWidth + pictureGap, 0, 0, 0), m_scale);
     }
     if (isAlone && hasMap) {
-        m_map = snapped(room.adjusted(viewsWidth + gap, 0, 0, 0), m_scale);
-        room.setRight(m_map.left() - gap);
+        m_map = snapped(room.adjusted(viewsWidth + pictureGap, 0, 0, 0), m_scale);
+        room.setRight(m_map.left() - pictureGap);
     }
     layOutViews(room);
 }
@@ -116,22 +116,22 @@ std::size_t AnnotatedPicture::columns() const
 double AnnotatedPicture::viewsHeight(double width) const
 {
     const std::size_t rows = (m_scene->views.size() + columns() - 1) / columns();
-    const double cell = (width - gap * double(columns() - 1)) / double(columns());
+    const double cell = (width - pictureGap * double(columns() - 1)) / double(columns());
     double highest = cell / 4; // whatever a file says of itself
     for (const SceneView &view : m_scene->views)
         highest = std::max(highest, cell * view.recording.heightPx / std::max(1, view.recording.widthPx));
-    return double(rows) * highest + gap * double(rows - 1);
+    return double(rows) * highest + pictureGap * double(rows - 1);
 }
 
 void AnnotatedPicture::layOutViews(const QRectF &room)
 {
     const std::size_t count = m_scene->views.size(), inARow = columns(), rows = (count + inARow - 1) / inARow;
-    const double width = (room.width() - gap * double(inARow - 1)) / double(inARow),
-                 height = (room.height() - gap * double(rows - 1)) / double(rows);
+    const double width = (room.width() - pictureGap * double(inARow - 1)) / double(inARow),
+                 height = (room.height() - pictureGap * double(rows - 1)) / double(rows);
     for (std::size_t view = 0; view < count; ++view) {
         const double column = double(view % inARow), row = double(view / inARow);
         m_views.push_back(snapped(
-            QRectF(room.left() + column * (width + gap), room.top() + row * (height + gap), width, height), m_scale));
+            QRectF(room.left() + column * (width + pictureGap), room.top() + row * (height + pictureGap), width, height), m_scale));
     }
 }
 
@@ -294,7 +294,7 @@ void AnnotatedPicture::paintTime(QPainter &painter, Nanoseconds time) const
     painter.setFont(font(textPx + 2));
     painter.setPen(colours.muted);
     painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter | Qt::TextSingleLine,
-                     Words::tr("slow motion %1×").arg(QLocale().toString(m_look.speed)));
+                     AnnotatedPictureWords::tr("slow motion %1×").arg(QLocale().toString(m_look.speed)));
 }
 
 void AnnotatedPicture::paintView(QPainter &painter, std::size_t view, const ViewMoment &moment) const
@@ -308,8 +308,8 @@ void AnnotatedPicture::paintView(QPainter &painter, std::size_t view, const View
     if (moment.picture.isNull()) {
         painter.setPen(ThemeColours::of(m_look.palette).muted);
         painter.drawText(m_views[view].adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
-                         moment.frame < 0 ? Words::tr("This camera was not recording at this time")
-                                          : Words::tr("This picture cannot be decoded"));
+                         moment.frame < 0 ? AnnotatedPictureWords::tr("This camera was not recording at this time")
+                                          : AnnotatedPictureWords::tr("This picture cannot be decoded"));
     }
     if (moment.frame < 0)
         return;

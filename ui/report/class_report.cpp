@@ -19,10 +19,10 @@ namespace odo {
 
 namespace {
 
-constexpr double figuresHeight = 66, partTitleHeight = 21, scaleHeight = 16, gap = 10, footHeight = 30;
+constexpr double figuresHeight = 66, partTitleHeight = 21, scaleHeight = 16, partGap = 10, footHeight = 30;
 constexpr double leastRow = 17, mostRow = 25;
 
-class Words
+class ClassReportWords
 {
     Q_DECLARE_TR_FUNCTIONS(ClassReport)
 };
@@ -118,12 +118,12 @@ private:
 
 QRectF ClassPage::paintFrame(const QRectF &sheet, const QString &title, const QStringList &facts, int page, int pages)
 {
-    QStringList foot(Words::tr("Rank: one more than the number of teams that are better beyond doubt (medians apart by more "
+    QStringList foot(ClassReportWords::tr("Rank: one more than the number of teams that are better beyond doubt (medians apart by more "
                                "than 1.96 σ); teams of one rank cannot be told apart."));
     if (m_content.leftOut > 0)
-        foot << Words::tr("%n trial(s) left out: measured by another course; measure them again.", "", m_content.leftOut);
-    foot << (pages > 1 ? Words::tr("Page %1 of %2 · Odograph %3").arg(page).arg(pages).arg(QStringLiteral(ODOGRAPH_VERSION))
-                       : Words::tr("Odograph %1").arg(QStringLiteral(ODOGRAPH_VERSION)));
+        foot << ClassReportWords::tr("%n trial(s) left out: measured by another course; measure them again.", "", m_content.leftOut);
+    foot << (pages > 1 ? ClassReportWords::tr("Page %1 of %2 · Odograph %3").arg(page).arg(pages).arg(QStringLiteral(ODOGRAPH_VERSION))
+                       : ClassReportWords::tr("Odograph %1").arg(QStringLiteral(ODOGRAPH_VERSION)));
     return drawFoot(m_painter, drawHead(m_painter, sheet, m_options.letterhead, title, facts), m_options.letterhead, foot);
 }
 
@@ -131,15 +131,15 @@ QStringList ClassPage::classFacts() const
 {
     QStringList facts;
     if (!m_standings.choice.task.empty())
-        facts << Words::tr("Task: %1").arg(literalName(m_standings.choice.task));
-    facts << Words::tr("by %1").arg(metricName(m_standings.choice.metric));
+        facts << ClassReportWords::tr("Task: %1").arg(literalName(m_standings.choice.task));
+    facts << ClassReportWords::tr("by %1").arg(metricName(m_standings.choice.metric));
     Instant first = Instant::max(), last = Instant::min();
     for (const TeamStanding &team : m_standings.teams) {
         first = std::min(first, team.runs.front().date);
         last = std::max(last, team.runs.back().date);
     }
     const QString from = reportDay(first), to = reportDay(last);
-    facts << (from == to ? from : Words::tr("%1 to %2").arg(from, to));
+    facts << (from == to ? from : ClassReportWords::tr("%1 to %2").arg(from, to));
     return facts;
 }
 
@@ -148,18 +148,18 @@ void ClassPage::paintClassFigures(const QRectF &rect)
     std::vector<double> values = allValues(m_standings);
     const auto number = [](int count) { return FigureText{QLocale().toString(count), {}, {}}; };
     QList<ReportFigure> figures;
-    figures << ReportFigure{Words::tr("Teams"), number(int(m_standings.teams.size())), {}}
-            << ReportFigure{Words::tr("Trials"), number(int(values.size())),
-                            m_content.trials > int(values.size()) ? Words::tr("of %1").arg(m_content.trials) : QString()}
-            << ReportFigure{Words::tr("Best"), figureOf(m_standings, bestOf(m_standings)), {}}
-            << ReportFigure{Words::tr("Median of all runs"), figureOf(m_standings, median(values)), {}};
+    figures << ReportFigure{ClassReportWords::tr("Teams"), number(int(m_standings.teams.size())), {}}
+            << ReportFigure{ClassReportWords::tr("Trials"), number(int(values.size())),
+                            m_content.trials > int(values.size()) ? ClassReportWords::tr("of %1").arg(m_content.trials) : QString()}
+            << ReportFigure{ClassReportWords::tr("Best"), figureOf(m_standings, bestOf(m_standings)), {}}
+            << ReportFigure{ClassReportWords::tr("Median of all runs"), figureOf(m_standings, median(values)), {}};
     constexpr std::size_t leastForQuartiles = 4;
     std::ranges::sort(values);
     const auto quartile = [&](double part) { return values[std::size_t(std::lround(part * double(values.size() - 1)))]; };
     if (values.size() >= leastForQuartiles)
-        figures << ReportFigure{Words::tr("Middle half of the runs"),
+        figures << ReportFigure{ClassReportWords::tr("Middle half of the runs"),
                             figureOf(m_standings, quartile(0.75) - quartile(0.25)),
-                            Words::tr("%1 to %2").arg(figureOf(m_standings, quartile(0.25)).value,
+                            ClassReportWords::tr("%1 to %2").arg(figureOf(m_standings, quartile(0.25)).value,
                                                       figureOf(m_standings, quartile(0.75)).text())};
     drawFigures(m_painter, rect, figures);
 }
@@ -220,10 +220,10 @@ void ClassPage::paintRanking(const QRectF &sheet, const RankingPart &part)
     QRectF room = paintFrame(sheet, literalName(m_standings.choice.className), classFacts(), part.page, part.pages);
     if (part.page == 1) {
         paintClassFigures(QRectF(room.left(), room.top(), room.width(), figuresHeight));
-        room.setTop(room.top() + figuresHeight + gap);
+        room.setTop(room.top() + figuresHeight + partGap);
     }
-    room = drawPartTitle(m_painter, room, Words::tr("The teams"),
-                         Words::tr("each run is a dot; the line is the median of the team"));
+    room = drawPartTitle(m_painter, room, ClassReportWords::tr("The teams"),
+                         ClassReportWords::tr("each run is a dot; the line is the median of the team"));
     const Columns &w = columnWidths;
     constexpr double stripGap = 14; // so that the scale keeps off the word before it
     const double stripLeft = room.left() + stripGap + w.rank + w.team + w.runs + w.best + w.median;
@@ -236,13 +236,13 @@ void ClassPage::paintRanking(const QRectF &sheet, const RankingPart &part)
                  side | Qt::AlignVCenter);
         left += width;
     };
-    head(w.rank, Words::tr("#"), Qt::AlignRight);
-    head(w.team, Words::tr("Team"), Qt::AlignLeft);
-    head(w.runs, Words::tr("Trials"), Qt::AlignRight);
-    head(w.best, Words::tr("Best"), Qt::AlignRight);
-    head(w.median, Words::tr("Median"), Qt::AlignRight);
+    head(w.rank, ClassReportWords::tr("#"), Qt::AlignRight);
+    head(w.team, ClassReportWords::tr("Team"), Qt::AlignLeft);
+    head(w.runs, ClassReportWords::tr("Trials"), Qt::AlignRight);
+    head(w.best, ClassReportWords::tr("Best"), Qt::AlignRight);
+    head(w.median, ClassReportWords::tr("Median"), Qt::AlignRight);
     left += w.strip + 6;
-    head(room.right() - left, Words::tr("Through the term"), Qt::AlignLeft);
+    head(room.right() - left, ClassReportWords::tr("Through the term"), Qt::AlignLeft);
     double top = room.top() + scaleHeight;
     for (std::size_t team = part.from; team < part.to; ++team) {
         m_painter.setPen(QPen(m_colours.grid, 0.7));
@@ -255,11 +255,11 @@ void ClassPage::paintRanking(const QRectF &sheet, const RankingPart &part)
 /// Every run of a team, the newest below; in two columns where they are many.
 void ClassPage::paintRuns(const QRectF &rect, const TeamStanding &team)
 {
-    QRectF room = drawPartTitle(m_painter, rect, Words::tr("Its trials"));
+    QRectF room = drawPartTitle(m_painter, rect, ClassReportWords::tr("Its trials"));
     ReportTable table;
     table.weights = {0.3, 0.42, 0.28};
     table.alignments = {Qt::AlignLeft, Qt::AlignLeft, Qt::AlignRight};
-    table.header = {Words::tr("Date"), Words::tr("Trial"), metricName(m_standings.choice.metric)};
+    table.header = {ClassReportWords::tr("Date"), ClassReportWords::tr("Trial"), metricName(m_standings.choice.metric)};
     const auto perColumn = std::size_t(std::max(1.0, room.height() / table.rowHeight - 1));
     const bool isWide = team.runs.size() > perColumn;
     const double width = isWide ? (room.width() - 20) / 2 : room.width() * 0.7;
@@ -278,26 +278,26 @@ void ClassPage::paintTeam(const QRectF &sheet, std::size_t index)
 {
     constexpr double trendHeight = 260;
     const TeamStanding &team = m_standings.teams[index];
-    QStringList facts(Words::tr("Class: %1").arg(literalName(m_standings.choice.className)));
+    QStringList facts(ClassReportWords::tr("Class: %1").arg(literalName(m_standings.choice.className)));
     QRectF room = paintFrame(sheet, teamName(team), facts + classFacts(), 1, 1);
     QList<ReportFigure> figures;
     if (m_standings.isRanked())
-        figures << ReportFigure{Words::tr("Rank"), {QLocale().toString(team.figures.rank), {}, {}},
-                                Words::tr("of %n team(s)", "", int(m_standings.teams.size()))};
-    figures << ReportFigure{Words::tr("Best"), figureOf(m_standings, team.progress.best), {}};
+        figures << ReportFigure{ClassReportWords::tr("Rank"), {QLocale().toString(team.figures.rank), {}, {}},
+                                ClassReportWords::tr("of %n team(s)", "", int(m_standings.teams.size()))};
+    figures << ReportFigure{ClassReportWords::tr("Best"), figureOf(m_standings, team.progress.best), {}};
     const double sigma = team.figures.sigma;
-    figures << ReportFigure{Words::tr("Median"),
+    figures << ReportFigure{ClassReportWords::tr("Median"),
                             figureOf(m_standings, team.figures.median, sigma > 0 ? std::optional(sigma) : std::nullopt),
-                            Words::tr("class median %1").arg(figureOf(m_standings, median(allValues(m_standings))).text())};
+                            ClassReportWords::tr("class median %1").arg(figureOf(m_standings, median(allValues(m_standings))).text())};
     if (team.progress.spread)
-        figures << ReportFigure{Words::tr("Spread of one run"), figureOf(m_standings, *team.progress.spread), {}};
+        figures << ReportFigure{ClassReportWords::tr("Spread of one run"), figureOf(m_standings, *team.progress.spread), {}};
     drawFigures(m_painter, QRectF(room.left(), room.top(), room.width(), figuresHeight), figures);
-    room.setTop(room.top() + figuresHeight + gap);
+    room.setTop(room.top() + figuresHeight + partGap);
     const QRectF trend = drawPartTitle(m_painter, QRectF(room.left(), room.top(), room.width(), trendHeight),
-                                       Words::tr("Through the term"), progressText(team, m_standings));
+                                       ClassReportWords::tr("Through the term"), progressText(team, m_standings));
     m_painter.setFont(reportFont(smallSize));
     drawTrend(m_painter, trend, team, reportPalette());
-    room.setTop(room.top() + trendHeight + gap);
+    room.setTop(room.top() + trendHeight + partGap);
     paintRuns(room, team);
 }
 
@@ -306,7 +306,7 @@ std::vector<RankingPart> partsOf(std::size_t teams, const PageFormat &format, co
 {
     const double head = 70, foot = 12.0 * (letterhead.remark.isEmpty() ? 3 : 4) + 10;
     const double later = format.content().height() - head - foot - partTitleHeight - scaleHeight,
-                 first = later - figuresHeight - gap;
+                 first = later - figuresHeight - partGap;
     const double wanted = std::clamp(first / double(teams), leastRow, mostRow);
     const auto fits = [wanted](double room) { return std::size_t(room / wanted + 1e-6); };
     std::vector<RankingPart> parts;

@@ -20,9 +20,9 @@ namespace odo {
 
 namespace {
 
-constexpr int stillWidthPx = 480;
+constexpr int runStillWidthPx = 480;
 
-class Words
+class ComparisonReportWords
 {
     Q_DECLARE_TR_FUNCTIONS(ComparisonReport)
 };
@@ -107,11 +107,11 @@ void ComparisonPage::paintCurves(const QRectF &rect, Compared what, const QStrin
 
 void ComparisonPage::paintTable(const QRectF &rect, const QString &title, const DifferenceModel &model)
 {
-    const QRectF room = drawPartTitle(m_painter, rect, title, Words::tr("± one σ; grey, ≈: within the error"));
+    const QRectF room = drawPartTitle(m_painter, rect, title, ComparisonReportWords::tr("± one σ; grey, ≈: within the error"));
     ReportTable table;
     table.weights = {0.28, 0.24, 0.24, 0.24};
     table.alignments = {Qt::AlignLeft, Qt::AlignRight, Qt::AlignRight, Qt::AlignRight};
-    table.header = {QString(), Words::tr("left"), Words::tr("right"), Words::tr("right − left")};
+    table.header = {QString(), ComparisonReportWords::tr("left"), ComparisonReportWords::tr("right"), ComparisonReportWords::tr("right − left")};
     for (int row = 0; row < model.rowCount(); ++row) {
         ReportTable::Row line;
         for (int column = 0; column < model.columnCount(); ++column)
@@ -124,19 +124,19 @@ void ComparisonPage::paintTable(const QRectF &rect, const QString &title, const 
 
 QString ComparisonPage::alignedWords() const
 {
-    const QString along = m_scene.compared.comparison.isTasksPath ? Words::tr("along the task’s path")
-                                                                  : Words::tr("along the way of the left run");
+    const QString along = m_scene.compared.comparison.isTasksPath ? ComparisonReportWords::tr("along the task’s path")
+                                                                  : ComparisonReportWords::tr("along the way of the left run");
     switch (m_scene.compared.comparison.alignedBy) {
     case AlignBy::StartGate:
-        return Words::tr("aligned by the start gate, %1").arg(along);
+        return ComparisonReportWords::tr("aligned by the start gate, %1").arg(along);
     case AlignBy::MotionOnset:
-        return Words::tr("aligned by the onset of motion, %1").arg(along);
+        return ComparisonReportWords::tr("aligned by the onset of motion, %1").arg(along);
     case AlignBy::Distance:
-        return Words::tr("aligned by a place that both pass, %1").arg(along);
+        return ComparisonReportWords::tr("aligned by a place that both pass, %1").arg(along);
     case AlignBy::ByHand:
         break;
     }
-    return Words::tr("aligned by hand, %1").arg(along);
+    return ComparisonReportWords::tr("aligned by hand, %1").arg(along);
 }
 
 void ComparisonPage::paint(const QRectF &sheet)
@@ -145,20 +145,20 @@ void ComparisonPage::paint(const QRectF &sheet)
     const TrialScene &first = *m_scene.scenes.front();
     QStringList facts;
     if (!first.trial.task.empty())
-        facts << Words::tr("Task: %1").arg(literalName(first.trial.task));
+        facts << ComparisonReportWords::tr("Task: %1").arg(literalName(first.trial.task));
     facts << alignedWords();
     QStringList foot;
     for (int side = 0; side < 2; ++side) {
         const AnalysisRecord &analysis = m_scene.trials.runs[runAt(side)].analysis;
-        foot << Words::tr("%1: analysed %2, Odograph %3")
+        foot << ComparisonReportWords::tr("%1: analysed %2, Odograph %3")
                     .arg(literalName(m_scene.name(runAt(side))), reportDate(analysis.made), literalName(analysis.softwareVersion));
     }
-    foot << (m_scene.trials.shareCalibration ? Words::tr("Both runs share their calibration: its error cancels as far as they do.")
-                                             : Words::tr("The runs do not share their calibration: the errors of both count."));
+    foot << (m_scene.trials.shareCalibration ? ComparisonReportWords::tr("Both runs share their calibration: its error cancels as far as they do.")
+                                             : ComparisonReportWords::tr("The runs do not share their calibration: the errors of both count."));
     const QRectF room = drawFoot(
         m_painter,
         drawHead(m_painter, sheet, m_options.letterhead,
-                 Words::tr("%1 and %2").arg(literalName(m_scene.name(0)), literalName(m_scene.name(m_content.other))), facts),
+                 ComparisonReportWords::tr("%1 and %2").arg(literalName(m_scene.name(0)), literalName(m_scene.name(m_content.other))), facts),
         m_options.letterhead, foot);
     const double side = sideShare * room.width(), upper = upperShare * room.height();
     paintRun(QRectF(room.left(), room.top(), side, upper), 0);
@@ -170,18 +170,18 @@ void ComparisonPage::paint(const QRectF &sheet)
     const QRectF charts(lower.left(), lower.top(), lower.width() - tables - gap, lower.height());
     const double speed = (1 - deltaShare) * charts.height();
     paintCurves(QRectF(charts.left(), charts.top(), charts.width(), speed - 4), Compared::Speed,
-                Words::tr("Speed along the way, %1").arg(comparedUnit(Compared::Speed)), Words::tr("with its ±95 % band"));
+                ComparisonReportWords::tr("Speed along the way, %1").arg(comparedUnit(Compared::Speed)), ComparisonReportWords::tr("with its ±95 % band"));
     paintCurves(QRectF(charts.left(), charts.top() + speed, charts.width(), deltaShare * charts.height()),
-                Compared::TimeDifference, Words::tr("Time difference, s"),
-                Words::tr("above 0: the right run is later; grey: within the error"));
+                Compared::TimeDifference, ComparisonReportWords::tr("Time difference, s"),
+                ComparisonReportWords::tr("above 0: the right run is later; grey: within the error"));
     DifferenceModel sectors, metrics;
     sectors.setSectors(m_scene.compared.sectors, m_content.other);
     metrics.setMetrics(m_scene.compared.metrics[m_content.other - 1]);
     QRectF right(lower.right() - tables, lower.top(), tables, lower.height());
     const double sectorHeight = 40 + 15 * std::min(5, sectors.rowCount());
-    paintTable(QRectF(right.left(), right.top(), right.width(), sectorHeight), Words::tr("Sectors, s"), sectors);
+    paintTable(QRectF(right.left(), right.top(), right.width(), sectorHeight), ComparisonReportWords::tr("Sectors, s"), sectors);
     right.setTop(right.top() + sectorHeight + 4);
-    paintTable(right, Words::tr("Figures"), metrics);
+    paintTable(right, ComparisonReportWords::tr("Figures"), metrics);
 }
 
 } // namespace
@@ -189,7 +189,7 @@ void ComparisonPage::paint(const QRectF &sheet)
 ReportPages comparisonPages(const ComparisonScenePtr &scene, const ReportOptions &options)
 {
     const auto stillsOf = [&](std::size_t run) {
-        return takeStills(*scene->scenes[run], tellingMoment(*scene->scenes[run]), stillWidthPx);
+        return takeStills(*scene->scenes[run], tellingMoment(*scene->scenes[run]), runStillWidthPx);
     };
     const std::vector<Still> first = stillsOf(0);
     const PageFormat format{options.paper, true};

@@ -27,7 +27,7 @@ QString flagWords(SampleFlags flags)
     return words.join(QStringLiteral(", "));
 }
 
-class Words
+class ReportMethodWords
 {
     Q_DECLARE_TR_FUNCTIONS(ReportMethod)
 };
@@ -43,18 +43,18 @@ QString viewLine(const TrialContent &content, std::size_t view)
 {
     const SceneView &shown = content.scene->views[view];
     QStringList parts;
-    parts << Words::tr("%1: %2 frames at %3/s")
+    parts << ReportMethodWords::tr("%1: %2 frames at %3/s")
                  .arg(literalName(shown.camera))
                  .arg(shown.recording.frameTimes.size())
                  .arg(decimals(shown.recording.framesPerSecond, 2));
-    parts << Words::tr("%n missing", "", missingFrames(shown.recording.frameTimes));
+    parts << ReportMethodWords::tr("%n missing", "", missingFrames(shown.recording.frameTimes));
     if (view < content.lensRmsPx.size() && content.lensRmsPx[view])
-        parts << Words::tr("lens calibrated to %1 px").arg(decimals(*content.lensRmsPx[view], 2));
+        parts << ReportMethodWords::tr("lens calibrated to %1 px").arg(decimals(*content.lensRmsPx[view], 2));
     if (shown.registration)
-        parts << Words::tr("registered to the floor to %1 px, %2")
+        parts << ReportMethodWords::tr("registered to the floor to %1 px, %2")
                      .arg(decimals(shown.registration->rmsPx, 2), lengthText(shown.registration->rmsM));
     else
-        parts << Words::tr("not registered");
+        parts << ReportMethodWords::tr("not registered");
     if (const QString uneven = unevenText(shown.recording); !uneven.isEmpty())
         parts << uneven;
     return parts.join(QStringLiteral(", "));
@@ -63,7 +63,7 @@ QString viewLine(const TrialContent &content, std::size_t view)
 QString sampleSummary(const Profile &profile)
 {
     const auto count = [&profile](const auto &is) { return int(std::ranges::count_if(profile.samples, is)); };
-    return Words::tr("%1 samples: %2 measured, %3 used, %4 flagged, %5 bridged; the views disagree by %6 on average")
+    return ReportMethodWords::tr("%1 samples: %2 measured, %3 used, %4 flagged, %5 bridged; the views disagree by %6 on average")
         .arg(profile.samples.size())
         .arg(count([](const Sample &sample) { return sample.position.has_value(); }))
         .arg(count([](const Sample &sample) { return sample.position && !isRejected(sample.flags); }))
@@ -77,9 +77,9 @@ void drawSamples(QPainter &painter, const QRectF &rect, const Profile &profile)
 {
     ReportTable table;
     const ShownUnits &units = shownUnits();
-    table.header = {Words::tr("t, s"), Words::tr("x, %1").arg(units.length.name), Words::tr("y, %1").arg(units.length.name),
-                    Words::tr("speed, %1").arg(units.speed.name), Words::tr("± (σ)"), Words::tr("acceleration, %1").arg(units.acceleration.name),
-                    Words::tr("flags")};
+    table.header = {ReportMethodWords::tr("t, s"), ReportMethodWords::tr("x, %1").arg(units.length.name), ReportMethodWords::tr("y, %1").arg(units.length.name),
+                    ReportMethodWords::tr("speed, %1").arg(units.speed.name), ReportMethodWords::tr("± (σ)"), ReportMethodWords::tr("acceleration, %1").arg(units.acceleration.name),
+                    ReportMethodWords::tr("flags")};
     table.weights = {0.1, 0.12, 0.12, 0.14, 0.1, 0.18, 0.24};
     table.alignments = QList<Qt::Alignment>(6, Qt::AlignRight) << Qt::AlignLeft;
     table.rowHeight = 13;
@@ -97,9 +97,9 @@ void drawSamples(QPainter &painter, const QRectF &rect, const Profile &profile)
         cells << flagWords(profile.samples[i].flags);
         table.rows << ReportTable::Row{cells, !point.valid, false};
     }
-    const QRectF left = drawPartTitle(painter, rect, Words::tr("What was measured"),
-                                      step == 1 ? Words::tr("every sample, smoothed")
-                                                : Words::tr("one sample of %1, smoothed; all of them are in the exported file").arg(step));
+    const QRectF left = drawPartTitle(painter, rect, ReportMethodWords::tr("What was measured"),
+                                      step == 1 ? ReportMethodWords::tr("every sample, smoothed")
+                                                : ReportMethodWords::tr("one sample of %1, smoothed; all of them are in the exported file").arg(step));
     drawTable(painter, left, table);
 }
 
@@ -132,9 +132,9 @@ QStringList provenanceLines(const TrialContent &content, std::size_t robot)
     const AnalysisRecord &analysis = *scene.robots[robot].analysis;
     QStringList parts;
     for (std::size_t view = 1; view < scene.views.size(); ++view)
-        parts << Words::tr("%1 %2").arg(literalName(scene.views[view].camera), stepText(scene.views[view].recording));
-    parts << Words::tr("smoother: %1").arg(smootherText(analysis.options.smoother));
-    parts << Words::tr("analysed %1, Odograph %2").arg(reportDate(analysis.made), literalName(analysis.softwareVersion));
+        parts << ReportMethodWords::tr("%1 %2").arg(literalName(scene.views[view].camera), stepText(scene.views[view].recording));
+    parts << ReportMethodWords::tr("smoother: %1").arg(smootherText(analysis.options.smoother));
+    parts << ReportMethodWords::tr("analysed %1, Odograph %2").arg(reportDate(analysis.made), literalName(analysis.softwareVersion));
     lines << parts.join(QStringLiteral(" · "));
     return lines;
 }
@@ -147,13 +147,13 @@ void paintMethodPage(QPainter &painter, const QRectF &sheet, const TrialContent 
     const TrialScene &scene = *content.scene;
     const AnalysisRecord &analysis = *scene.robots[robot].analysis;
     const ThemeColours colours = ThemeColours::of(reportPalette());
-    QRectF room = drawFoot(painter, drawHead(painter, sheet, letterhead, Words::tr("%1: method").arg(trialTitle(scene, robot)),
+    QRectF room = drawFoot(painter, drawHead(painter, sheet, letterhead, ReportMethodWords::tr("%1: method").arg(trialTitle(scene, robot)),
                                              trialHeadFacts(scene, robot)),
                            letterhead, provenanceLines(content, robot));
     const QRectF samples(room.left(), room.bottom() - samplesShare * room.height(), room.width(), samplesShare * room.height());
     drawSamples(painter, samples, analysis.profile);
     room.setBottom(samples.top() - gap);
-    QRectF text = drawPartTitle(painter, room, Words::tr("How the figures were computed"));
+    QRectF text = drawPartTitle(painter, room, ReportMethodWords::tr("How the figures were computed"));
     const auto paragraph = [&](const QString &words, QFont::Weight weight = QFont::Normal) {
         text.setTop(text.top() + drawParagraph(painter, text, words, reportFont(smallSize + 1, weight), colours.text));
     };
@@ -163,10 +163,10 @@ void paintMethodPage(QPainter &painter, const QRectF &sheet, const TrialContent 
     for (const Metric &metric : tellingMetrics(analysis.profile.metrics, explained)) {
         const Explanation how = explainMetric(scene, robot, metric);
         text.setTop(text.top() + 4);
-        paragraph(Words::tr("%1: %2").arg(how.what, how.value), QFont::DemiBold);
+        paragraph(ReportMethodWords::tr("%1: %2").arg(how.what, how.value), QFont::DemiBold);
         QString words = how.formula;
         if (!how.uncertainty.isEmpty())
-            words += QStringLiteral(" ") + Words::tr("±: %1.").arg(how.uncertainty);
+            words += QStringLiteral(" ") + ReportMethodWords::tr("±: %1.").arg(how.uncertainty);
         paragraph(words);
     }
 }

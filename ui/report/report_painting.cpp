@@ -18,7 +18,7 @@ namespace {
 
 constexpr qsizetype longestName = 300; // more than any page has room for
 
-class Words
+class ReportWords
 {
     Q_DECLARE_TR_FUNCTIONS(Report)
 };
@@ -129,7 +129,7 @@ namespace {
 constexpr double cellLeft = 2, cellRight = 4;
 
 /// By their weights; but numbers, which stand at the right, are shown whole as long as the widest column of words has more than they miss.
-QList<double> columnWidths(const ReportTable &table, double total)
+QList<double> widthsOfColumns(const ReportTable &table, double total)
 {
     double whole = 0;
     for (const double weight : table.weights)
@@ -162,7 +162,7 @@ QList<double> columnWidths(const ReportTable &table, double total)
 
 double drawTable(QPainter &painter, const QRectF &rect, const ReportTable &table)
 {
-    const QList<double> widths = columnWidths(table, rect.width());
+    const QList<double> widths = widthsOfColumns(table, rect.width());
     const auto drawRow = [&](double top, const QStringList &cells, const QFont &font, const QColor &colour) {
         double left = rect.left();
         for (qsizetype column = 0; column < std::min(cells.size(), table.weights.size()); ++column) {
@@ -192,7 +192,7 @@ double drawTable(QPainter &painter, const QRectF &rect, const ReportTable &table
     }
     if (shown < table.rows.size()) {
         drawLine(painter, QRectF(rect.left() + 2, top, rect.width(), table.rowHeight),
-                 Words::tr("and %n more", "", int(table.rows.size() - shown)), reportFont(smallSize),
+                 ReportWords::tr("and %n more", "", int(table.rows.size() - shown)), reportFont(smallSize),
                  colours().muted);
         top += table.rowHeight;
     }
@@ -244,7 +244,7 @@ QRectF drawHead(QPainter &painter, const QRectF &rect, const Letterhead &letterh
         room.setRight(rect.right() - size.width() - 16);
     }
     drawLine(painter, QRectF(room.left(), room.top(), room.width(), 14),
-             letterhead.school.isEmpty() ? Words::tr("Odograph") : literalName(letterhead.school),
+             letterhead.school.isEmpty() ? ReportWords::tr("Odograph") : literalName(letterhead.school),
              reportFont(smallSize + 1), colours().muted);
     drawLine(painter, QRectF(room.left(), room.top() + 14, room.width(), 26), title,
              reportFont(19, QFont::DemiBold), colours().text);

@@ -14,7 +14,7 @@ namespace odo {
 
 namespace {
 
-class Words
+class RunEventsWords
 {
     Q_DECLARE_TR_FUNCTIONS(RunEvents)
 };
@@ -47,9 +47,9 @@ void addMotion(const Profile &profile, std::vector<Weighed> &events)
                           motionWeight});
     };
     add(instants[motions.front().first], motions.front().startS,
-        motions.front().first == 0 ? Words::tr("First seen, moving already") : Words::tr("Starts to move"));
+        motions.front().first == 0 ? RunEventsWords::tr("First seen, moving already") : RunEventsWords::tr("Starts to move"));
     add(instants[motions.back().last], motions.back().stopS,
-        motions.back().last + 1 == instants.size() ? Words::tr("Last seen, still moving") : Words::tr("Stops"));
+        motions.back().last + 1 == instants.size() ? RunEventsWords::tr("Last seen, still moving") : RunEventsWords::tr("Stops"));
 }
 
 void addTopSpeed(const Profile &profile, std::vector<Weighed> &events)
@@ -63,7 +63,7 @@ void addTopSpeed(const Profile &profile, std::vector<Weighed> &events)
         return;
     const Nanoseconds time = profile.samples[std::size_t(top - profile.points.begin())].time;
     events.push_back({{RunEvent::Kind::TopSpeed, 0, time, time, top->position,
-                       Words::tr("Top speed, %1").arg(speedText(top->speedMps, top->sigmaSpeedMps))},
+                       RunEventsWords::tr("Top speed, %1").arg(speedText(top->speedMps, top->sigmaSpeedMps))},
                       motionWeight});
 }
 
@@ -73,7 +73,7 @@ void addGates(const Profile &profile, std::vector<Weighed> &events)
         const auto place = placeAt(profile, passage.time);
         if (place)
             events.push_back({{RunEvent::Kind::Gate, 0, passage.time, passage.time, *place,
-                               Words::tr("Passes %1").arg(QString::fromStdString(passage.gate))},
+                               RunEventsWords::tr("Passes %1").arg(QString::fromStdString(passage.gate))},
                               gateWeight});
     }
 }
@@ -91,9 +91,9 @@ void addSpikes(const Profile &profile, std::vector<Weighed> &events)
         const auto &sample = profile.samples[std::size_t(spike.sampleIndex)];
         const auto place = sample.position ? sample.position : placeAt(profile, spike.time);
         if (place) {
-            QString words = Words::tr("Spike: %1").arg(shownWords(spike.reason));
+            QString words = RunEventsWords::tr("Spike: %1").arg(shownWords(spike.reason));
             if (count > 1)
-                words += QStringLiteral(" ") + Words::tr("(%n samples)", "", count);
+                words += QStringLiteral(" ") + RunEventsWords::tr("(%n samples)", "", count);
             events.push_back({{RunEvent::Kind::Spike, 0, spike.time, profile.spikes[end - 1].time, *place, words},
                               std::min(count, mostSpikeWeight)});
         }

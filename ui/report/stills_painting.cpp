@@ -14,9 +14,9 @@ namespace odo {
 namespace {
 
 constexpr std::size_t mostStills = 2;
-constexpr double gap = 6;
+constexpr double stillGap = 6;
 
-class Words
+class ReportStillsWords
 {
     Q_DECLARE_TR_FUNCTIONS(ReportStills)
 };
@@ -34,7 +34,7 @@ QRectF drawStill(QPainter &painter, const QRectF &rect, const TrialScene &scene,
     painter.setClipRect(box);
     if (still.picture.isNull()) {
         painter.fillRect(box, colours.pictureGround);
-        drawLine(painter, box, Words::tr("no picture: the video is missing"), reportFont(smallSize), colours.muted,
+        drawLine(painter, box, ReportStillsWords::tr("no picture: the video is missing"), reportFont(smallSize), colours.muted,
                  Qt::AlignCenter);
     } else {
         painter.drawImage(box, still.picture);
@@ -68,9 +68,9 @@ void drawStills(QPainter &painter, const QRectF &rect, const TrialScene &scene, 
     const std::size_t count = std::min(mostStills, stills.size());
     double top = rect.top();
     for (std::size_t view = 0; view < count; ++view) {
-        const double height = (rect.height() - gap * double(count - 1)) / double(count);
+        const double height = (rect.height() - stillGap * double(count - 1)) / double(count);
         const QRectF box = drawStill(painter, QRectF(rect.left(), top, rect.width(), height), scene, view, stills[view]);
-        top = box.bottom() + gap;
+        top = box.bottom() + stillGap;
     }
 }
 

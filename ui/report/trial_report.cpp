@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t largeFigures = 5, mostEvents = 12;
 
-class Words
+class TrialReportWords
 {
     Q_DECLARE_TR_FUNCTIONS(TrialReport)
 };
@@ -73,14 +73,14 @@ QString TrialPage::medianWords(const std::string &metric, const std::string &uni
     if (found == m_content.classFigures.end() || found->second.runs < 2)
         return {};
     FigureText figure = metricFigure({metric, unit, found->second.median, std::nullopt});
-    return Words::tr("class median %1").arg(figure.text());
+    return TrialReportWords::tr("class median %1").arg(figure.text());
 }
 
 QList<ReportFigure> TrialPage::figures() const
 {
     QList<ReportFigure> figures;
     if (m_score)
-        figures << ReportFigure{Words::tr("Score"), scoreFigure(*m_score), medianWords(scoreMetric, "1")};
+        figures << ReportFigure{TrialReportWords::tr("Score"), scoreFigure(*m_score), medianWords(scoreMetric, "1")};
     for (const Metric &metric : tellingMetrics(m_analysis->profile.metrics, largeCount()))
         figures << ReportFigure{metricName(metric.name), metricFigure(metric), medianWords(metric.name, metric.unit)};
     return figures;
@@ -93,20 +93,20 @@ void TrialPage::paintPlaces(const QRectF &rect)
     constexpr double mapShare = 0.6, gap = 14;
     const double mapWidth = hasViews ? mapShare * rect.width() : rect.width();
     const QRectF map = drawPartTitle(m_painter, QRectF(rect.left(), rect.top(), mapWidth, rect.height()),
-                                     Words::tr("The run from above"), Words::tr("coloured by speed"));
+                                     TrialReportWords::tr("The run from above"), TrialReportWords::tr("coloured by speed"));
     drawRunMap(m_painter, map, m_scene, m_robot, m_events);
     if (!hasViews)
         return;
     const QRectF right(rect.left() + mapWidth + gap, rect.top(), rect.width() - mapWidth - gap, rect.height());
-    const QRectF pictures = drawPartTitle(m_painter, right, Words::tr("The cameras’ views"),
-                                          m_analysis && m_content.isAtTopSpeed && m_scene.robots.size() == 1 ? Words::tr("at %1, the top speed").arg(secondsText(m_content.stillTime))
-                                                     : Words::tr("at %1").arg(secondsText(m_content.stillTime)));
+    const QRectF pictures = drawPartTitle(m_painter, right, TrialReportWords::tr("The cameras’ views"),
+                                          m_analysis && m_content.isAtTopSpeed && m_scene.robots.size() == 1 ? TrialReportWords::tr("at %1, the top speed").arg(secondsText(m_content.stillTime))
+                                                     : TrialReportWords::tr("at %1").arg(secondsText(m_content.stillTime)));
     drawStills(m_painter, pictures, m_scene, m_content.stills);
 }
 
 void TrialPage::paintEvents(const QRectF &rect)
 {
-    const QRectF room = drawPartTitle(m_painter, rect, Words::tr("What happened"));
+    const QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("What happened"));
     ReportTable table;
     table.weights = {0.09, 0.2, 0.71};
     table.alignments = {Qt::AlignLeft, Qt::AlignRight, Qt::AlignLeft};
@@ -114,14 +114,14 @@ void TrialPage::paintEvents(const QRectF &rect)
         table.rows << ReportTable::Row{{QString::number(event.number), secondsText(event.time), literalName(event.words)},
                                        false, false};
     if (table.rows.isEmpty())
-        drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), 16), Words::tr("It did not move"),
+        drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), 16), TrialReportWords::tr("It did not move"),
                  reportFont(bodySize), ThemeColours::of(reportPalette()).muted);
     drawTable(m_painter, room, table);
 }
 
 void TrialPage::paintSplits(const QRectF &rect, const std::vector<Lap> &laps)
 {
-    const QRectF room = drawPartTitle(m_painter, rect, Words::tr("Splits"));
+    const QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("Splits"));
     const auto best = std::ranges::min_element(laps, {}, &Lap::timeS);
     ReportTable table;
     table.weights = {0.42, 0.58};
@@ -130,11 +130,11 @@ void TrialPage::paintSplits(const QRectF &rect, const std::vector<Lap> &laps)
         const auto time = [](double seconds, double sigmaS) {
             return figureText(seconds, sigmaS, QStringLiteral("s")).text();
         };
-        table.rows << ReportTable::Row{{Words::tr("Run %1").arg(lap - laps.begin() + 1), time(lap->timeS, lap->sigmaS)},
+        table.rows << ReportTable::Row{{TrialReportWords::tr("Run %1").arg(lap - laps.begin() + 1), time(lap->timeS, lap->sigmaS)},
                                        false, laps.size() > 1 && lap == best};
         for (const Sector &sector : lap->sectors)
             if (lap->sectors.size() > 1)
-                table.rows << ReportTable::Row{{QStringLiteral("   ") + Words::tr("to %1").arg(literalName(sector.gate)),
+                table.rows << ReportTable::Row{{QStringLiteral("   ") + TrialReportWords::tr("to %1").arg(literalName(sector.gate)),
                                                 time(sector.timeS, sector.sigmaS)}, false, false};
     }
     drawTable(m_painter, room, table);
@@ -142,7 +142,7 @@ void TrialPage::paintSplits(const QRectF &rect, const std::vector<Lap> &laps)
 
 void TrialPage::paintMetrics(const QRectF &rect)
 {
-    const QRectF room = drawPartTitle(m_painter, rect, Words::tr("Figures"), Words::tr("± one σ"));
+    const QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("Figures"), TrialReportWords::tr("± one σ"));
     ReportTable table;
     table.weights = {0.54, 0.46};
     table.alignments = {Qt::AlignLeft, Qt::AlignRight};
@@ -178,7 +178,7 @@ void TrialPage::paintTables(const QRectF &rect)
 /// The notes, and lines for a pen where there are none.
 void TrialPage::paintRemarks(const QRectF &rect)
 {
-    const QRectF room = drawPartTitle(m_painter, rect, Words::tr("Remarks"));
+    const QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("Remarks"));
     if (!m_scene.trial.notes.empty()) {
         drawParagraph(m_painter, room, literalName(m_scene.trial.notes), reportFont(smallSize + 1),
                       ThemeColours::of(reportPalette()).text);
@@ -201,7 +201,7 @@ void TrialPage::paint(const QRectF &sheet)
     paintRemarks(remarks);
     if (!m_analysis) {
         drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), 30),
-                 Words::tr("This trial has not been tracked yet: there are no figures."), reportFont(bodySize + 2),
+                 TrialReportWords::tr("This trial has not been tracked yet: there are no figures."), reportFont(bodySize + 2),
                  ThemeColours::of(reportPalette()).text);
         paintPlaces(room.adjusted(0, 40, 0, -room.height() * 0.35));
         return;
@@ -228,7 +228,7 @@ QString trialTitle(const TrialScene &scene, std::size_t robot)
 {
     const QString name = literalName(scene.trial.name);
     return scene.robots.size() > 1 && robot < scene.robots.size()
-               ? Words::tr("%1 – %2").arg(name, literalName(scene.robots[robot].robot.name))
+               ? TrialReportWords::tr("%1 – %2").arg(name, literalName(scene.robots[robot].robot.name))
                : name;
 }
 
@@ -237,13 +237,13 @@ QStringList trialHeadFacts(const TrialScene &scene, std::size_t robot)
     QStringList facts;
     const auto add = [&facts](const QString &what, const QString &value) {
         if (!value.isEmpty())
-            facts << Words::tr("%1: %2").arg(what, literalName(value));
+            facts << TrialReportWords::tr("%1: %2").arg(what, literalName(value));
     };
-    add(Words::tr("Class"), QString::fromStdString(scene.trial.className));
-    add(Words::tr("Team"), shownTeam(scene.trial));
+    add(TrialReportWords::tr("Class"), QString::fromStdString(scene.trial.className));
+    add(TrialReportWords::tr("Team"), shownTeam(scene.trial));
     if (robot < scene.robots.size())
-        add(Words::tr("Robot"), QString::fromStdString(scene.robots[robot].robot.name));
-    add(Words::tr("Task"), QString::fromStdString(scene.trial.task));
+        add(TrialReportWords::tr("Robot"), QString::fromStdString(scene.robots[robot].robot.name));
+    add(TrialReportWords::tr("Task"), QString::fromStdString(scene.trial.task));
     facts << reportDate(scene.trial.date);
     return facts;
 }

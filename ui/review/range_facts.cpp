@@ -13,7 +13,7 @@
 namespace odo {
 namespace {
 
-class Words
+class RangeFactsWords
 {
     Q_DECLARE_TR_FUNCTIONS(RangeFacts)
 };
@@ -50,7 +50,7 @@ QStringList inputsOf(const RangeReport &report)
 {
     const RangeRequest &request = report.request;
     QStringList inputs{
-        Words::tr("from %1 to %2").arg(secondsText(request.span.begin), secondsText(request.span.end))};
+        RangeFactsWords::tr("from %1 to %2").arg(secondsText(request.span.begin), secondsText(request.span.end))};
     return inputs + analysisInputs(*request.scene, request.robot);
 }
 
@@ -58,14 +58,14 @@ QStringList inputsOf(const RangeReport &report)
 QString calibrationPart(Quantity quantity)
 {
     if (isAngle(quantity))
-        return Words::tr("What the calibration adds to an angle is not known and not in it.");
-    return isPosition(quantity) ? Words::tr("The calibration's error of place is in it.")
-                                : Words::tr("The calibration's error of scale is in it.");
+        return RangeFactsWords::tr("What the calibration adds to an angle is not known and not in it.");
+    return isPosition(quantity) ? RangeFactsWords::tr("The calibration's error of place is in it.")
+                                : RangeFactsWords::tr("The calibration's error of scale is in it.");
 }
 
 QString smoothedPart()
 {
-    return Words::tr(
+    return RangeFactsWords::tr(
         "Neighbours of a smoothed curve share their error, so it is averaged out by time and not by frames: "
         "with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.");
 }
@@ -74,7 +74,7 @@ Explanation explainStatistics(const RangeReport &report, Quantity quantity, cons
 {
     return {quantityName(quantity),
             value,
-            Words::tr("Of the smoothed curve, each value for half the time to both neighbours: its mean, the "
+            RangeFactsWords::tr("Of the smoothed curve, each value for half the time to both neighbours: its mean, the "
                       "median (half of the "
                       "time stays below it), the least and the most beyond doubt (by the value plus or minus "
                       "2σ), and the "
@@ -89,21 +89,21 @@ QList<Fact> statisticsFacts(const RangeReport &report, Quantity quantity,
                             const std::optional<RangeStatistics> &statistics)
 {
     if (!statistics)
-        return {{quantityName(quantity), Words::tr("no value here"), {}}};
+        return {{quantityName(quantity), RangeFactsWords::tr("no value here"), {}}};
     const auto timed = [&](const TimedValue &value) {
-        return Words::tr("%1 at %2")
+        return RangeFactsWords::tr("%1 at %2")
             .arg(valueText(quantity, value.value), secondsText(fromSeconds(value.timeS)));
     };
-    const QList<Fact> lines{{Words::tr("mean"), valueText(quantity, statistics->mean), {}},
-                            {Words::tr("median"), valueText(quantity, statistics->median), {}},
-                            {Words::tr("least"), timed(statistics->least), {}},
-                            {Words::tr("most"), timed(statistics->most), {}},
-                            {Words::tr("spread"), valueText(quantity, statistics->spread), {}}};
+    const QList<Fact> lines{{RangeFactsWords::tr("mean"), valueText(quantity, statistics->mean), {}},
+                            {RangeFactsWords::tr("median"), valueText(quantity, statistics->median), {}},
+                            {RangeFactsWords::tr("least"), timed(statistics->least), {}},
+                            {RangeFactsWords::tr("most"), timed(statistics->most), {}},
+                            {RangeFactsWords::tr("spread"), valueText(quantity, statistics->spread), {}}};
     QStringList words;
     for (const Fact &line : lines)
         words << line.name + u' ' + line.value;
     Fact head{
-        quantityName(quantity), Words::tr("%n points", nullptr, static_cast<int>(statistics->points)), {}};
+        quantityName(quantity), RangeFactsWords::tr("%n points", nullptr, static_cast<int>(statistics->points)), {}};
     head.how = explainStatistics(report, quantity, words.join(QStringLiteral(", ")));
     return QList<Fact>{head} + lines;
 }
@@ -113,41 +113,41 @@ QString verdictText(const CurveFit &fit, Quantity quantity)
     const QString ratio = QLocale().toString(fit.reducedChiSquared(), 'g', 2);
     const FitVerdict verdict = verdictOf(fit);
     if (verdict == FitVerdict::Departs)
-        return Words::tr("not its shape: χ² is %1 times what the errors explain").arg(ratio);
+        return RangeFactsWords::tr("not its shape: χ² is %1 times what the errors explain").arg(ratio);
     // A smoothed curve always lies closer: the smoother allows for more motion than there is.
     if (verdict == FitVerdict::Closer && isPosition(quantity))
-        return Words::tr("fits; the stated errors are too large: χ² is %1 of what they let expect")
+        return RangeFactsWords::tr("fits; the stated errors are too large: χ² is %1 of what they let expect")
             .arg(ratio);
-    return Words::tr("fits: χ² is %1 of what the errors let expect").arg(ratio);
+    return RangeFactsWords::tr("fits: χ² is %1 of what the errors let expect").arg(ratio);
 }
 
 Explanation explainFit(const RangeReport &report, const CurveFit &fit, const QString &value)
 {
     const Quantity quantity = report.request.fitted;
     Explanation explanation{
-        Words::tr("Fit of %1").arg(quantityName(quantity)),
+        RangeFactsWords::tr("Fit of %1").arg(quantityName(quantity)),
         value,
-        Words::tr("The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, "
+        RangeFactsWords::tr("The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, "
                   "over what the errors let expect of it: the number of points less what the coefficients "
                   "take up.")
-            .arg(isPosition(quantity) ? Words::tr("the measured places that are used")
-                                      : Words::tr("the smoothed curve"),
+            .arg(isPosition(quantity) ? RangeFactsWords::tr("the measured places that are used")
+                                      : RangeFactsWords::tr("the smoothed curve"),
                  secondsText(fromSeconds(fit.originS))),
         {},
         inputsOf(report),
         QStringLiteral("Aitken 1935")};
     explanation.uncertainty = isPosition(quantity)
-                                  ? Words::tr("The larger of two: that of the measurements, widened by 1 + "
+                                  ? RangeFactsWords::tr("The larger of two: that of the measurements, widened by 1 + "
                                               "2Σρ of the residuals where they hang "
                                               "together (here ×%1), and that of the smoothed curve, which "
                                               "knows what of their errors lasts.")
                                         .arg(QLocale().toString(fit.neighbourFactor, 'g', 3))
                                   : smoothedPart();
     explanation.uncertainty += u' ' + calibrationPart(quantity) + u' ' +
-                               Words::tr("That the shape is the true one is taken for granted; χ² far above "
+                               RangeFactsWords::tr("That the shape is the true one is taken for granted; χ² far above "
                                          "1 says that it is not. Below 1 it "
                                          "comes of a smoother that allows for more motion than there is.");
-    explanation.inputs.prepend(Words::tr("%1 points").arg(fit.points));
+    explanation.inputs.prepend(RangeFactsWords::tr("%1 points").arg(fit.points));
     return explanation;
 }
 
@@ -157,8 +157,8 @@ QList<Fact> rangeFacts(const RangeReport &report)
 {
     const TimeSpan &span = report.request.span;
     QList<Fact> facts{
-        {Words::tr("Time"),
-         Words::tr("%1 to %2: %3")
+        {RangeFactsWords::tr("Time"),
+         RangeFactsWords::tr("%1 to %2: %3")
              .arg(secondsText(span.begin), secondsText(span.end), secondsText(span.end - span.begin)),
          {}}};
     if (report.path) {
@@ -168,7 +168,7 @@ QList<Fact> rangeFacts(const RangeReport &report)
         Explanation how = explainMetric(*report.request.scene, report.request.robot,
                                         {"path_length", "m", report.path->value, report.path->sigma});
         how.inputs = inputsOf(report);
-        facts.append({Words::tr("Path"), text, {}, how});
+        facts.append({RangeFactsWords::tr("Path"), text, {}, how});
     }
     for (qsizetype i = 0; i < report.request.quantities.size(); ++i)
         facts += statisticsFacts(report, report.request.quantities[i],
@@ -181,31 +181,31 @@ QList<Fact> fitFacts(const RangeReport &report)
     if (!report.fit)
         return {};
     if (!*report.fit)
-        return {{Words::tr("Fit"), errorLine((*report.fit).error()), {}}};
+        return {{RangeFactsWords::tr("Fit"), errorLine((*report.fit).error()), {}}};
     const CurveFit &fit = **report.fit;
     const Quantity quantity = report.request.fitted;
     const auto coefficient = [&](int power) {
         return valueText(quantity, {fit.coefficients[power], fit.sigma(power)}, power);
     };
     const QString start = fit.shape == FitShape::Constant
-                              ? Words::tr("value")
-                              : Words::tr("at %1").arg(secondsText(fromSeconds(fit.originS)));
+                              ? RangeFactsWords::tr("value")
+                              : RangeFactsWords::tr("at %1").arg(secondsText(fromSeconds(fit.originS)));
     QList<Fact> lines{{start, coefficient(0), {}}};
     if (fit.shape == FitShape::Line)
-        lines.append({Words::tr("slope"), coefficient(1), {}});
+        lines.append({RangeFactsWords::tr("slope"), coefficient(1), {}});
     if (fit.shape == FitShape::Parabola) {
-        lines.append({Words::tr("slope there"), coefficient(1), {}});
-        lines.append({Words::tr("times t²"), coefficient(2), {}});
+        lines.append({RangeFactsWords::tr("slope there"), coefficient(1), {}});
+        lines.append({RangeFactsWords::tr("times t²"), coefficient(2), {}});
     }
     lines.append(
-        {Words::tr("residual"),
-         Words::tr("%1 (RMS)")
+        {RangeFactsWords::tr("residual"),
+         RangeFactsWords::tr("%1 (RMS)")
              .arg(figureText(curveFactor(quantity) * fit.rms, std::nullopt, curveUnit(quantity)).text()),
          {}});
     QStringList words;
     for (const Fact &line : std::as_const(lines))
         words << line.name + u' ' + line.value;
-    Fact verdict{Words::tr("Fit of %1").arg(quantityName(quantity)), verdictText(fit, quantity), {}};
+    Fact verdict{RangeFactsWords::tr("Fit of %1").arg(quantityName(quantity)), verdictText(fit, quantity), {}};
     verdict.how = explainFit(report, fit, words.join(QStringLiteral(", ")));
     return QList<Fact>{verdict} + lines;
 }

@@ -18,7 +18,7 @@
 namespace odo {
 namespace {
 
-class Words
+class TrialFactsWords
 {
     Q_DECLARE_TR_FUNCTIONS(TrialFacts)
 };
@@ -29,13 +29,13 @@ QString robotText(const SceneRobot &robot)
     if (!robot.analysis || robot.analysis->views.empty()) // an imported track tells no height
         return name;
     const QString height = lengthText(robot.analysis->profile.heightM);
-    return robot.analysis->profile.heightEstimated ? Words::tr("%1, %2 high (estimated)").arg(name, height)
-                                                   : Words::tr("%1, %2 high").arg(name, height);
+    return robot.analysis->profile.heightEstimated ? TrialFactsWords::tr("%1, %2 high (estimated)").arg(name, height)
+                                                   : TrialFactsWords::tr("%1, %2 high").arg(name, height);
 }
 
 QString viewText(const SceneView &view)
 {
-    return Words::tr("%1: %2×%3, %4 frames")
+    return TrialFactsWords::tr("%1: %2×%3, %4 frames")
         .arg(QString::fromStdString(view.camera))
         .arg(view.recording.widthPx)
         .arg(view.recording.heightPx)
@@ -45,27 +45,27 @@ QString viewText(const SceneView &view)
 /// What is worse comes in the place of the badge that the rate varies, of which the words remain.
 Fact viewFact(const SceneView &view)
 {
-    Fact fact{Words::tr("View"), viewText(view), {}};
+    Fact fact{TrialFactsWords::tr("View"), viewText(view), {}};
     if (const QString uneven = unevenText(view.recording); !uneven.isEmpty()) {
         fact.value += u'\n' + uneven;
-        fact.badge = {Words::tr("rate varies"), BadgeState::Neutral};
+        fact.badge = {TrialFactsWords::tr("rate varies"), BadgeState::Neutral};
     }
     std::error_code ignored;
     if (!std::filesystem::exists(view.file, ignored))
-        fact.badge = {Words::tr("video missing"), BadgeState::Bad};
+        fact.badge = {TrialFactsWords::tr("video missing"), BadgeState::Bad};
     else if (!view.floorView)
-        fact.badge = {Words::tr("not registered"), BadgeState::Warning};
+        fact.badge = {TrialFactsWords::tr("not registered"), BadgeState::Warning};
     return fact;
 }
 
 Fact stepFact(const SceneView &view)
 {
-    Fact fact{Words::tr("In step"),
-              Words::tr("%1: %2").arg(QString::fromStdString(view.camera), stepText(view.recording)),
+    Fact fact{TrialFactsWords::tr("In step"),
+              TrialFactsWords::tr("%1: %2").arg(QString::fromStdString(view.camera), stepText(view.recording)),
               {},
               explainStep(view, stepText(view.recording))};
     if (view.recording.syncMethod != "told" && !isStepMeasured(view.recording))
-        fact.badge = {Words::tr("not synchronised"), BadgeState::Warning};
+        fact.badge = {TrialFactsWords::tr("not synchronised"), BadgeState::Warning};
     return fact;
 }
 
@@ -73,7 +73,7 @@ Fact stepFact(const SceneView &view)
 QString importText(const ImportedTrack &source)
 {
     return QString::fromStdString(source.file) + u'\n' + shownWords(source.reading) + u'\n' +
-           Words::tr("SHA-256 %1…").arg(QString::fromStdString(source.sha256.substr(0, 12)));
+           TrialFactsWords::tr("SHA-256 %1…").arg(QString::fromStdString(source.sha256.substr(0, 12)));
 }
 
 QString timeText(double seconds, double sigmaS)
@@ -88,10 +88,10 @@ QList<Fact> gateFacts(const TrialScene &scene)
     QList<Fact> facts;
     QStringList gates;
     for (const GatePassage &passage : profile.passages)
-        gates << Words::tr("%1 at %2").arg(QString::fromStdString(passage.gate),
+        gates << TrialFactsWords::tr("%1 at %2").arg(QString::fromStdString(passage.gate),
                                            timeText(toSeconds(passage.time), passage.sigmaS));
     if (!gates.isEmpty())
-        facts.append({Words::tr("Gates"), gates.join(u'\n'), {}, explainPassages(scene, 0, gates.join(u'\n'))});
+        facts.append({TrialFactsWords::tr("Gates"), gates.join(u'\n'), {}, explainPassages(scene, 0, gates.join(u'\n'))});
     const bool oneGate = std::any_of(profile.passages.begin(), profile.passages.end(), [](const GatePassage &passage) {
         return passage.role == GateRole::StartFinish;
     });
@@ -100,9 +100,9 @@ QList<Fact> gateFacts(const TrialScene &scene)
         QStringList lines(timeText(lap.timeS, lap.sigmaS));
         for (const Sector &sector : lap.sectors) {
             if (lap.sectors.size() > 1)
-                lines << Words::tr("to %1 %2").arg(QString::fromStdString(sector.gate), timeText(sector.timeS, sector.sigmaS));
+                lines << TrialFactsWords::tr("to %1 %2").arg(QString::fromStdString(sector.gate), timeText(sector.timeS, sector.sigmaS));
         }
-        const QString what = (oneGate ? Words::tr("Lap %1") : Words::tr("Run %1")).arg(++number);
+        const QString what = (oneGate ? TrialFactsWords::tr("Lap %1") : TrialFactsWords::tr("Run %1")).arg(++number);
         facts.append({what, lines.join(u'\n'), {}, explainLap(scene, 0, lap, what)});
     }
     return facts;
@@ -115,15 +115,15 @@ QString pathText(const Profile &profile)
     for (const Metric &metric : profile.metrics) {
         const QString figure = metricFigure(metric).text();
         if (metric.name == "cross_track_mean")
-            lines << Words::tr("off by %1 on average").arg(figure);
+            lines << TrialFactsWords::tr("off by %1 on average").arg(figure);
         else if (metric.name == "cross_track_rms")
-            lines << Words::tr("%1 (RMS)").arg(figure);
+            lines << TrialFactsWords::tr("%1 (RMS)").arg(figure);
         else if (metric.name == "cross_track_max")
-            lines << Words::tr("%1 at most").arg(figure);
+            lines << TrialFactsWords::tr("%1 at most").arg(figure);
         else if (metric.name == "cross_track_bias")
-            lines << Words::tr("%1 to the left").arg(figure);
+            lines << TrialFactsWords::tr("%1 to the left").arg(figure);
         else if (metric.name == "path_completed")
-            lines << Words::tr("%1 of it completed").arg(figure);
+            lines << TrialFactsWords::tr("%1 of it completed").arg(figure);
     }
     return lines.join(u'\n');
 }
@@ -134,7 +134,7 @@ QString zonesText(const TrialScene &scene)
     if (!scene.task || scene.task->zones.empty() || isMeasuredOtherwise(scene, 0))
         return {};
     const QStringList lines = zoneBreachLines(scene, 0);
-    return lines.isEmpty() ? Words::tr("kept") : lines.join(u'\n');
+    return lines.isEmpty() ? TrialFactsWords::tr("kept") : lines.join(u'\n');
 }
 
 QString dateText(Instant instant)
@@ -149,17 +149,17 @@ void addTask(const TrialScene &scene, QList<Fact> &facts)
     if (scene.trial.task.empty())
         return;
     const bool isOtherwise = !scene.robots.empty() && isMeasuredOtherwise(scene, 0);
-    facts.append({Words::tr("Task"), QString::fromStdString(scene.trial.task),
-                  isOtherwise ? Badge{Words::tr("measured by another course"), BadgeState::Warning} : Badge()});
+    facts.append({TrialFactsWords::tr("Task"), QString::fromStdString(scene.trial.task),
+                  isOtherwise ? Badge{TrialFactsWords::tr("measured by another course"), BadgeState::Warning} : Badge()});
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
         const std::optional<Score> score = scoreOf(scene, robot);
         if (!score)
             continue;
         const QString who = scene.robots.size() == 1 ? QString() : QString::fromStdString(scene.robots[robot].robot.name) + QStringLiteral(": ");
-        facts.append({Words::tr("Score"), who + scoreText(*score), {}, explainScore(*score, analysisInputs(scene, robot))});
+        facts.append({TrialFactsWords::tr("Score"), who + scoreText(*score), {}, explainScore(*score, analysisInputs(scene, robot))});
     }
     if (isOtherwise && !scene.scoring.empty())
-        facts.append({Words::tr("Score"), Words::tr("none until it is measured again: the task has another course now"), {}});
+        facts.append({TrialFactsWords::tr("Score"), TrialFactsWords::tr("none until it is measured again: the task has another course now"), {}});
 }
 
 } // namespace
@@ -172,32 +172,32 @@ QList<Fact> trialFacts(const TrialScene &scene)
             facts.append(Fact{name, value, {}, std::nullopt});
     };
     const TrialRecord &trial = scene.trial;
-    add(Words::tr("Team"), shownTeam(trial));
+    add(TrialFactsWords::tr("Team"), shownTeam(trial));
     addTask(scene, facts);
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot)
-        facts.append({Words::tr("Robot"), robotText(scene.robots[robot]), {}, explainHeight(scene, robot)});
-    add(Words::tr("Date"), dateText(trial.date));
+        facts.append({TrialFactsWords::tr("Robot"), robotText(scene.robots[robot]), {}, explainHeight(scene, robot)});
+    add(TrialFactsWords::tr("Date"), dateText(trial.date));
     if (scene.layout)
-        add(Words::tr("Testbed"), Words::tr("markers “%1”").arg(QString::fromStdString(scene.layout->name)));
+        add(TrialFactsWords::tr("Testbed"), TrialFactsWords::tr("markers “%1”").arg(QString::fromStdString(scene.layout->name)));
     for (const SceneView &view : scene.views)
         facts.append(viewFact(view));
     for (const ImportedTrack &source : scene.imported)
-        add(Words::tr("Imported"), importText(source));
+        add(TrialFactsWords::tr("Imported"), importText(source));
     for (std::size_t view = 1; view < scene.views.size(); ++view)
         facts.append(stepFact(scene.views[view]));
     if (!scene.robots.empty() && scene.robots.front().analysis) {
         const AnalysisRecord &analysis = *scene.robots.front().analysis;
         facts += gateFacts(scene);
         if (const QString path = pathText(analysis.profile); !path.isEmpty())
-            facts.append({Words::tr("Path"), path, {}, explainFigures(scene, 0, Words::tr("Distance from the path"), path, "cross_track")});
+            facts.append({TrialFactsWords::tr("Path"), path, {}, explainFigures(scene, 0, TrialFactsWords::tr("Distance from the path"), path, "cross_track")});
         if (const QString zones = zonesText(scene); !zones.isEmpty())
-            facts.append({Words::tr("Zones"), zones, {}, explainFigures(scene, 0, Words::tr("Zones"), zones, "zone_")});
-        add(Words::tr("Smoother"), smootherText(analysis.options.smoother));
-        add(Words::tr("Analysed"),
-            Words::tr("%1, Odograph %2")
+            facts.append({TrialFactsWords::tr("Zones"), zones, {}, explainFigures(scene, 0, TrialFactsWords::tr("Zones"), zones, "zone_")});
+        add(TrialFactsWords::tr("Smoother"), smootherText(analysis.options.smoother));
+        add(TrialFactsWords::tr("Analysed"),
+            TrialFactsWords::tr("%1, Odograph %2")
                 .arg(dateText(analysis.made), QString::fromStdString(analysis.softwareVersion)));
     }
-    add(Words::tr("Note"), QString::fromStdString(trial.notes));
+    add(TrialFactsWords::tr("Note"), QString::fromStdString(trial.notes));
     return facts;
 }
 

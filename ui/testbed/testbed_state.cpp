@@ -14,7 +14,7 @@
 namespace odo {
 namespace {
 
-class Words
+class TestbedStateWords
 {
     Q_DECLARE_TR_FUNCTIONS(TestbedState)
 };
@@ -29,53 +29,53 @@ QString lensName(LensModel model)
 {
     switch (model) {
     case LensModel::Standard:
-        return Words::tr("standard");
+        return TestbedStateWords::tr("standard");
     case LensModel::Rational:
-        return Words::tr("rational");
+        return TestbedStateWords::tr("rational");
     case LensModel::Fisheye:
         break;
     }
-    return Words::tr("fisheye");
+    return TestbedStateWords::tr("fisheye");
 }
 
 void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
 {
     const QLocale locale;
     const Intrinsics &lens = record.calibration.intrinsics;
-    facts.append({Words::tr("Picture"), QStringLiteral("%1×%2").arg(lens.widthPx).arg(lens.heightPx), {}});
-    facts.append({Words::tr("Lens"),
-                  Words::tr("%1, f = %2 px").arg(lensName(lens.model), locale.toString(lens.fxPx, 'f', 1)),
+    facts.append({TestbedStateWords::tr("Picture"), QStringLiteral("%1×%2").arg(lens.widthPx).arg(lens.heightPx), {}});
+    facts.append({TestbedStateWords::tr("Lens"),
+                  TestbedStateWords::tr("%1, f = %2 px").arg(lensName(lens.model), locale.toString(lens.fxPx, 'f', 1)),
                   {}});
-    facts.append({Words::tr("Origin"),
+    facts.append({TestbedStateWords::tr("Origin"),
                   QStringLiteral("%1, %2").arg(shownWords(record.origin), dateText(record.made)),
                   {}});
     if (record.calibration.rmsPx > 0)
-        facts.append({Words::tr("Board error"),
-                      Words::tr("%1 px in %2 pictures")
+        facts.append({TestbedStateWords::tr("Board error"),
+                      TestbedStateWords::tr("%1 px in %2 pictures")
                           .arg(locale.toString(record.calibration.rmsPx, 'f', 2))
                           .arg(record.calibration.picturesUsed()),
                       {}});
     if (record.calibration.crossValidationPx > 0)
-        facts.append({Words::tr("Held-out error"),
-                      Words::tr("%1 px").arg(locale.toString(record.calibration.crossValidationPx, 'f', 2)),
+        facts.append({TestbedStateWords::tr("Held-out error"),
+                      TestbedStateWords::tr("%1 px").arg(locale.toString(record.calibration.crossValidationPx, 'f', 2)),
                       {}});
     if (!record.calibration.verdict.empty())
-        facts.append({Words::tr("Verdict"), shownWords(record.calibration.verdict), {}});
+        facts.append({TestbedStateWords::tr("Verdict"), shownWords(record.calibration.verdict), {}});
 }
 
 void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
 {
     const QLocale locale;
     const FloorRegistration &registration = record.registration;
-    facts.append({Words::tr("On the floor"), Words::tr("registered %1").arg(dateText(record.made)),
+    facts.append({TestbedStateWords::tr("On the floor"), TestbedStateWords::tr("registered %1").arg(dateText(record.made)),
                   cameraBadge(record)});
     if (record.lastCheck)
-        facts.append({Words::tr("Last check"),
+        facts.append({TestbedStateWords::tr("Last check"),
                       QStringLiteral("%1: %2").arg(dateText(record.lastCheck->made), shownWords(record.lastCheck->words)),
                       {}});
     const Eigen::Vector3d place = registration.worldFromCamera.translation;
-    facts.append({Words::tr("Place"),
-                  Words::tr("x %1 m, y %2 m, %3 m high")
+    facts.append({TestbedStateWords::tr("Place"),
+                  TestbedStateWords::tr("x %1 m, y %2 m, %3 m high")
                       .arg(locale.toString(place.x(), 'f', 2), locale.toString(place.y(), 'f', 2),
                            locale.toString(place.z(), 'f', 2)),
                   {}});
@@ -83,9 +83,9 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
     for (const MarkerError &marker : registration.markers)
         errors << QStringLiteral("%1 %2").arg(QString::fromStdString(marker.label),
                                               lengthText(marker.errorM));
-    facts.append({Words::tr("Markers"), errors.join(QStringLiteral(", ")), {}});
+    facts.append({TestbedStateWords::tr("Markers"), errors.join(QStringLiteral(", ")), {}});
     if (!registration.verdict.empty())
-        facts.append({Words::tr("Verdict"), shownWords(registration.verdict), {}});
+        facts.append({TestbedStateWords::tr("Verdict"), shownWords(registration.verdict), {}});
 }
 
 } // namespace
@@ -122,18 +122,18 @@ QList<Fact> cameraFacts(const CameraRow &camera)
     // What is wrong comes first, so that nobody has to scroll for it.
     const auto check = camera.registration ? camera.registration->lastCheck : std::nullopt;
     if (check && check->outcome != RegistrationCheck::Outcome::Still)
-        facts.append({Words::tr("Attention"), shownWords(check->words), {}});
+        facts.append({TestbedStateWords::tr("Attention"), shownWords(check->words), {}});
     for (const std::string &warning : camera.warnings)
-        facts.append({Words::tr("Attention"), shownWords(warning), {}});
+        facts.append({TestbedStateWords::tr("Attention"), shownWords(warning), {}});
     if (camera.intrinsics)
         addIntrinsics(facts, *camera.intrinsics);
     else
-        facts.append({Words::tr("Lens"), Words::tr("not calibrated: taken as free of distortion"), {}});
+        facts.append({TestbedStateWords::tr("Lens"), TestbedStateWords::tr("not calibrated: taken as free of distortion"), {}});
     if (camera.registration)
         addRegistration(facts, *camera.registration);
     else
         facts.append(
-            {Words::tr("On the floor"), Words::tr("not registered: positions cannot be measured yet"), {}});
+            {TestbedStateWords::tr("On the floor"), TestbedStateWords::tr("not registered: positions cannot be measured yet"), {}});
     return facts;
 }
 

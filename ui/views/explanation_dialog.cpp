@@ -13,7 +13,7 @@
 namespace odo {
 namespace {
 
-class Words
+class ExplanationDialogWords
 {
     Q_DECLARE_TR_FUNCTIONS(ExplanationDialog)
 };
@@ -24,7 +24,7 @@ constexpr QSize usualSize(480, 420);
 
 QString howComputedWords()
 {
-    return Words::tr("How was this computed?");
+    return ExplanationDialogWords::tr("How was this computed?");
 }
 
 void showExplanation(QWidget *parent, const Explanation &explanation)
@@ -39,7 +39,7 @@ void showExplanation(QWidget *parent, const Explanation &explanation)
     text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     text->setAccessibleName(howComputedWords());
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-    QPushButton *copy = buttons->addButton(Words::tr("&Copy"), QDialogButtonBox::ActionRole);
+    QPushButton *copy = buttons->addButton(ExplanationDialogWords::tr("&Copy"), QDialogButtonBox::ActionRole);
     QObject::connect(copy, &QPushButton::clicked, dialog,
                      [words = explanation.text()] { QApplication::clipboard()->setText(words); });
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);

@@ -13,7 +13,7 @@ namespace odo {
 namespace {
 
 constexpr int columnCount = 2;
-constexpr int padding = 10;
+constexpr int figurePadding = 10;
 
 } // namespace
 
@@ -127,7 +127,7 @@ QFont FigureGrid::valueFont() const
 
 int FigureGrid::rowHeight() const
 {
-    return padding + fontMetrics().height() + QFontMetrics(valueFont()).height() + padding - 4;
+    return figurePadding + fontMetrics().height() + QFontMetrics(valueFont()).height() + figurePadding - 4;
 }
 
 QSize FigureGrid::sizeHint() const
@@ -153,7 +153,7 @@ QFont FigureGrid::fittingFont(const QString &text, int width) const
 void FigureGrid::paintFigure(QPainter &painter, const NamedFigure &figure, const QRect &cell) const
 {
     const ThemeColours colours = ThemeColours::of(palette());
-    const QRect inner = cell.adjusted(padding, padding - 2, -4, 0);
+    const QRect inner = cell.adjusted(figurePadding, figurePadding - 2, -4, 0);
     painter.setFont(font());
     painter.setPen(colours.muted);
     painter.drawText(inner, Qt::AlignLeft | Qt::AlignTop,
@@ -176,7 +176,7 @@ void FigureGrid::paintEvent(QPaintEvent *)
     const ThemeColours colours = ThemeColours::of(palette());
     if (m_figures.empty()) {
         painter.setPen(colours.muted);
-        painter.drawText(rect().adjusted(padding, 0, -padding, 0), Qt::AlignCenter | Qt::TextWordWrap,
+        painter.drawText(rect().adjusted(figurePadding, 0, -figurePadding, 0), Qt::AlignCenter | Qt::TextWordWrap,
                          tr("No result yet: track the trial"));
         return;
     }

@@ -10,7 +10,7 @@ namespace odo {
 
 namespace {
 
-class Words
+class RobotColoursWords
 {
     Q_DECLARE_TR_FUNCTIONS(RobotColours)
 };
@@ -71,19 +71,19 @@ QString drawingColourName(DrawingColour colour)
     case DrawingColour::Automatic:
         break;
     case DrawingColour::Blue:
-        return Words::tr("blue");
+        return RobotColoursWords::tr("blue");
     case DrawingColour::Vermilion:
-        return Words::tr("vermilion");
+        return RobotColoursWords::tr("vermilion");
     case DrawingColour::Green:
-        return Words::tr("green");
+        return RobotColoursWords::tr("green");
     case DrawingColour::Purple:
-        return Words::tr("purple");
+        return RobotColoursWords::tr("purple");
     case DrawingColour::Orange:
-        return Words::tr("orange");
+        return RobotColoursWords::tr("orange");
     case DrawingColour::SkyBlue:
-        return Words::tr("sky blue");
+        return RobotColoursWords::tr("sky blue");
     }
-    return Words::tr("by itself");
+    return RobotColoursWords::tr("by itself");
 }
 
 } // namespace odo

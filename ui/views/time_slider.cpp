@@ -12,7 +12,7 @@ namespace odo {
 
 namespace {
 
-constexpr double margin = 12, handleRadius = 8, grooveHeight = 5;
+constexpr double sliderMargin = 12, handleRadius = 8, grooveHeight = 5;
 
 } // namespace
 
@@ -64,12 +64,12 @@ double TimeSlider::xOf(Nanoseconds time) const
 {
     const double span = toSeconds(m_timeline.endTime() - m_timeline.startTime());
     const double part = span > 0 ? toSeconds(time - m_timeline.startTime()) / span : 0;
-    return margin + part * (width() - 2 * margin);
+    return sliderMargin + part * (width() - 2 * sliderMargin);
 }
 
 void TimeSlider::goTo(double x)
 {
-    const double part = std::clamp((x - margin) / std::max(1.0, width() - 2 * margin), 0.0, 1.0);
+    const double part = std::clamp((x - sliderMargin) / std::max(1.0, width() - 2 * sliderMargin), 0.0, 1.0);
     m_timeline.setCurrentTime(m_timeline.startTime() +
                               fromSeconds(part * toSeconds(m_timeline.endTime() - m_timeline.startTime())));
 }
@@ -149,7 +149,7 @@ void TimeSlider::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const ThemeColours colours = ThemeColours::of(palette());
-    const double y = grooveY(), left = margin, right = width() - margin;
+    const double y = grooveY(), left = sliderMargin, right = width() - sliderMargin;
     painter.setPen(Qt::NoPen);
     painter.setBrush(colours.border);
     painter.drawRoundedRect(QRectF(left, y - grooveHeight / 2, right - left, grooveHeight), 2, 2);

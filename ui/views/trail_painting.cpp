@@ -19,7 +19,7 @@ namespace {
 
 constexpr int colourSteps = 48; // more of them cannot be told apart
 
-class Words
+class TrailPaintingWords
 {
     Q_DECLARE_TR_FUNCTIONS(TrailPainting)
 };
@@ -122,7 +122,7 @@ void drawSpeedLegend(QPainter &painter, const MapPlan &plan, double topMps, cons
     const ShownUnit &speed = shownUnits().speed;
     const double top = speed.perSi * topMps;
     drawScaleLegend(painter, plan,
-                    Words::tr("0 to %1 %2").arg(QLocale().toString(top, 'f', top < 1 ? 2 : 1), speed.name),
+                    TrailPaintingWords::tr("0 to %1 %2").arg(QLocale().toString(top, 'f', top < 1 ? 2 : 1), speed.name),
                     palette);
 }
 

@@ -13,7 +13,7 @@
 namespace odo {
 namespace {
 
-class Words
+class TrialCurvesWords
 {
     Q_DECLARE_TR_FUNCTIONS(TrialCurves)
 };
@@ -76,7 +76,7 @@ void TrialCurves::draw(QPainter &painter, const ChartPlot &plot, const QPalette 
         drawChartSpikes(painter, plot, curves.spikes, palette);
     if (m_scene && isEmpty) {
         painter.setPen(ThemeColours::of(palette).muted);
-        painter.drawText(plot.rect, Qt::AlignCenter, Words::tr("No curve yet: track the trial"));
+        painter.drawText(plot.rect, Qt::AlignCenter, TrialCurvesWords::tr("No curve yet: track the trial"));
     }
 }
 

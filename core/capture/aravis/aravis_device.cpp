@@ -13,9 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto askPatience = 300ms;
+constexpr auto openingPatience = 300ms;
 constexpr int mostQuestions = 3; // one may be lost on the way
-constexpr auto discoveryPatience = 1000ms;
 constexpr int offsetStep = 16; // a multiple of what cameras demand
 constexpr std::int64_t nanosecondsPerSecond = 1'000'000'000;
 constexpr double rateWhereUntold = 30;
@@ -41,7 +40,7 @@ std::optional<GvcpCamera> whoIsAt(const std::string &address)
 {
     std::optional<GvcpCamera> camera;
     for (int i = 0; i < mostQuestions && !camera; ++i)
-        camera = askGvcpCamera(address, askPatience);
+        camera = askGvcpCamera(address, openingPatience);
     return camera;
 }
 
@@ -78,7 +77,7 @@ Result<AravisPlace> AravisDevice::find(const AravisAddress &address)
         if (camera.serial == address.place)
             return AravisPlace{camera.id, false, camera.vendor, camera.model, camera.serial};
     }
-    for (const GvcpCamera &camera : discoverGvcpCameras(discoveryPatience)) {
+    for (const GvcpCamera &camera : discoverGvcpCameras()) {
         if (camera.serial == address.place)
             return AravisPlace{camera.address, true, camera.vendor, camera.model, camera.serial};
     }
@@ -90,7 +89,7 @@ Result<std::unique_ptr<AravisDevice>> AravisDevice::open(const AravisPlace &plac
                                                          const AravisAddress &wanted)
 {
     if (place.onNetwork) {
-        const auto controlled = isGvcpControlled(place.openId, askPatience);
+        const auto controlled = isGvcpControlled(place.openId, openingPatience);
         if (!controlled)
             return doesNotAnswer(wanted);
         if (*controlled)

@@ -15,7 +15,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Nanoseconds pictureWithin = 500ms, answerWithin = 2s, openWithin = 8s, endWithin = 300ms;
-constexpr auto discoveryPatience = 1000ms, askPatience = 100ms;
+constexpr auto listingPatience = 100ms;
 
 tl::unexpected<Error> noAnswer(const std::string &uri)
 {
@@ -137,9 +137,9 @@ Result<std::unique_ptr<CameraSource>> openAravisSource(const std::string &uri)
 std::vector<CameraDescription> listAravisCameras()
 {
     std::vector<CameraDescription> cameras;
-    for (const GvcpCamera &camera : discoverGvcpCameras(discoveryPatience))
+    for (const GvcpCamera &camera : discoverGvcpCameras())
         cameras.push_back(describeFound(camera.address, camera.vendor, camera.model, camera.serial,
-                                        isGvcpControlled(camera.address, askPatience).value_or(false)));
+                                        isGvcpControlled(camera.address, listingPatience).value_or(false)));
     for (const UsbVisionCamera &camera : AravisLibrary::instance().usbCameras())
         cameras.push_back(describeFound(camera.id, camera.vendor, camera.model, camera.serial, false));
     return cameras;

@@ -19,7 +19,7 @@ constexpr Nanoseconds popPatience = 20ms, retryEvery = 250ms, readClockEvery = 5
 constexpr int firstReadings = 4; // with the first pictures, for the clock to be known at once
 constexpr Nanoseconds shortestSilence = 200ms, longestStall = 3s;
 constexpr double silentIntervals = 3;
-constexpr auto askPatience = 150ms;
+constexpr auto runningPatience = 150ms;
 constexpr int mostUnanswered = 2;
 
 CameraDescription describe(const AravisAddress &address, const AravisDevice &device)
@@ -155,7 +155,7 @@ AravisWorker::Opened AravisWorker::takeUp()
     // A camera that was found by its serial number is most likely where it was; looking for it takes two
     // seconds.
     const bool where = m_place && m_place->onNetwork && !isIpAddress(m_address.place);
-    const auto there = where ? askGvcpCamera(m_place->openId, askPatience) : std::nullopt;
+    const auto there = where ? askGvcpCamera(m_place->openId, runningPatience) : std::nullopt;
     auto place = there && there->serial == m_place->serial ? Result<AravisPlace>(*m_place) : findAgain();
     if (!place)
         return tl::unexpected(place.error());
@@ -208,7 +208,7 @@ Nanoseconds AravisWorker::fireIfDue(AravisDevice &device)
         // A camera that is gone would hold us up: one that is silent is asked before.
         const bool silent = now - m_lastPicture > shortestSilence + interval;
         if (m_nextFire != 0ns &&
-            (!silent || !device.place().onNetwork || askGvcpCamera(device.place().openId, askPatience)))
+            (!silent || !device.place().onNetwork || askGvcpCamera(device.place().openId, runningPatience)))
             device.fireTrigger();
         m_nextFire = (steadyNow() / interval + 1) * interval;
     }
@@ -223,7 +223,7 @@ void AravisWorker::readClockIfDue(AravisDevice &device)
         return;
     m_nextReading = now + readClockEvery;
     ++m_readings;
-    if (device.place().onNetwork && !askGvcpCamera(device.place().openId, askPatience))
+    if (device.place().onNetwork && !askGvcpCamera(device.place().openId, runningPatience))
         return;
     if (const auto reading = device.readClock()) {
         m_reading = reading;
@@ -287,7 +287,7 @@ bool AravisWorker::stillStreams(AravisDevice &device, AravisStream &stream)
         stream.abandon();
         return false;
     }
-    const auto controlled = isGvcpControlled(device.place().openId, askPatience);
+    const auto controlled = isGvcpControlled(device.place().openId, runningPatience);
     if (!controlled) {
         tell("it does not answer", "check its power and cable; it is taken up again by itself");
         if (++m_unanswered < mostUnanswered)

@@ -24,6 +24,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint16_t controlPort = 3956;
 constexpr std::size_t headerSize = 8;
+constexpr std::chrono::seconds discoveryPatience{1};
 // Key, flags (an answer is wanted), command, length, and the number of the request.
 constexpr std::array<std::uint8_t, 8> discoveryQuestion{0x42, 0x01, 0x00, 0x02, 0x00, 0x00, 0xff, 0xfe};
 constexpr std::array<std::uint8_t, 12> privilegeQuestion{0x42, 0x01, 0x00, 0x80, 0x00, 0x04,
@@ -178,7 +179,7 @@ std::optional<bool> isGvcpControlled(const std::string &address, std::chrono::mi
     return (answer[headerSize + 3] & exclusiveOrControl) != 0;
 }
 
-std::vector<GvcpCamera> discoverGvcpCameras(std::chrono::milliseconds patience)
+std::vector<GvcpCamera> discoverGvcpCameras()
 {
     std::vector<GvcpCamera> cameras;
     std::vector<std::unique_ptr<UdpSocket>> sockets;
@@ -190,7 +191,7 @@ std::vector<GvcpCamera> discoverGvcpCameras(std::chrono::milliseconds patience)
         waiting.push_back({socket->handle(), POLLIN, 0});
         sockets.push_back(std::move(socket));
     }
-    const Clock::time_point end = Clock::now() + patience;
+    const Clock::time_point end = Clock::now() + discoveryPatience;
     while (!sockets.empty() && Clock::now() < end) {
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
         if (poll(waiting.data(), waiting.size(), static_cast<int>(left.count())) <= 0)

@@ -28,8 +28,8 @@ std::optional<GvcpCamera> askGvcpCamera(const std::string &address, std::chrono:
 /// Whether a program controls the camera at an address; nullopt when it does not answer.
 std::optional<bool> isGvcpControlled(const std::string &address, std::chrono::milliseconds patience);
 
-/// All that answer to a broadcast on any network of this machine, each address once. Takes as long as it is
-/// told: the protocol lets cameras take a second to answer. Empty without a network.
-std::vector<GvcpCamera> discoverGvcpCameras(std::chrono::milliseconds patience);
+/// All that answer to a broadcast on any network of this machine, each address once. Takes a second, which
+/// the protocol lets cameras take to answer. Empty without a network.
+std::vector<GvcpCamera> discoverGvcpCameras();
 
 } // namespace odo

@@ -13,8 +13,6 @@ namespace odo {
 
 namespace {
 
-constexpr std::string_view scheme = "v4l2:";
-
 tl::unexpected<Error> notUnderstood(const std::string &uri, std::string_view part)
 {
     return fail(ErrorCode::InvalidInput, "camera " + uri,
@@ -67,12 +65,12 @@ bool readWish(const CameraWish &wish, V4l2Request &request)
 
 bool isV4l2Address(const std::string &uri)
 {
-    return uri.starts_with(scheme);
+    return uri.starts_with(v4l2Scheme);
 }
 
 Result<V4l2Address> parseV4l2Address(const std::string &uri)
 {
-    CameraUri split = splitCameraUri(uri, scheme);
+    CameraUri split = splitCameraUri(uri, v4l2Scheme);
     V4l2Address address{uri, std::move(split.place), {}};
     if (address.place.empty())
         return notUnderstood(uri, uri);

@@ -4,6 +4,7 @@
 #include "core/capture/v4l2/v4l2_mode.h"
 
 #include <string>
+#include <string_view>
 
 namespace odo {
 
@@ -15,6 +16,9 @@ struct V4l2Address
     std::string uri, place;
     V4l2Request request;
 };
+
+/// What such addresses begin with.
+inline constexpr std::string_view v4l2Scheme = "v4l2:";
 
 /// True for the addresses of this kind.
 bool isV4l2Address(const std::string &uri);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/v4l2_description.h"
 
+#include "core/capture/v4l2/v4l2_address.h"
 #include "core/capture/v4l2/v4l2_source.h"
 #include "core/capture/v4l2/v4l2_sysfs.h"
 
@@ -10,7 +11,7 @@ namespace odo {
 
 namespace {
 
-constexpr const char *scheme = "v4l2:", *kind = "v4l2";
+constexpr const char *kind = "v4l2";
 
 std::vector<std::string> formatsOf(const std::vector<V4l2Mode> &modes)
 {
@@ -39,7 +40,7 @@ std::vector<CameraDescription> forbiddenCameras()
     std::vector<CameraDescription> cameras;
     for (const int number : v4l2Sysfs::nodeNumbers()) {
         const std::filesystem::path node = v4l2Sysfs::nodeOf(number);
-        const std::string uri = scheme + node.string();
+        const std::string uri = std::string(v4l2Scheme) + node.string();
         if (v4l2Sysfs::indexOf(node) != "0")
             continue;
         const auto device = V4l2Device::open(node, uri);
@@ -57,7 +58,7 @@ std::vector<CameraDescription> forbiddenCameras()
 CameraDescription describeV4l2(const V4l2Device &device, const std::vector<V4l2Mode> &modes,
                                const V4l2Mode &chosen)
 {
-    return {.uri = scheme + device.node().string(),
+    return {.uri = std::string(v4l2Scheme) + device.node().string(),
             .kind = kind,
             .name = device.identity().name,
             .widthPx = chosen.widthPx,

@@ -24,7 +24,7 @@ namespace {
 using namespace std::chrono_literals;
 using Time = std::chrono::steady_clock::time_point;
 
-constexpr auto longestSilence = 500ms;
+constexpr auto usualSilence = 500ms;
 constexpr auto longestBeginning = 1500ms; ///< many a camera needs a second to its first picture
 constexpr auto betweenAttempts = 100ms;
 constexpr int silencesBeforeRestart = 4;
@@ -200,7 +200,7 @@ std::optional<CapturedFrame> V4l2Source::takePicture()
 
 std::chrono::nanoseconds V4l2Source::patience() const
 {
-    const auto usual = m_begins && m_stream ? longestBeginning : longestSilence;
+    const auto usual = m_begins && m_stream ? longestBeginning : usualSilence;
     return std::max<std::chrono::nanoseconds>(usual,
                                               fromSeconds(picturesInSilence / m_description.framesPerSecond));
 }

@@ -13,8 +13,8 @@ namespace odo {
 
 namespace {
 
-constexpr double bufferedS = 1.0 / 3;
-constexpr int fewestBuffers = 6;
+constexpr double heldS = 1.0 / 3;
+constexpr int fewestHeld = 6;
 
 v4l2_buffer bufferOf(unsigned index)
 {
@@ -96,8 +96,8 @@ int V4l2Stream::setMode(const V4l2Mode &mode)
 int V4l2Stream::makeBuffers()
 {
     v4l2_requestbuffers request{};
-    request.count = static_cast<__u32>(std::clamp(static_cast<int>(std::ceil(bufferedS * m_framesPerSecond)),
-                                                  fewestBuffers, VIDEO_MAX_FRAME));
+    request.count = static_cast<__u32>(std::clamp(static_cast<int>(std::ceil(heldS * m_framesPerSecond)),
+                                                  fewestHeld, VIDEO_MAX_FRAME));
     request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     request.memory = V4L2_MEMORY_MMAP;
     if (const int failure = m_device->call(VIDIOC_REQBUFS, &request); failure != 0)

@@ -29,7 +29,7 @@ void V4l2Watch::stop()
     m_stopped = true;
     const std::uint64_t one = 1;
     [[maybe_unused]] const auto written =
-        write(m_wake, &one, sizeof one); // fails only when it is awake already
+        ::write(m_wake, &one, sizeof one); // fails only when it is awake already
 }
 
 void V4l2Watch::forgetChanges() const

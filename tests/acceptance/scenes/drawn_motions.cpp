@@ -9,7 +9,7 @@ namespace odo::test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Whether a walk keeps to the floor, and to speeds and accelerations that a classroom's robot has.
 bool isDrivable(const Motion &motion, double endS)

@@ -12,13 +12,12 @@ namespace odo::test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-const std::vector<Corner> nearSide{Corner::NearLeft, Corner::NearRight};
+using std::numbers::pi;
 
 AccuracyScene emptyScene(SeededDraw &draw, double durationS)
 {
     AccuracyScene scene;
-    scene.scene = drawnTestbed(draw, nearSide);
+    scene.scene = drawnTestbed(draw, {Corner::NearLeft, Corner::NearRight});
     scene.scene.durationS = durationS;
     return scene;
 }

@@ -7,6 +7,7 @@
 #include "core/calibration/calibration_verdict.h"
 #include "core/calibration/floor_registration.h"
 #include "core/calibration/known_length.h"
+#include "core/calibration/marker_order.h"
 #include "core/calibration/moved_check.h"
 #include "core/calibration/typical_testbed.h"
 #include "core/capture/setup_checks.h"
@@ -223,6 +224,21 @@ std::vector<std::string> lensVerdicts()
     return words;
 }
 
+/// What is said of markers whose labels were given in another order.
+std::vector<std::string> orderWords(const MarkerLayout &layout, const FloorView &view)
+{
+    std::vector<PointPair> pairs;
+    for (const Marker &marker : layout.markers)
+        if (const auto pixel = view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0}); pixel && pairs.size() < 4)
+            pairs.push_back({marker.pointInWorld.head<2>(), *pixel, marker.label});
+    std::vector<std::string> words{betterOrder(pairs, view.camera(), FocalLength::Known, 1e6)}; // many that fit so badly
+    const Eigen::Vector2d first = pairs[0].target;
+    for (std::size_t i = 0; i < 3; ++i)
+        pairs[i].target = i < 2 ? pairs[i + 1].target : first;
+    words.push_back(betterOrder(pairs, view.camera(), FocalLength::Known, 1));
+    return words;
+}
+
 std::vector<std::string> floorWords()
 {
     const TrialScenePtr scene = exampleScene({});
@@ -232,6 +248,8 @@ std::vector<std::string> floorWords()
         if (const auto pixel = view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0}))
             pixels.push_back({marker.label, *pixel});
     std::vector<std::string> words;
+    for (const std::string &order : orderWords(*scene->layout, view))
+        words.push_back(order);
     for (const bool isKnown : {true, false})
         if (const auto registered = registerFloor(*scene->layout, pixels, view.camera(), isKnown))
             words.push_back(registered->verdict);

@@ -12,7 +12,7 @@
 namespace odo {
 namespace {
 
-class Words
+class FirstLessonWords
 {
     Q_DECLARE_TR_FUNCTIONS(FirstLesson)
 };
@@ -59,35 +59,35 @@ LessonStep::IsDone inMode(const ProjectPages &pages, ProjectPages::Mode mode)
 std::vector<LessonStep> firstLesson(const ProjectPages &pages)
 {
     return {
-        {Words::tr("Play a run"),
-         Words::tr("Two cameras watched a robot drive. Press Space: both videos, the map and the curves play in step. "
+        {FirstLessonWords::tr("Play a run"),
+         FirstLessonWords::tr("Two cameras watched a robot drive. Press Space: both videos, the map and the curves play in step. "
                    "Space again stops."),
          [&pages] { return timeMoved(pages, true); }},
-        {Words::tr("Read a figure"),
-         Words::tr("Click into the speed curve. The bubble tells the speed at that moment and its ±: how "
+        {FirstLessonWords::tr("Read a figure"),
+         FirstLessonWords::tr("Click into the speed curve. The bubble tells the speed at that moment and its ±: how "
                    "far off it may be. The band around the curve is where the truth lies in 95 of 100 cases."),
          [&pages] { return timeMoved(pages, false); }},
-        {Words::tr("Look at what was flagged"),
-         Words::tr("Go through the trials with Ctrl+Page Up and Ctrl+Page Down to one whose list of spikes, at the right, "
+        {FirstLessonWords::tr("Look at what was flagged"),
+         FirstLessonWords::tr("Go through the trials with Ctrl+Page Up and Ctrl+Page Down to one whose list of spikes, at the right, "
                    "is not empty. A spike is a moment at which what was measured cannot be true; the list says why."),
          [&pages] { return [&pages] { return hasSpikes(pages); }; }},
-        {Words::tr("Overrule it"),
-         Words::tr("Click a spike in the list and look at the videos: was the robot really there? Press U to use the sample "
+        {FirstLessonWords::tr("Overrule it"),
+         FirstLessonWords::tr("Click a spike in the list and look at the videos: was the robot really there? Press U to use the sample "
                    "all the same. Nothing that was measured is ever lost."),
          [&pages] { return [&pages, before = judged(pages)] { return judged(pages) > before; }; }},
-        {Words::tr("Take it back"),
-         Words::tr("Press Ctrl+Z. Whatever you change is saved at once, and can be taken back."),
+        {FirstLessonWords::tr("Take it back"),
+         FirstLessonWords::tr("Press Ctrl+Z. Whatever you change is saved at once, and can be taken back."),
          [&pages] { return [&pages, before = judged(pages)] { return judged(pages) < before || before == 0; }; }},
-        {Words::tr("Compare two runs"),
-         Words::tr("Press Ctrl+4. Choose two runs at the right: where was one faster, and is that more than the error? "
+        {FirstLessonWords::tr("Compare two runs"),
+         FirstLessonWords::tr("Press Ctrl+4. Choose two runs at the right: where was one faster, and is that more than the error? "
                    "What is grey is not."),
          [&pages] { return inMode(pages, ProjectPages::Mode::Compare); }},
-        {Words::tr("Find it again"),
-         Words::tr("Press Ctrl+5. History holds the whole year: type a team's name to search, open a run with Enter, and see "
+        {FirstLessonWords::tr("Find it again"),
+         FirstLessonWords::tr("Press Ctrl+5. History holds the whole year: type a team's name to search, open a run with Enter, and see "
                    "under Teams who made progress."),
          [&pages] { return inMode(pages, ProjectPages::Mode::History); }},
-        {Words::tr("That was it"),
-         Words::tr("With your own robots: make a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) "
+        {FirstLessonWords::tr("That was it"),
+         FirstLessonWords::tr("With your own robots: make a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) "
                    "or bring in videos (Ctrl+I). F1 explains each page."),
          {}},
     };

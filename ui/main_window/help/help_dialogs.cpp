@@ -14,7 +14,7 @@
 namespace odo {
 namespace {
 
-class Words
+class HelpDialogsWords
 {
     Q_DECLARE_TR_FUNCTIONS(HelpDialogs)
 };
@@ -45,9 +45,9 @@ void showKeys(const CommandKeys &keys, QWidget &window)
 {
     auto *dialog = new QDialog(&window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(Words::tr("Keys"));
+    dialog->setWindowTitle(HelpDialogsWords::tr("Keys"));
     auto *text = new QTextBrowser;
-    text->setAccessibleName(Words::tr("List of keys"));
+    text->setAccessibleName(HelpDialogsWords::tr("List of keys"));
     text->setFrameShape(QFrame::NoFrame);
     text->setHtml(commandTables(keys) + helpPage(QStringLiteral("keys")));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
@@ -62,10 +62,10 @@ void showKeys(const CommandKeys &keys, QWidget &window)
 void showAbout(QWidget &window)
 {
     QMessageBox box(&window);
-    box.setWindowTitle(Words::tr("About Odograph"));
+    box.setWindowTitle(HelpDialogsWords::tr("About Odograph"));
     box.setTextFormat(Qt::PlainText);
-    box.setText(Words::tr("Odograph %1").arg(QStringLiteral(ODOGRAPH_VERSION)));
-    box.setInformativeText(Words::tr(
+    box.setText(HelpDialogsWords::tr("Odograph %1").arg(QStringLiteral(ODOGRAPH_VERSION)));
+    box.setInformativeText(HelpDialogsWords::tr(
         "Measures how a mobile robot moved, from the videos of ordinary cameras.\n\n"
         "Free software under the GNU General Public License, version 3 or later, without any warranty.\n\n"
         "The method follows S. Park, “Computational Vision for Automatic Tracking and Objective Estimation "

@@ -115,6 +115,7 @@ std::span<const CorePattern> errorsTestbed()
         {QT_TRANSLATE_NOOP("CoreWords", "thousandths of a mm")},
         {QT_TRANSLATE_NOOP("CoreWords", "tenths of a mm")},
         {QT_TRANSLATE_NOOP("CoreWords", "with %1 and %2 exchanged they fit to %3 px")},
+        {QT_TRANSLATE_NOOP("CoreWords", "with %1 called %2 they fit to %3 px")},
         {QT_TRANSLATE_NOOP("CoreWords", "registration of camera '%1' through '%2'")},
         {QT_TRANSLATE_NOOP("CoreWords", "point %1")},
     };

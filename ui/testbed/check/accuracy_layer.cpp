@@ -21,12 +21,12 @@ constexpr int keyWidth = 150, keyHeight = 10;
 constexpr double farOut = 0.8;     // of the way from the middle to the border
 constexpr double leastRatio = 1.2; // a map of one value has colours too
 
-class Words
+class AccuracyLayerWords
 {
     Q_DECLARE_TR_FUNCTIONS(AccuracyLayer)
 };
 
-QString keyTitle() { return Words::tr("expected ±, hatched: not seen"); }
+QString keyTitle() { return AccuracyLayerWords::tr("expected ±, hatched: not seen"); }
 
 struct Range
 {
@@ -52,7 +52,7 @@ std::optional<Range> rangeOf(const SketchedAccuracy &accuracy)
 }
 
 /// 1, 2 or 5 of a power of ten.
-QString levelText(double metres) { return Words::tr("%1 mm").arg(QLocale().toString(toMillimetres(metres), 'g', 2)); }
+QString levelText(double metres) { return AccuracyLayerWords::tr("%1 mm").arg(QLocale().toString(toMillimetres(metres), 'g', 2)); }
 
 QImage imageOf(const SketchedAccuracy &accuracy, const Range &range)
 {

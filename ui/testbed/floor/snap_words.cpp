@@ -6,7 +6,7 @@
 namespace odo {
 namespace {
 
-class Words
+class SnappedMarkerWords
 {
     Q_DECLARE_TR_FUNCTIONS(SnappedMarker)
 };
@@ -17,21 +17,21 @@ QString snappedWords(SnappedMarker::Kind kind)
 {
     switch (kind) {
     case SnappedMarker::Kind::Tag:
-        return Words::tr("tag");
+        return SnappedMarkerWords::tr("tag");
     case SnappedMarker::Kind::Ring:
-        return Words::tr("ring");
+        return SnappedMarkerWords::tr("ring");
     case SnappedMarker::Kind::Dot:
-        return Words::tr("dot");
+        return SnappedMarkerWords::tr("dot");
     case SnappedMarker::Kind::TapeCrossing:
-        return Words::tr("tape crossing");
+        return SnappedMarkerWords::tr("tape crossing");
     case SnappedMarker::Kind::TapeCorner:
-        return Words::tr("corner");
+        return SnappedMarkerWords::tr("corner");
     case SnappedMarker::Kind::Saddle:
-        return Words::tr("crossing fields");
+        return SnappedMarkerWords::tr("crossing fields");
     case SnappedMarker::Kind::None:
         break;
     }
-    return Words::tr("by hand");
+    return SnappedMarkerWords::tr("by hand");
 }
 
 } // namespace odo

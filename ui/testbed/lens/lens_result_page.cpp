@@ -21,7 +21,7 @@
 namespace odo {
 namespace {
 
-constexpr int whole = 1000, figuresWidth = 420;
+constexpr int wholeResult = 1000, figuresWidth = 420;
 constexpr int chosenByItself = -1;
 
 QString modelName(LensModel model)
@@ -58,7 +58,7 @@ LensResultPage::LensResultPage(QWidget *parent)
     m_verdict->setTextFormat(Qt::PlainText);
     m_verdict->setAccessibleName(tr("Verdict"));
     m_verdict->setStyleSheet(QStringLiteral("font-size: 12pt"));
-    m_progress->setRange(0, whole);
+    m_progress->setRange(0, wholeResult);
     m_progress->setAccessibleName(tr("Solving"));
     m_model->addItem(tr("Lens model chosen by itself"), chosenByItself);
     m_model->addItem(tr("Ordinary lens"), int(LensModel::Standard));
@@ -85,7 +85,7 @@ LensResultPage::LensResultPage(QWidget *parent)
     connect(&m_solver, &LensSolver::solved, this, &LensResultPage::showAnswer);
     connect(&m_solver, &LensSolver::failed, this, &LensResultPage::showFailure);
     connect(&m_solver, &LensSolver::progressed, this, [this](double fraction, const QString &text) {
-        m_progress->setValue(int(fraction * whole));
+        m_progress->setValue(int(fraction * wholeResult));
         m_progress->setFormat(text);
     });
 }
