@@ -13,7 +13,7 @@ namespace odo {
 namespace {
 
 constexpr double leastTurn = 8;          // degrees between the most different poses of the board
-constexpr double worstFocalSigma = 0.03; // of the focal length
+constexpr double doubtfulFocalSigma = 0.03; // of the focal length
 constexpr double probe = 1.3;            // by how much the focal length is changed to see whether the pictures mind
 constexpr double leastBox = 0.15;        // of the picture, that the board must have been moved over
 constexpr std::size_t leastGroup = 3;
@@ -190,11 +190,11 @@ Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFi
     const double sigma = focalSigma(views, fit, control);
     if (control.isCancelled())
         return cancelled(calibrationWhat);
-    if (!(sigma < worstFocalSigma))
+    if (!(sigma < doubtfulFocalSigma))
         return refuseCalibration("the pictures determine the focal length only to " + percentWords(sigma) +
                                      ": the board is seen too nearly frontal",
                                  tiltAdvice);
-    if (halves && halves->focalDifference() > 3 * worstFocalSigma)
+    if (halves && halves->focalDifference() > 3 * doubtfulFocalSigma)
         return refuseCalibration("two halves of the pictures give focal lengths that differ by " +
                                      percentWords(halves->focalDifference()),
                                  tiltAdvice);

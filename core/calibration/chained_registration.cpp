@@ -25,14 +25,14 @@ using Eigen::Vector3d;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-constexpr const char *what = "the camera cannot be registered through another";
+constexpr const char *throughRegistration = "the camera cannot be registered through another";
 constexpr double pixelSigma = 0.3;    // of a point picked or found in a picture
-constexpr double nearestPixels = 1.0; // points closer than that are one and the same
-constexpr double worstSigma = 0.05;   // of the points' extent on the floor
+constexpr double nearestPointPixels = 1.0; // points closer than that are one and the same
+constexpr double worstPointSigma = 0.05;   // of the points' extent on the floor
 
-tl::unexpected<Error> refuse(std::string why, std::string advice)
+tl::unexpected<Error> refuseThrough(std::string why, std::string advice)
 {
-    return fail(ErrorCode::Undetermined, what, std::move(why), std::move(advice));
+    return fail(ErrorCode::Undetermined, throughRegistration, std::move(why), std::move(advice));
 }
 
 Result<void> checkInPicture(const SharedPoint &point, const Vector2d &pixel, const CameraModel &camera,
@@ -40,9 +40,9 @@ Result<void> checkInPicture(const SharedPoint &point, const Vector2d &pixel, con
 {
     const Intrinsics &lens = camera.intrinsics();
     if (!pixel.allFinite())
-        return refuse("the pixel of point " + point.label + " is not a finite number", "correct the pixels");
+        return refuseThrough("the pixel of point " + point.label + " is not a finite number", "correct the pixels");
     if (pixel.x() < -1 || pixel.y() < -1 || pixel.x() > lens.widthPx || pixel.y() > lens.heightPx)
-        return refuse("point " + point.label + " lies outside the picture of " + whose + " (" +
+        return refuseThrough("point " + point.label + " lies outside the picture of " + whose + " (" +
                           std::to_string(lens.widthPx) + "×" + std::to_string(lens.heightPx) + ")",
                       "check which columns belong to which camera");
     return {};
@@ -52,13 +52,13 @@ Result<void> checkPoints(const FloorView &through, const std::string &throughNam
                          const std::vector<SharedPoint> &points, const CameraModel &camera)
 {
     if (points.size() < 4)
-        return refuse("four points are needed that both cameras see; there are " +
+        return refuseThrough("four points are needed that both cameras see; there are " +
                           std::to_string(points.size()),
                       "add points of the floor, such as corners of tiles");
     std::set<std::string> labels;
     for (const SharedPoint &point : points) {
         if (!labels.insert(point.label).second)
-            return refuse("point " + point.label + " is there twice", "give each point a label of its own");
+            return refuseThrough("point " + point.label + " is there twice", "give each point a label of its own");
         if (auto sound = checkInPicture(point, point.pixel, camera, "the camera to register"); !sound)
             return sound;
         if (auto sound = checkInPicture(point, point.throughPixel, through.camera(), throughName); !sound)
@@ -66,9 +66,9 @@ Result<void> checkPoints(const FloorView &through, const std::string &throughNam
         for (const SharedPoint &other : points) {
             if (&other == &point)
                 break;
-            if ((other.pixel - point.pixel).norm() < nearestPixels ||
-                (other.throughPixel - point.throughPixel).norm() < nearestPixels)
-                return refuse("points " + other.label + " and " + point.label + " lie on one pixel",
+            if ((other.pixel - point.pixel).norm() < nearestPointPixels ||
+                (other.throughPixel - point.throughPixel).norm() < nearestPointPixels)
+                return refuseThrough("points " + other.label + " and " + point.label + " lie on one pixel",
                               "mark each of them where it is seen");
         }
     }
@@ -94,7 +94,7 @@ Result<void> checkHorizon(const FloorView &through, const std::string &throughNa
 {
     for (const SharedPoint &point : points) {
         if (!through.floorFromPixel(point.throughPixel, 0))
-            return refuse("point " + point.label + " lies at or beyond the horizon of " + throughName,
+            return refuseThrough("point " + point.label + " lies at or beyond the horizon of " + throughName,
                           "choose points of the floor");
     }
     return {};
@@ -109,22 +109,22 @@ Result<void> checkSide(const FloorView &through, const std::string &throughName,
     for (const SharedPoint &point : points) {
         const auto from = through.camera().unproject(point.throughPixel), to = camera.unproject(point.pixel);
         if (!from || !to || !(from->z() > 0) || !(to->z() > 0))
-            return refuse("point " + point.label + " lies where a lens cannot have put it",
+            return refuseThrough("point " + point.label + " lies where a lens cannot have put it",
                           "check its pixels and the intrinsics of both cameras");
         rays.push_back({from->hnormalized(), to->hnormalized(), point.label});
     }
     const auto raysFromThrough = Homography::estimate(rays);
     if (!raysFromThrough)
-        return refuse(raysFromThrough.error().why, raysFromThrough.error().advice);
+        return refuseThrough(raysFromThrough.error().why, raysFromThrough.error().advice);
     const Eigen::Matrix3d axes = through.cameraFromWorld().rotation.toRotationMatrix();
     Eigen::Matrix3d throughFromFloor;
     throughFromFloor << axes.leftCols<2>(), through.cameraFromWorld().translation;
     const std::array links{Homography(throughFromFloor), *raysFromThrough};
     const auto raysFromFloor = Homography::chain(links);
     if (!raysFromFloor)
-        return refuse(raysFromFloor.error().why, raysFromFloor.error().advice);
+        return refuseThrough(raysFromFloor.error().why, raysFromFloor.error().advice);
     if (raysFromFloor->matrix().determinant() > 0)
-        return refuse("the points are mirrored between the pictures of the two cameras",
+        return refuseThrough("the points are mirrored between the pictures of the two cameras",
                       "check which label belongs to which point in " + throughName + " and in this camera");
     return {};
 }
@@ -185,7 +185,7 @@ std::optional<Matrix6d> carried(const FloorView &through, const std::vector<Shar
         for (int side = 0; side < 2; ++side) {
             const auto pairs = laid(moved(through, side == 0 ? step : Vector6d(-step)), points);
             const auto pose = pairs ? fitPlanePose(*pairs, camera, FocalLength::Known, weights)
-                                    : Result<PlanePose>(refuse("", ""));
+                                    : Result<PlanePose>(refuseThrough("", ""));
             if (!pose)
                 return std::nullopt;
             poses[std::size_t(side)] = pose->worldFromCamera;
@@ -219,7 +219,7 @@ Result<void> measure(const std::vector<PointPair> &pairs, const FloorView &view,
         const auto seen = view.floorFromPixel(pair.target, 0);
         const auto back = view.pixelFromWorld({pair.source.x(), pair.source.y(), 0});
         if (!seen || !back)
-            return refuse("point " + pair.label + " would lie at or beyond the horizon",
+            return refuseThrough("point " + pair.label + " would lie at or beyond the horizon",
                           "check its pixels in both pictures");
         const double errorM = (*seen - pair.source).norm();
         registration.markers.push_back({pair.label, errorM, (*back - pair.target).norm()});
@@ -253,7 +253,7 @@ Result<FloorRegistration> unweighted(const MarkerLayout &places, const std::vect
     if (registration)
         return registration;
     Error error = registration.error();
-    error.what = what;
+    error.what = throughRegistration;
     return tl::unexpected(error);
 }
 
@@ -290,7 +290,7 @@ Result<ChainedRegistration> registerThrough(const FloorView &through, const std:
     const auto pose = fitPlanePose(pairs, *lens, FocalLength::Known, weights);
     const auto common = carried(through, points, *lens, weights);
     if (!pose || !common)
-        return refuse("the points do not determine where the camera stands", "spread them over the floor");
+        return refuseThrough("the points do not determine where the camera stands", "spread them over the floor");
 
     registration.worldFromCamera = pose->worldFromCamera;
     registration.rmsPx = pose->rmsPx;
@@ -300,8 +300,8 @@ Result<ChainedRegistration> registerThrough(const FloorView &through, const std:
     if (auto measured = measure(pairs, view, registration); !measured)
         return tl::unexpected(measured.error());
     const double sigmaM = largestSigma(view, points), spanM = extentOf(places);
-    if (sigmaM > worstSigma * spanM)
-        return refuse("the floor among the points is known only to ±" + millimetres(sigmaM),
+    if (sigmaM > worstPointSigma * spanM)
+        return refuseThrough("the floor among the points is known only to ±" + millimetres(sigmaM),
                       "spread the points over the floor, or register " + throughName + " better first");
     registration.floorSigmaM = sigmaM;
     const FloorView commonOnly(*lens, registration.worldFromCamera, *common);

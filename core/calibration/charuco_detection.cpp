@@ -39,7 +39,7 @@ constexpr NamedDictionary smallDictionaries[] = {
     {"DICT_6X6_250", cv::aruco::DICT_6X6_250}, {"DICT_7X7_50", cv::aruco::DICT_7X7_50},
     {"DICT_7X7_100", cv::aruco::DICT_7X7_100}, {"DICT_7X7_250", cv::aruco::DICT_7X7_250},
 };
-constexpr int widestWindowPx = 11;
+constexpr int widestCornerWindowPx = 11;
 
 std::vector<NamedDictionary> dictionariesFor(const std::string &name)
 {
@@ -131,7 +131,7 @@ BoardView refined(const cv::Mat &luma, const std::vector<ForetoldCorner> &corner
     for (const ForetoldCorner &corner : corners) {
         // The window must not reach the markers, whose corners would pull.
         const int half =
-            std::clamp(static_cast<int>(corner.nearestMarkerPx / std::sqrt(2.0)) - 1, 2, widestWindowPx);
+            std::clamp(static_cast<int>(corner.nearestMarkerPx / std::sqrt(2.0)) - 1, 2, widestCornerWindowPx);
         std::vector<cv::Point2f> place{
             {static_cast<float>(corner.pixel.x()), static_cast<float>(corner.pixel.y())}};
         if (!cv::Rect2f(1, 1, static_cast<float>(luma.cols - 2), static_cast<float>(luma.rows - 2))
@@ -148,7 +148,7 @@ BoardView refined(const cv::Mat &luma, const std::vector<ForetoldCorner> &corner
     return view;
 }
 
-tl::unexpected<Error> refuse(const std::string &source, std::string why, std::string advice)
+tl::unexpected<Error> refuseCharuco(const std::string &source, std::string why, std::string advice)
 {
     return fail(ErrorCode::Undetermined, source, std::move(why), std::move(advice));
 }
@@ -174,20 +174,20 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
             const double ratio = measuredMarkerRatio(markers, *layout);
             BoardView view = refined(luma, foretellCorners(markers, *layout, ratio), *layout, spec, source);
             if (view.pixels.size() < leastCornersOfView)
-                return refuse(source,
+                return refuseCharuco(source,
                               "only " + std::to_string(view.pixels.size()) + " corners of the board are seen",
                               "show more of the board");
             return view;
         }
     }
     if (mostMarkers < 4)
-        return refuse(source,
+        return refuseCharuco(source,
                       "no board found: " + std::to_string(mostMarkers) + " of its markers could be read",
                       "show the board larger, sharp and well lit");
     const std::string size = spec.columns > 0 ? " of " + std::to_string(spec.columns) + "x" +
                                                     std::to_string(spec.rows) + " inner corners"
                                               : "";
-    return refuse(source, "the markers that were read do not lie as on a ChArUco board" + size,
+    return refuseCharuco(source, "the markers that were read do not lie as on a ChArUco board" + size,
                   spec.columns > 0 ? "count the inner corners, or leave the size out"
                                    : "show one ChArUco board");
 }

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int mostSquares = 24;
-constexpr double worstMisfit = 0.2; // of a square
+constexpr double worstNodeMisfit = 0.2; // of a square
 
 std::vector<PointPair> squaresByPixels(const std::vector<ReadMarker> &markers, const CharucoLayout &layout)
 {
@@ -78,7 +78,7 @@ std::optional<CharucoLayout> explainMarkers(const std::vector<ReadMarker> &marke
         return std::nullopt;
     const int highest = std::ranges::max_element(markers, {}, &ReadMarker::id)->id;
     std::optional<CharucoLayout> best;
-    double least = worstMisfit;
+    double least = worstNodeMisfit;
     const auto consider = [&](const CharucoLayout &layout) {
         const auto off = misfit(markers, layout);
         if (!off || *off >= least)

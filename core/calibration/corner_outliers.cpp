@@ -11,7 +11,7 @@ namespace odo {
 
 namespace {
 
-constexpr double standingOut = 5, leastPx = 0.1;
+constexpr double standingOutOfCorners = 5, leastPx = 0.1;
 constexpr double medianOfRayleigh = 1.17741; // sqrt(2 ln 2): of distances whose coordinates have σ 1
 constexpr std::size_t leastTogether = 3;
 constexpr double sameWay = 0.8; // length of the mean of their directions
@@ -86,7 +86,7 @@ bool movesTogether(const std::vector<std::size_t> &group, const std::vector<Eige
 
 double limitOf(const LensFit &fit)
 {
-    return std::max(leastPx, standingOut * robustSigmaPx(fit));
+    return std::max(leastPx, standingOutOfCorners * robustSigmaPx(fit));
 }
 
 } // namespace
@@ -98,7 +98,7 @@ CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &
     if (countOf(marks) == 0)
         return marks;
     const auto robust =
-        fitLens(views, {fit.intrinsics, fit.cameraFromBoard}, {false, 2 * limitPx / standingOut}, control);
+        fitLens(views, {fit.intrinsics, fit.cameraFromBoard}, {false, 2 * limitPx / standingOutOfCorners}, control);
     return robust ? beyond(*robust, limitOf(*robust)) : marks;
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr const char *what = "the floor cannot be registered";
+constexpr const char *floorRegistration = "the floor cannot be registered";
 constexpr double leastHeightM = 0.05, mostHeightM = 100;
 constexpr double nearestPixels = 1.0;  // markers closer than that are one and the same
 constexpr double nearestPlaces = 1e-3; // of the layout's extent
@@ -40,7 +40,7 @@ constexpr double worstSumOfFour = 8, worstSumOfFive = 40;
 
 tl::unexpected<Error> refuse(std::string why, std::string advice)
 {
-    return fail(ErrorCode::Undetermined, what, std::move(why), std::move(advice));
+    return fail(ErrorCode::Undetermined, floorRegistration, std::move(why), std::move(advice));
 }
 
 template <class Points>
@@ -59,13 +59,13 @@ Result<void> checkNumbers(const MarkerLayout &layout, const std::vector<MarkerPi
 {
     for (const Marker &marker : layout.markers) {
         if (!marker.pointInWorld.allFinite())
-            return fail(ErrorCode::InvalidInput, what,
+            return fail(ErrorCode::InvalidInput, floorRegistration,
                         "the place of marker " + marker.label + " is not a finite number",
                         "correct the layout");
     }
     for (const MarkerPixel &pixel : pixels) {
         if (!pixel.pixel.allFinite())
-            return fail(ErrorCode::InvalidInput, what,
+            return fail(ErrorCode::InvalidInput, floorRegistration,
                         "the pixel of marker " + pixel.label + " is not a finite number",
                         "correct the pixels");
     }

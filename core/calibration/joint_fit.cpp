@@ -14,17 +14,17 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-struct State
+struct JointState
 {
     std::vector<RigidTransform> poses;
     std::vector<Vector2d> places;
 };
 
 /// Rows: two an observation, then two a measured point. Columns: six a camera, then two a point.
-LeastSquaresProblem<State> problemOf(const JointProblem &problem)
+LeastSquaresProblem<JointState> problemOf(const JointProblem &problem)
 {
-    LeastSquaresProblem<State> squares;
-    squares.evaluate = [&problem](const State &state, Eigen::VectorXd &residuals, Eigen::MatrixXd *byStep) {
+    LeastSquaresProblem<JointState> squares;
+    squares.evaluate = [&problem](const JointState &state, Eigen::VectorXd &residuals, Eigen::MatrixXd *byStep) {
         const auto cameras = static_cast<Eigen::Index>(problem.cameras.size());
         const auto points = static_cast<Eigen::Index>(problem.points.size());
         const auto observations = static_cast<Eigen::Index>(problem.observations.size());
@@ -62,8 +62,8 @@ LeastSquaresProblem<State> problemOf(const JointProblem &problem)
         }
         return true;
     };
-    squares.move = [](const State &state, const Eigen::VectorXd &step) {
-        State moved = state;
+    squares.move = [](const JointState &state, const Eigen::VectorXd &step) {
+        JointState moved = state;
         for (std::size_t i = 0; i < moved.poses.size(); ++i) {
             const auto at = static_cast<Eigen::Index>(6 * i);
             const Vector3d turn = step.segment<3>(at);
@@ -84,13 +84,13 @@ LeastSquaresProblem<State> problemOf(const JointProblem &problem)
 
 std::optional<JointFit> fitJointly(const JointProblem &problem)
 {
-    State start;
+    JointState start;
     for (const JointProblem::Camera &camera : problem.cameras)
         start.poses.push_back(camera.worldFromCamera);
     for (const JointPoint &point : problem.points)
         start.places.push_back(point.place);
     const auto squares = problemOf(problem);
-    const State best = minimise(squares, start);
+    const JointState best = minimise(squares, start);
     Eigen::VectorXd residuals;
     Eigen::MatrixXd byStep;
     if (!squares.evaluate(best, residuals, &byStep))

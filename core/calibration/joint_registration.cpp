@@ -19,15 +19,15 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr const char *what = "the cameras cannot be registered together";
+constexpr const char *jointRegistration = "the cameras cannot be registered together";
 constexpr double leastFall = 16;      // of the sum of squares: χ² of two degrees of freedom, 1 in 3000
 constexpr double pixelHandicap = 8;   // a wrong place of a marker is cured in part by leaving out one pixel of it
 constexpr std::size_t leastPixels = 3;
 constexpr std::size_t leastMeasured = 3; // markers whose measured place counts: they hold the axes and the scale
 
-tl::unexpected<Error> refuse(std::string why, std::string advice)
+tl::unexpected<Error> refuseJoint(std::string why, std::string advice)
 {
-    return fail(ErrorCode::Undetermined, what, std::move(why), std::move(advice));
+    return fail(ErrorCode::Undetermined, jointRegistration, std::move(why), std::move(advice));
 }
 
 class Joining
@@ -59,18 +59,18 @@ public:
 private:
     static tl::unexpected<Error> undetermined()
     {
-        return refuse("the markers do not determine where the cameras stand", "spread the markers over the floor");
+        return refuseJoint("the markers do not determine where the cameras stand", "spread the markers over the floor");
     }
 
     Result<void> checkCameras() const
     {
         if (m_cameras.size() < 2)
-            return refuse("there is " + std::to_string(m_cameras.size()) + " camera on layout '" + m_layout.name + "', two are needed",
+            return refuseJoint("there is " + std::to_string(m_cameras.size()) + " camera on layout '" + m_layout.name + "', two are needed",
                           "register the cameras one by one by this layout first");
         std::set<std::string> names;
         for (const JointCamera &camera : m_cameras) {
             if (!names.insert(camera.name).second)
-                return refuse("camera '" + camera.name + "' is there twice", "name each camera once");
+                return refuseJoint("camera '" + camera.name + "' is there twice", "name each camera once");
         }
         return {};
     }
@@ -108,12 +108,12 @@ private:
                 ++counted;
             }
             if (counted < leastPixels)
-                return refuse("camera '" + camera.name + "' sees only " + std::to_string(counted) + " of the markers",
+                return refuseJoint("camera '" + camera.name + "' sees only " + std::to_string(counted) + " of the markers",
                               "register it by more of them first");
         }
         const auto isShared = [](const auto &each) { return each.second >= 2; };
         if (std::ranges::none_of(seenBy, isShared))
-            return refuse("no two of the cameras see the same marker", "let them see some of the same floor");
+            return refuseJoint("no two of the cameras see the same marker", "let them see some of the same floor");
         return {};
     }
 
@@ -278,7 +278,7 @@ private:
 Result<JointRegistration> registerJointly(const MarkerLayout &layout, const std::vector<JointCamera> &cameras, double tapeSigmaM)
 {
     if (!(tapeSigmaM > 0) || !std::isfinite(tapeSigmaM))
-        return fail(ErrorCode::InvalidInput, what, "the σ of the tape measure is not above 0", "give some 2 mm");
+        return fail(ErrorCode::InvalidInput, jointRegistration, "the σ of the tape measure is not above 0", "give some 2 mm");
     return Joining(layout, cameras, tapeSigmaM).join();
 }
 

@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr const char *what = "the length cannot be measured";
+constexpr const char *lengthMeasurement = "the length cannot be measured";
 constexpr double agreesWithin = 2.5; // σ
-constexpr double leastPixels = 2;
+constexpr double shortestPx = 2;
 
 struct Measured
 {
@@ -25,13 +25,13 @@ Eigen::Matrix2d noiseOf(double sigmaPx) { return sigmaPx * sigmaPx * Eigen::Matr
 
 Result<Measured> measure(const SeenLength &seen, double heightM)
 {
-    if ((seen.fromPixel - seen.toPixel).norm() < leastPixels)
-        return fail(ErrorCode::InvalidInput, what, "both ends lie on one pixel of camera '" + seen.camera + "'",
+    if ((seen.fromPixel - seen.toPixel).norm() < shortestPx)
+        return fail(ErrorCode::InvalidInput, lengthMeasurement, "both ends lie on one pixel of camera '" + seen.camera + "'",
                     "mark the two ends where they are seen");
     const auto from = seen.view->locate(seen.fromPixel, noiseOf(seen.fromSigmaPx), heightM);
     const auto to = seen.view->locate(seen.toPixel, noiseOf(seen.toSigmaPx), heightM);
     if (!from || !to)
-        return fail(ErrorCode::InvalidInput, what,
+        return fail(ErrorCode::InvalidInput, lengthMeasurement,
                     std::string("the ") + (from ? "second" : "first") +
                         " end lies at or beyond the horizon of camera '" + seen.camera + "'",
                     "lay the stick on the floor, nearer to the camera");
@@ -62,9 +62,9 @@ std::string judgement(const LengthCheck &check, double toldM)
 Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<double> toldM, double heightM)
 {
     if (seen.empty())
-        return fail(ErrorCode::InvalidInput, what, "no camera was given that sees it", "mark its ends in one picture at least");
+        return fail(ErrorCode::InvalidInput, lengthMeasurement, "no camera was given that sees it", "mark its ends in one picture at least");
     if (toldM && !(*toldM > 0 && std::isfinite(*toldM)))
-        return fail(ErrorCode::InvalidInput, what, "the told length is not above 0", "give the length as it was measured with a tape");
+        return fail(ErrorCode::InvalidInput, lengthMeasurement, "the told length is not above 0", "give the length as it was measured with a tape");
     double information = 0, weighted = 0;
     std::vector<Measured> each;
     for (const SeenLength &one : seen) {

@@ -17,7 +17,7 @@ constexpr double marginErrors = 2;    // standard errors of the mean difference
 constexpr double marginPart = 0.01;   // of the RMS: less is nothing that anybody would notice
 constexpr int decimals = 3;
 
-struct Candidate
+struct LensCandidate
 {
     LensFit fit;
     CornerMarks outliers;
@@ -30,10 +30,10 @@ struct Candidate
     }
 };
 
-CornerMarks common(const std::vector<Candidate> &candidates)
+CornerMarks common(const std::vector<LensCandidate> &candidates)
 {
     CornerMarks marks = candidates.front().outliers;
-    for (const Candidate &candidate : candidates) {
+    for (const LensCandidate &candidate : candidates) {
         for (std::size_t view = 0; view < marks.size(); ++view) {
             std::vector<std::size_t> both;
             std::ranges::set_intersection(marks[view], candidate.outliers[view], std::back_inserter(both));
@@ -44,7 +44,7 @@ CornerMarks common(const std::vector<Candidate> &candidates)
 }
 
 /// The simpler model foretells clearly worse: by more than chance among the pictures explains, and by enough to matter.
-bool isClearlyWorse(const Candidate &simpler, const Candidate &best)
+bool isClearlyWorse(const LensCandidate &simpler, const LensCandidate &best)
 {
     if (!(simpler.heldOutPx() > (1 + marginPart) * best.heldOutPx()))
         return false;
@@ -62,21 +62,21 @@ bool isClearlyWorse(const Candidate &simpler, const Candidate &best)
     return mean > marginErrors * std::sqrt(squares / (count - 1) / count);
 }
 
-std::string pixelsOf(const Candidate &candidate)
+std::string pixelsOf(const LensCandidate &candidate)
 {
     return std::isfinite(candidate.heldOutPx()) ? formatNumber(candidate.heldOutPx(), decimals) + " px" : "not all";
 }
 
-std::string reasonOf(const Candidate &chosen, const std::vector<Candidate> &candidates)
+std::string reasonOf(const LensCandidate &chosen, const std::vector<LensCandidate> &candidates)
 {
-    const auto other = std::ranges::min_element(candidates, {}, [&](const Candidate &candidate) {
+    const auto other = std::ranges::min_element(candidates, {}, [&](const LensCandidate &candidate) {
         return &candidate == &chosen ? std::numeric_limits<double>::infinity() : candidate.heldOutPx();
     });
     if (&*other == &chosen)
         return "no other model fits";
     const std::string own = "it foretells pictures held out to " + pixelsOf(chosen) + ", the ";
     const bool simplest = &chosen == &candidates.front();
-    const Candidate &against = simplest ? *other : candidates.front();
+    const LensCandidate &against = simplest ? *other : candidates.front();
     const std::string name = lensModelName(against.model());
     if (simplest && against.heldOutPx() < chosen.heldOutPx())
         return own + name + " one to " + pixelsOf(against) + ", which may be chance";
@@ -93,7 +93,7 @@ std::string lensModelName(LensModel model)
 std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views, const std::vector<LensStart> &starts,
                                      const JobControl &control)
 {
-    std::vector<Candidate> candidates;
+    std::vector<LensCandidate> candidates;
     for (const LensStart &start : starts) {
         auto fit = fitLens(views, start, {}, control);
         if (!fit)
@@ -108,15 +108,15 @@ std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views, const 
 
     const std::vector<BoardView> sound = withoutCorners(views, singleCorners(views, candidates.front().fit, common(candidates)));
     std::vector<LensTrial> trials;
-    for (Candidate &candidate : candidates) {
+    for (LensCandidate &candidate : candidates) {
         candidate.heldOut = holdOut(sound, candidate.fit, control);
         trials.push_back({candidate.model(), candidate.heldOutPx()});
     }
     if (control.isCancelled())
         return std::nullopt;
-    const Candidate &best = *std::ranges::min_element(candidates, {}, &Candidate::heldOutPx);
-    Candidate &chosen =
-        *std::ranges::find_if(candidates, [&](const Candidate &candidate) { return !isClearlyWorse(candidate, best); });
+    const LensCandidate &best = *std::ranges::min_element(candidates, {}, &LensCandidate::heldOutPx);
+    LensCandidate &chosen =
+        *std::ranges::find_if(candidates, [&](const LensCandidate &candidate) { return !isClearlyWorse(candidate, best); });
     std::string reason = reasonOf(chosen, candidates);
     return LensChoice{std::move(chosen.fit), std::move(chosen.outliers), std::move(trials), std::move(reason)};
 }

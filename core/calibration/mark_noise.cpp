@@ -8,7 +8,7 @@ namespace odo {
 
 namespace {
 
-constexpr double priorSigmaPx = 0.3, priorFreedom = 4;
+constexpr double priorFreedom = 4;
 constexpr double refutedBeyond = 3; // times the prior
 
 } // namespace
@@ -16,9 +16,9 @@ constexpr double refutedBeyond = 3; // times the prior
 double markSigmaPx(double squaresPx2, double freedom)
 {
     freedom = std::max(0.0, freedom);
-    if (freedom >= 1 && std::sqrt(squaresPx2 / freedom) > refutedBeyond * priorSigmaPx)
+    if (freedom >= 1 && std::sqrt(squaresPx2 / freedom) > refutedBeyond * usualMarkSigmaPx)
         return std::sqrt(squaresPx2 / freedom);
-    return std::sqrt((priorFreedom * priorSigmaPx * priorSigmaPx + squaresPx2) / (priorFreedom + freedom));
+    return std::sqrt((priorFreedom * usualMarkSigmaPx * usualMarkSigmaPx + squaresPx2) / (priorFreedom + freedom));
 }
 
 } // namespace odo

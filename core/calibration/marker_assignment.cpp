@@ -14,12 +14,12 @@ namespace {
 
 using Solution = AssignmentSearch::Solution;
 
-constexpr const char *what = "the markers cannot be told apart";
+constexpr const char *assignment = "the markers cannot be told apart";
 constexpr double clearlyBetter = 3, leastDifferencePx = 0.7;
 
-tl::unexpected<Error> refuse(std::string why, std::string advice)
+tl::unexpected<Error> refuseAssignment(std::string why, std::string advice)
 {
-    return fail(ErrorCode::Undetermined, what, std::move(why), std::move(advice));
+    return fail(ErrorCode::Undetermined, assignment, std::move(why), std::move(advice));
 }
 
 std::vector<MarkerPixel> pixelsOf(const AssignmentSearch &search, const Solution &solution,
@@ -60,7 +60,7 @@ tl::unexpected<Error> askForOne(const MarkerLayout &layout, const std::vector<So
             best = layout.markers[label].label;
         }
     }
-    return refuse("in " + std::to_string(equal.size()) +
+    return refuseAssignment("in " + std::to_string(equal.size()) +
                       " ways they fit the layout equally well, which looks the same from several sides",
                   "tell by hand which of them is " + best);
 }
@@ -97,9 +97,9 @@ Result<std::vector<MarkerPixel>> assignMarkers(const std::vector<RoundMarker> &s
     if (best)
         return *best;
     if (shapes.size() + hints.size() < 4)
-        return refuse(std::to_string(shapes.size()) + " rings or dots were found, four are needed",
+        return refuseAssignment(std::to_string(shapes.size()) + " rings or dots were found, four are needed",
                       "show more of them, larger or in better light, or mark the markers by hand");
-    return refuse(
+    return refuseAssignment(
         "none of the ways to name the " + std::to_string(shapes.size()) + " rings and dots fits the layout",
         "check the layout's places and their unit, cover other round things, or mark the markers by hand");
 }

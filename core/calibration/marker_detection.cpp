@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int leastSidePx = 32;
+constexpr int leastPictureSide = 32;
 
 /// Dots' middles are corrected by a first pose, which is off by less than they are.
 std::vector<MarkerPixel> withTrueCentres(std::vector<MarkerPixel> markers,
@@ -80,7 +80,7 @@ Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLay
                                              const MarkerSearch &search)
 {
     const std::string what = "the floor markers cannot be found";
-    if (frame.y.data == nullptr || frame.y.width < leastSidePx || frame.y.height < leastSidePx)
+    if (frame.y.data == nullptr || frame.y.width < leastPictureSide || frame.y.height < leastPictureSide)
         return fail(ErrorCode::Undetermined, what, "the picture is too small", "use a picture of the camera");
     const auto tags = layoutTags(frame, layout, search);
     std::vector<MarkerPixel> markers;

@@ -3,6 +3,7 @@
 
 #include "core/base/units.h"
 #include "core/base/upper_median.h"
+#include "core/calibration/mark_noise.h"
 #include "core/calibration/marker_detection.h"
 #include "core/calibration/marker_snap.h"
 #include "core/calibration/tag_detection.h"
@@ -15,9 +16,8 @@ namespace odo {
 
 namespace {
 
-constexpr double sigmaOfMarkerPx = 0.3; // of one coordinate, as registerFloor's prior has it
 constexpr double mostFitPx = 2;         // a bad registration must not make the alarm deaf
-constexpr double beyond = 4;            // σ of the difference
+constexpr double movedFrom = 4;         // σ of the difference
 constexpr std::size_t provesCamera = 3; // markers that lie still
 
 MarkerShift shiftOf(const FloorView &view, const MarkerPixel &stored, const MarkerPixel &found,
@@ -100,7 +100,7 @@ Result<MovedCheck> checkMoved(const std::string &camera, const FloorView &view,
                               double fitPx)
 {
     MovedCheck check;
-    const double limitPx = beyond * std::sqrt(2.0) * std::clamp(fitPx, sigmaOfMarkerPx, mostFitPx);
+    const double limitPx = movedFrom * std::sqrt(2.0) * std::clamp(fitPx, usualMarkSigmaPx, mostFitPx);
     std::vector<std::string> moved;
     for (const MarkerPixel &marker : stored) {
         const auto again = std::ranges::find(found, marker.label, &MarkerPixel::label);

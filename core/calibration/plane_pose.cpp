@@ -22,7 +22,7 @@ constexpr double longestFocal = 10;     // of the longer side: 6° across
 constexpr double mostDegreesFromAxis =
     80; // beyond it a ray is no point of a plane ahead that a fit could use
 
-struct State
+struct PoseState
 {
     RigidTransform worldFromCamera;
     double focalScale = 1;
@@ -41,12 +41,12 @@ CameraModel scaled(const CameraModel &camera, double focalScale)
 using Weights = std::span<const Eigen::Matrix2d>;
 
 /// Residuals in pixels (or weighted ones) over (rotation, position[, log of the focal length]).
-LeastSquaresProblem<State> problemOf(std::span<const PointPair> pairs, const CameraModel &camera,
+LeastSquaresProblem<PoseState> problemOf(std::span<const PointPair> pairs, const CameraModel &camera,
                                      FocalLength focal, Weights weights)
 {
     const Eigen::Index parameters = focal == FocalLength::Free ? 7 : 6;
-    LeastSquaresProblem<State> problem;
-    problem.evaluate = [pairs, camera, parameters, weights](const State &state, Eigen::VectorXd &residuals,
+    LeastSquaresProblem<PoseState> problem;
+    problem.evaluate = [pairs, camera, parameters, weights](const PoseState &state, Eigen::VectorXd &residuals,
                                                             Eigen::MatrixXd *byStep) {
         residuals.resize(static_cast<Eigen::Index>(2 * pairs.size()));
         if (byStep)
@@ -75,9 +75,9 @@ LeastSquaresProblem<State> problemOf(std::span<const PointPair> pairs, const Cam
         }
         return true;
     };
-    problem.move = [parameters](const State &state, const Eigen::VectorXd &step) {
+    problem.move = [parameters](const PoseState &state, const Eigen::VectorXd &step) {
         const Vector3d turn = step.head<3>();
-        State moved = state;
+        PoseState moved = state;
         if (turn.norm() > 0)
             moved.worldFromCamera.rotation =
                 (Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized())) *
@@ -129,10 +129,10 @@ RigidTransform startOf(const Homography &raysFromPlane, double focalScale)
 }
 
 std::optional<PlanePose> refined(std::span<const PointPair> pairs, const CameraModel &camera,
-                                 FocalLength focal, const State &start, Weights weights)
+                                 FocalLength focal, const PoseState &start, Weights weights)
 {
-    const LeastSquaresProblem<State> problem = problemOf(pairs, camera, focal, weights);
-    const State best = minimise(problem, start);
+    const LeastSquaresProblem<PoseState> problem = problemOf(pairs, camera, focal, weights);
+    const PoseState best = minimise(problem, start);
     Eigen::VectorXd residuals;
     Eigen::MatrixXd byStep;
     if (!problem.evaluate(best, residuals, &byStep))

@@ -20,7 +20,7 @@ constexpr double areaSlack = 0.16;                         // of a contour again
 constexpr double leastHole = 0.06, mostHole = 0.6;         // area of a ring's hole, of the ring's
 constexpr double speck = 0.03;                             // of the area: a smaller hole is a reflection
 constexpr double offCentre = 0.2;                          // of the outer axis
-constexpr double worstMisfit = 0.03, leastMisfitPx = 0.25; // of the longer axis
+constexpr double worstOutlineMisfit = 0.03, leastMisfitPx = 0.25; // of the longer axis
 constexpr int darkerBy = 8;                                // than the neighbourhood's mean
 
 /// The ellipse with a contour's moments, if the contour fills it.
@@ -50,7 +50,7 @@ std::optional<EllipseOutline> roughOutline(const Contour &contour)
 
 bool isEllipse(const EllipseEdge &edge)
 {
-    return edge.misfitPx < std::max(leastMisfitPx, worstMisfit * edge.outline.semiAxes.x()) &&
+    return edge.misfitPx < std::max(leastMisfitPx, worstOutlineMisfit * edge.outline.semiAxes.x()) &&
            edge.outline.semiAxes.y() >= leastSemiAxisPx - 1 &&
            edge.outline.semiAxes.y() > flattest * edge.outline.semiAxes.x();
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int ringSamples = 32;
 constexpr float ringRadius = 5;
-constexpr float leastContrast = 12;      // grey levels between the fields
+constexpr float leastSaddleContrast = 12;      // grey levels between the fields
 constexpr std::size_t mostPoints = 3000; // a picture of gravel has no end of them
 constexpr float twoPi = 2 * std::numbers::pi_v<float>;
 
@@ -21,7 +21,7 @@ constexpr float twoPi = 2 * std::numbers::pi_v<float>;
 std::optional<std::array<float, 4>> crossings(const std::array<float, ringSamples> &ring)
 {
     const auto [low, high] = std::ranges::minmax(ring);
-    if (high - low < leastContrast)
+    if (high - low < leastSaddleContrast)
         return std::nullopt;
     const float middle = 0.5F * (low + high);
     std::array<float, 4> angles{};

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 constexpr double rimCells = 0.6;   // of the white rim that is looked at: beyond it the paper may end
 constexpr int borderPx = 4;        // about that, for the blur
 constexpr double smallSidePx = 60; // up to it a pixel is cut into 5 × 5 parts, above into 3 × 3
-constexpr double leastSidePx = 5, mostPicturePx = 30000;
+constexpr double leastTagSidePx = 5, mostPicturePx = 30000;
 constexpr int mostSidePx = 400;   // above it a tag is laid over the picture at half its size
 constexpr int coarseSidePx = 120; // above it that is done first, and refined
 constexpr double startVariance = 0.25, mostVariance = 6; // of the picture's own blur, px²
@@ -105,7 +105,7 @@ private:
     cv::Mat m_fine;
 };
 
-struct State
+struct TagState
 {
     Matrix3d map;                    ///< its last value is 1
     double variance = startVariance; ///< of the blur
@@ -271,7 +271,7 @@ private:
     double m_side;  ///< of what is looked at, from the middle
     Matrix3d m_fromOrigin = Matrix3d::Identity();
     TagPicture m_picture;
-    State m_state;
+    TagState m_state;
     std::vector<Sample> m_samples;
     double m_sigmaPx = 0;
 };
@@ -290,7 +290,7 @@ std::optional<cv::Rect> rectOf(const Matrix3d &map, double side, const cv::Size 
         }
     }
     const Vector2d sides = box.sizes();
-    if (!sides.allFinite() || !(sides.maxCoeff() < mostPicturePx) || !(sides.maxCoeff() > leastSidePx))
+    if (!sides.allFinite() || !(sides.maxCoeff() < mostPicturePx) || !(sides.maxCoeff() > leastTagSidePx))
         return std::nullopt;
     const cv::Point least(static_cast<int>(std::floor(box.min().x())) - 1,
                           static_cast<int>(std::floor(box.min().y())) - 1);

@@ -22,7 +22,7 @@ using Eigen::Matrix3d;
 
 constexpr int mostMendedBits = 1;
 constexpr int leastSidePx = 32;
-constexpr double leastSigmaPx = 0.02; // what the lens bends within a tag and the fit's grid leave
+constexpr double leastTagSigmaPx = 0.02; // what the lens bends within a tag and the fit's grid leave
 
 using Family = std::unique_ptr<apriltag_family_t, void (*)(apriltag_family_t *)>;
 
@@ -67,7 +67,7 @@ std::vector<SeenTag> read(const cv::Mat &luma, image_u8_t picture, double scale)
         const Matrix3d map = mapOf(*tag, scale);
         const auto aligned = alignTag(luma, cellsOf(*family, tag->id), map);
         if (aligned && aligned->likeness >= leastTagLikeness)
-            tags.push_back({tag->id, aligned->middle(), std::max(leastSigmaPx, aligned->sigmaPx),
+            tags.push_back({tag->id, aligned->middle(), std::max(leastTagSigmaPx, aligned->sigmaPx),
                             aligned->pixelFromTag});
     }
     apriltag_detections_destroy(found);

@@ -55,7 +55,7 @@ std::optional<Vector2d> rayOf(const CameraModel &camera, const Vector2d &pixel)
     return ray && ray->z() > 0.1 ? std::optional(Vector2d(ray->hnormalized())) : std::nullopt;
 }
 
-double areaOf(const SeenTag &tag)
+double tagAreaOf(const SeenTag &tag)
 {
     const Vector2d across = pixelOf(tag, corners[2]) - pixelOf(tag, corners[0]),
                    aside = pixelOf(tag, corners[3]) - pixelOf(tag, corners[1]);
@@ -77,10 +77,10 @@ std::optional<Homography> raysFromTag(const SeenTag &tag, const CameraModel &cam
 }
 
 /// From the largest tag's own plane, laid on the floor so that the others' middles come where they are.
-std::optional<Tags> roughly(const MarkerLayout &layout, const std::vector<SeenTag> &read,
+std::optional<Tags> roughTags(const MarkerLayout &layout, const std::vector<SeenTag> &read,
                             const CameraModel &camera)
 {
-    const SeenTag &largest = *std::ranges::max_element(read, {}, areaOf);
+    const SeenTag &largest = *std::ranges::max_element(read, {}, tagAreaOf);
     const auto rays = raysFromTag(largest, camera);
     if (!rays)
         return std::nullopt;
@@ -174,7 +174,7 @@ LeastSquaresProblem<Tags> problemOf(const MarkerLayout &layout, const std::vecto
 std::optional<Tags> fitted(const MarkerLayout &layout, const std::vector<SeenTag> &read,
                            const CameraModel &camera)
 {
-    const auto start = roughly(layout, read, camera);
+    const auto start = roughTags(layout, read, camera);
     if (!start)
         return std::nullopt;
     const auto problem = problemOf(layout, read, camera);

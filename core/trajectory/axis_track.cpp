@@ -14,7 +14,7 @@ namespace odo {
 
 namespace {
 
-constexpr double sureScore = 0.3;
+constexpr double leastAxisScore = 0.3;
 constexpr double longestGapS = 1.0; // an axis that was not seen for longer may be any
 constexpr double commonShare = 0.5; // of an outline's doubt that all frames share
 
@@ -62,7 +62,7 @@ public:
         const ViewTrack &view = m_views[m_places[i].view];
         const Observation &observation = observationAt(m_places[i]);
         const bool clear = view.floorView && observation.found && !observation.duplicateFrame &&
-                           !observation.touchesBorder && observation.score >= sureScore;
+                           !observation.touchesBorder && observation.score >= leastAxisScore;
         return clear ? OutlineMisfit::create(*view.floorView, m_shape, outlineMoments(observation)) : std::nullopt;
     }
 

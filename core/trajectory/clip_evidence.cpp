@@ -9,15 +9,15 @@ namespace odo {
 
 namespace {
 
-constexpr double sureScore = 0.5;        // of an observation; doubtful ones only blur the answer
+constexpr double leastEvidenceScore = 0.5;        // of an observation; doubtful ones only blur the answer
 constexpr double disagreementSigmas = 4;
 constexpr double nearFlashSigmas = 5;
 constexpr double rarely = 0.05;          // of the frames
 constexpr double leastDisagreementS = 0.002; // less is no harm
 
-std::optional<Eigen::Vector2d> sightingOf(const FloorView &view, const Observation &observation, double heightM)
+std::optional<Eigen::Vector2d> placeSeen(const FloorView &view, const Observation &observation, double heightM)
 {
-    if (!observation.found || observation.score < sureScore || observation.touchesBorder)
+    if (!observation.found || observation.score < leastEvidenceScore || observation.touchesBorder)
         return std::nullopt;
     return view.floorFromPixel(observation.ellipse.centrePx, heightM / 2);
 }
@@ -41,7 +41,7 @@ std::vector<GroupSight> sightsOf(const NamedView &view, const std::vector<NamedR
         sight.timeS = toSeconds(view.robots[group.front()][i].time);
         for (const std::size_t robot : group) {
             if (const auto place =
-                    sightingOf(*view.floorView, view.robots[robot][i], robots[robot].heightM.value_or(0)))
+                    placeSeen(*view.floorView, view.robots[robot][i], robots[robot].heightM.value_or(0)))
                 sight.places.push_back(*place);
         }
     }

@@ -12,20 +12,13 @@ namespace {
 
 constexpr double halfWindowS = 0.2;      // of the smoothing: robots do not turn sharply within it
 constexpr double longestBridgeS = 0.15;  // positions further apart are not joined
-constexpr double correlationTimeS = 0.5; // of what is left when the tracks lie on one another
+constexpr double restCorrelationS = 0.5; // of what is left when the tracks lie on one another
 constexpr std::size_t fewestPairs = 30;
 constexpr double scaleSigma = 0.01;         // 6 cm of height told wrong, seen from cameras at 2 and at 3 m
 constexpr double largestScale = 0.05;       // more is no height: a motion in the opposite direction, say
-constexpr double largestRate = 0.005;       // no camera's clock is that wrong
 constexpr double closestRivalS = 0.5;       // nearer ones are the same
 constexpr std::size_t searchedPairs = 1000; // on the grid
 constexpr double finestStepS = 1.0 / 60;    // robots move evenly within it
-
-tl::unexpected<Error> undetermined(const std::string &why)
-{
-    return fail(ErrorCode::Undetermined, "synchronisation of the clips", why,
-                "flash the room lights once while both cameras record, or give --sync SECONDS");
-}
 
 double medianStepS(const std::vector<TimedPosition> &track)
 {
@@ -206,7 +199,7 @@ Agreement agreementOf(const Pairs &pairs, bool withRate, double noiseM2)
 double independentVariance(double variance, double frameS)
 {
     const double least = 1e-6; // never surer than 1 mm of disagreement
-    return std::max(variance, least) / 2 * std::max(1.0, correlationTimeS / frameS);
+    return std::max(variance, least) / 2 * std::max(1.0, restCorrelationS / frameS);
 }
 
 struct Candidate
@@ -274,7 +267,7 @@ Fit refine(const std::vector<TimedPosition> &first, const std::vector<TimedPosit
         if (iteration > 1 && std::abs(step.x()) < 1e-6 && std::abs(step.y()) < 1e-8)
             break;
         guess.offsetS += std::clamp(step.x(), -frameS, frameS);
-        guess.rate = std::clamp(guess.rate + step.y(), -2 * largestRate, 2 * largestRate);
+        guess.rate = std::clamp(guess.rate + step.y(), -2 * largestClockRate, 2 * largestClockRate);
     }
     return fit;
 }
@@ -300,7 +293,7 @@ ClipOffset withRate(const ClipOffset &plain, const Fit &plainFit, const Fit &fit
         return result;
     const Eigen::Matrix2d covariance = independentVariance(fit.agreement.variance, frameS) * told.inverse();
     result.rateSigma = std::sqrt(covariance(1, 1));
-    if (std::abs(fit.clock.rate) <= 3 * result.rateSigma || std::abs(fit.clock.rate) > largestRate ||
+    if (std::abs(fit.clock.rate) <= 3 * result.rateSigma || std::abs(fit.clock.rate) > largestClockRate ||
         fit.agreement.variance >= plainFit.agreement.variance)
         return result;
     result = offsetFrom(fit, frameS);
@@ -312,31 +305,37 @@ ClipOffset withRate(const ClipOffset &plain, const Fit &plainFit, const Fit &fit
 
 } // namespace
 
+tl::unexpected<Error> undeterminedOffset(const std::string &why)
+{
+    return fail(ErrorCode::Undetermined, "synchronisation of the clips", why,
+                "flash the room lights once while both cameras record, or give --sync SECONDS");
+}
+
 Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTrack,
                                       const std::vector<TimedPosition> &secondTrack, const OffsetRange &range)
 {
     if (firstTrack.size() < fewestPairs || secondTrack.size() < fewestPairs)
-        return undetermined("one view saw the robot in fewer than " + std::to_string(fewestPairs) +
+        return undeterminedOffset("one view saw the robot in fewer than " + std::to_string(fewestPairs) +
                             " pictures");
     const std::vector<TimedPosition> first = thinned(firstTrack), second = thinned(secondTrack);
     const double frameS = std::max(medianStepS(first), 1e-3);
     const GridSearch grid = searchGrid(first, second, frameS, range);
     if (!grid.best)
-        return undetermined("the views hardly ever saw the robot at the same time");
+        return undeterminedOffset("the views hardly ever saw the robot at the same time");
 
     const Fit fit = refine(first, second, {grid.best->offsetS, 0}, false, frameS);
     const ClipOffset plain = offsetFrom(fit, frameS);
     if (plain.sigmaS > frameS)
-        return undetermined("the robot stood still or ran straight at constant speed, so every offset fits");
+        return undeterminedOffset("the robot stood still or ran straight at constant speed, so every offset fits");
     if (plain.score < 0.8)
-        return undetermined("the views' tracks do not resemble one another");
+        return undeterminedOffset("the views' tracks do not resemble one another");
     if (std::abs(plain.offsetS - range.middleS) > range.halfWidthS + frameS)
-        return undetermined("the views' tracks do not coincide at any offset looked at");
+        return undeterminedOffset("the views' tracks do not coincide at any offset looked at");
     if (grid.rival) {
         const Fit rival = refine(first, second, {grid.rival->offsetS, 0}, false, frameS);
         if (std::abs(rival.clock.offsetS - plain.offsetS) > closestRivalS / 2 &&
             rival.agreement.variance < 2 * std::max(fit.agreement.variance, 1e-6))
-            return undetermined("the motion repeats itself: offsets of " + std::to_string(plain.offsetS) +
+            return undeterminedOffset("the motion repeats itself: offsets of " + std::to_string(plain.offsetS) +
                                 " s and " + std::to_string(rival.clock.offsetS) + " s fit alike");
     }
     return withRate(plain, fit, refine(first, second, fit.clock, true, frameS), frameS);

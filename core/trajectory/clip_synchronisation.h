@@ -27,6 +27,12 @@ struct ClipOffset
     double rateSigma = 0; ///< also where the rate is 0: what the motion can tell
 };
 
+/// No camera's clock is wrong by more.
+inline constexpr double largestClockRate = 0.005;
+
+/// Why no offset is found, with the advice that holds for each way of looking for it.
+tl::unexpected<Error> undeterminedOffset(const std::string &why);
+
 /// The offsets to look at.
 struct OffsetRange
 {

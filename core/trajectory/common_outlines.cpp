@@ -11,7 +11,7 @@ namespace odo {
 
 namespace {
 
-constexpr double sureScore = 0.5;
+constexpr double leastOutlineScore = 0.5;
 constexpr std::size_t leastTimes = 5;
 constexpr Nanoseconds longestStep = std::chrono::milliseconds(120);
 
@@ -19,7 +19,7 @@ bool isClear(const Observation &observation)
 {
     const Ellipse &ellipse = observation.ellipse;
     return observation.found && !observation.duplicateFrame && !observation.touchesBorder &&
-           observation.score >= sureScore && ellipse.centrePx.allFinite() &&
+           observation.score >= leastOutlineScore && ellipse.centrePx.allFinite() &&
            std::isfinite(ellipse.angleRad) && ellipse.semiMinorPx > 0 && std::isfinite(ellipse.semiMajorPx) &&
            observation.areaPx > 0 && std::isfinite(observation.areaPx);
 }

@@ -8,7 +8,6 @@ namespace odo {
 
 namespace {
 
-constexpr double sigmasNear = 1.5;
 
 } // namespace
 
@@ -92,7 +91,7 @@ Figure percentile(const std::vector<RunInstant> &instants, const std::vector<Mot
         for (std::size_t i = motion.first; i <= motion.last; ++i) {
             const ProfilePoint &point = *instants[i].point;
             const double sigma = point.*curve.sigma;
-            const bool near = std::abs(point.*curve.value - value) <= sigmasNear * sigma;
+            const bool near = std::abs(point.*curve.value - value) <= sigmasNearPercentile * sigma;
             if (near)
                 stretch += instants[i].timeS - instants[i > motion.first ? i - 1 : i].timeS;
             if (stretch > 0 && (!near || i == motion.last)) {

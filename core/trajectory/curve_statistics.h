@@ -27,6 +27,9 @@ extern const Curve speedCurve, accelCurve;
 Figure rootMeanSquare(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions,
                       Curve curve);
 
+/// What lies so near to a percentile decides it.
+inline constexpr double sigmasNearPercentile = 1.5;
+
 /// The value that a share of the motions' time stays below. The stretches within 1.5 σ of it decide it, each
 /// by its mean, whose error is that of the integral at both ends over the stretch's time, and the value's own
 /// σ at most; stretches independent of one another, weighted by time. 0 for none.

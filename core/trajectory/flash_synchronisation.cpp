@@ -19,16 +19,9 @@ constexpr double clearLead = 5;         ///< ln 150
 constexpr double shutterSigma = 0.1;    ///< of the frame interval
 constexpr double toleranceSigmas = 4;
 constexpr double usualRate = 2e-4;      ///< by which clocks may differ while edges are paired
-constexpr double largestRate = 0.005;
 constexpr double shortestRateSpanS = 20;
 constexpr std::size_t fewestForRate = 3;
 constexpr std::size_t mostEdges = 200;  ///< more is a lamp that flickers, and tells nothing
-
-tl::unexpected<Error> undetermined(const std::string &why)
-{
-    return fail(ErrorCode::Undetermined, "synchronisation of the clips", why,
-                "flash the room lights once while both cameras record, or give --sync SECONDS");
-}
 
 struct Pair
 {
@@ -154,7 +147,7 @@ double spanS(const std::vector<Pair> &pairs)
     return to->secondS - from->secondS;
 }
 
-ClipOffset offsetFrom(const Proposal &proposal, double shutterS)
+ClipOffset flashOffset(const Proposal &proposal, double shutterS)
 {
     const std::vector<Pair> &pairs = proposal.pairs;
     Line line = lineThrough(pairs, false);
@@ -162,7 +155,7 @@ ClipOffset offsetFrom(const Proposal &proposal, double shutterS)
     if (pairs.size() >= fewestForRate && spanS(pairs) > shortestRateSpanS) {
         const Line tilted = lineThrough(pairs, true);
         result.rateSigma = tilted.rateSigma;
-        if (std::abs(tilted.rate) > 3 * tilted.rateSigma && std::abs(tilted.rate) < largestRate)
+        if (std::abs(tilted.rate) > 3 * tilted.rateSigma && std::abs(tilted.rate) < largestClockRate)
             line = tilted;
     }
     result.offsetS = line.offsetS;
@@ -201,23 +194,23 @@ LightCourse lightCourseOf(const std::vector<LightLevel> &levels)
 Result<ClipOffset> estimateFlashOffset(const LightCourse &first, const LightCourse &second)
 {
     if (first.edges.empty() && second.edges.empty())
-        return undetermined("neither view shows a flash of light");
+        return undeterminedOffset("neither view shows a flash of light");
     if (first.edges.empty() || second.edges.empty())
-        return undetermined("only one of the views shows a flash of light");
+        return undeterminedOffset("only one of the views shows a flash of light");
     if (std::max(first.edges.size(), second.edges.size()) > mostEdges)
-        return undetermined("the light flickers");
+        return undeterminedOffset("the light flickers");
     const std::vector<Proposal> proposals = EdgePairing(first, second).proposals();
     const auto best = std::max_element(
         proposals.begin(), proposals.end(),
         [](const Proposal &a, const Proposal &b) { return a.likelihood() < b.likelihood(); });
     if (best == proposals.end() || best->likelihood() <= 0)
-        return undetermined("the flashes of light in the views do not belong together");
+        return undeterminedOffset("the flashes of light in the views do not belong together");
     for (const Proposal &rival : proposals) {
         if (!isSame(*best, rival) && rival.likelihood() > best->likelihood() - clearLead)
-            return undetermined("the flashes of light fit alike at offsets of " + formatNumber(best->offsetS, 2) +
+            return undeterminedOffset("the flashes of light fit alike at offsets of " + formatNumber(best->offsetS, 2) +
                                 " s and " + formatNumber(rival.offsetS, 2) + " s");
     }
-    return offsetFrom(*best, shutterSigma * std::hypot(first.frameS, second.frameS));
+    return flashOffset(*best, shutterSigma * std::hypot(first.frameS, second.frameS));
 }
 
 } // namespace odo

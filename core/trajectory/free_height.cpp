@@ -11,7 +11,7 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t leastTimes = 10;
+constexpr std::size_t leastHeights = 10;
 constexpr double highestJumpM = 0.15;
 constexpr double neighbourSigmaM = 0.01; // of a height taken from the frames around
 constexpr std::size_t medianReach = 8;   // frames to either side; a quarter of a second at 30 frames/s
@@ -73,7 +73,7 @@ std::optional<FreeHeightSightings> freeHeight(std::vector<std::vector<Sighting>>
         if (heights[i])
             known.push_back(heights[i]->heightM);
     }
-    if (known.size() < leastTimes)
+    if (known.size() < leastHeights)
         return std::nullopt;
     for (std::size_t i = 0; i < times; ++i) {
         const double near = medianNear(heights, i);
@@ -97,7 +97,7 @@ double heightScatterM(const std::vector<std::vector<Sighting>> &views, double he
         if (const auto height = heightAt(views, i))
             deviations.push_back(std::abs(height->heightM - heightM));
     }
-    return deviations.size() < leastTimes ? 0 : 1.4826 * upperMedian(std::move(deviations));
+    return deviations.size() < leastHeights ? 0 : 1.4826 * upperMedian(std::move(deviations));
 }
 
 } // namespace odo

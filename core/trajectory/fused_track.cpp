@@ -13,7 +13,7 @@ namespace {
 // Calibration and form put a single view a little beside the fused track.
 constexpr double singleViewSigmaM = 0.005;
 // Each pass decides what lies next to decided samples; a stretch longer than twice this is given up.
-constexpr int mostPasses = 30;
+constexpr int mostFusionPasses = 30;
 
 void take(Sample &sample, const std::vector<ViewPosition> &group, double planeSigmaM)
 {
@@ -156,7 +156,7 @@ void chooseByMotion(FusedTrack &track, const FusionSettings &settings, Nanosecon
         return;
     auto segments = cutIntoSegments(track.samples, longestGap);
     const MotionNoise noise = estimateMotionNoise(nodesOf(segments), true, settings.measurement);
-    for (int pass = 0; pass < mostPasses && hasContenders(track); ++pass) {
+    for (int pass = 0; pass < mostFusionPasses && hasContenders(track); ++pass) {
         if (!decideOnce(track, settings, segments, noise))
             break;
         segments = cutIntoSegments(track.samples, longestGap);

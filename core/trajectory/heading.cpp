@@ -8,7 +8,7 @@ namespace odo {
 
 namespace {
 
-constexpr double sigmasAboveRest = 3;
+constexpr double sigmasForCourse = 3;
 
 double unwrapped(double angle, double last)
 {
@@ -21,7 +21,7 @@ std::optional<Course> courseOf(const ProfilePoint &point)
 {
     const Eigen::Vector2d &v = point.velocity, &a = point.acceleration;
     const double speed = v.norm();
-    if (!point.valid || !v.allFinite() || !(speed > sigmasAboveRest * point.sigmaSpeedMps))
+    if (!point.valid || !v.allFinite() || !(speed > sigmasForCourse * point.sigmaSpeedMps))
         return std::nullopt;
     Course course;
     course.headingRad = std::atan2(v.y(), v.x());

@@ -12,21 +12,21 @@ namespace odo {
 namespace {
 
 constexpr std::size_t leastPairs = 10;
-constexpr double largestSigmaM = 0.025;
+constexpr double largestHeightSigmaM = 0.025;
 constexpr double highestPlaneM = 2.5; // a mark on a person's head is the highest that is of use
 constexpr double huberLimit = 1.5;
 
 /// Two views at one time: their difference at z = 0 and how it changes with the height.
-struct Pair
+struct ViewPair
 {
     Eigen::Vector2d difference, differencePerMetre;
     Eigen::Matrix2d information; ///< of the frame to frame part
     Eigen::Matrix2d calibrationCovariance;
 };
 
-std::vector<Pair> collectPairs(const std::vector<std::vector<Sighting>> &views)
+std::vector<ViewPair> collectPairs(const std::vector<std::vector<Sighting>> &views)
 {
-    std::vector<Pair> pairs;
+    std::vector<ViewPair> pairs;
     for (std::size_t a = 0; a < views.size(); ++a) {
         for (std::size_t b = a + 1; b < views.size(); ++b) {
             for (std::size_t i = 0; i < std::min(views[a].size(), views[b].size()); ++i) {
@@ -45,10 +45,10 @@ std::vector<Pair> collectPairs(const std::vector<std::vector<Sighting>> &views)
 }
 
 /// The height a single pair asks for; NaN-free because pairs without parallax weigh nothing.
-double medianHeight(const std::vector<Pair> &pairs)
+double medianHeight(const std::vector<ViewPair> &pairs)
 {
     std::vector<double> heights;
-    for (const Pair &pair : pairs) {
+    for (const ViewPair &pair : pairs) {
         const double parallax = pair.differencePerMetre.squaredNorm();
         if (parallax > 1e-4)
             heights.push_back(-pair.differencePerMetre.dot(pair.difference) / parallax);
@@ -58,7 +58,7 @@ double medianHeight(const std::vector<Pair> &pairs)
     return upperMedian(std::move(heights));
 }
 
-double distanceAt(const Pair &pair, double height)
+double distanceAt(const ViewPair &pair, double height)
 {
     const Eigen::Vector2d r = pair.difference + height * pair.differencePerMetre;
     return std::sqrt(std::max(0.0, r.dot(pair.information * r)));
@@ -68,7 +68,7 @@ double distanceAt(const Pair &pair, double height)
 
 std::optional<PlaneEstimate> estimatePlane(const std::vector<std::vector<Sighting>> &views)
 {
-    const std::vector<Pair> pairs = collectPairs(views);
+    const std::vector<ViewPair> pairs = collectPairs(views);
     if (pairs.size() < leastPairs)
         return std::nullopt;
 
@@ -76,7 +76,7 @@ std::optional<PlaneEstimate> estimatePlane(const std::vector<std::vector<Sightin
     double information = 0, variance = 0, calibrationVariance = 0;
     for (int pass = 0; pass < 20; ++pass) {
         std::vector<double> distances;
-        for (const Pair &pair : pairs)
+        for (const ViewPair &pair : pairs)
             distances.push_back(distanceAt(pair, height));
         const double scale = std::max(1.0, upperMedian(distances) / 1.177); // median of a Rayleigh variable
 
@@ -84,7 +84,7 @@ std::optional<PlaneEstimate> estimatePlane(const std::vector<std::vector<Sightin
         information = 0;
         calibrationVariance = 0;
         for (std::size_t i = 0; i < pairs.size(); ++i) {
-            const Pair &pair = pairs[i];
+            const ViewPair &pair = pairs[i];
             const double weight = std::min(1.0, huberLimit * scale / std::max(distances[i], 1e-12));
             const Eigen::Vector2d lever = weight * (pair.information * pair.differencePerMetre);
             information += lever.dot(pair.differencePerMetre);
@@ -105,7 +105,7 @@ std::optional<PlaneEstimate> estimatePlane(const std::vector<std::vector<Sightin
     // The calibration's error is common to all times: it does not average out.
     const double common = calibrationVariance / information;
     const double sigma = std::sqrt(variance / information + common * common);
-    if (!std::isfinite(sigma) || sigma > largestSigmaM)
+    if (!std::isfinite(sigma) || sigma > largestHeightSigmaM)
         return std::nullopt;
     return PlaneEstimate{std::clamp(height, 0.0, highestPlaneM), sigma};
 }

@@ -18,7 +18,7 @@ constexpr int noiseRounds = 3;
 constexpr std::size_t noisePositions = 20000; // say as much of the noise as an hour of them
 constexpr int bridgedIntervals = 4;
 // A stated σ counts as ours do: it says where the scale begins, and many positions say more.
-constexpr double trust = 200;
+constexpr double statedTrust = 200;
 
 Nanoseconds usualInterval(const std::vector<Sample> &samples)
 {
@@ -89,7 +89,7 @@ Result<Profile> analyseImported(const std::vector<Sample> &raw, const AnalysisOp
     track.evidence.resize(raw.size());
     applyOverrules(track.samples, options.overrules);
     MeasurementNoise measurement;
-    measurement.trust = trust;
+    measurement.trust = statedTrust;
     auto profile = profileOfTrack(std::move(track), options, measurement);
     if (profile)
         return profile;

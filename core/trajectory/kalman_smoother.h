@@ -43,6 +43,9 @@ struct MotionNoise
     double slowShare = 0, slowLengthM = 0.1;
 };
 
+/// Until the data tell: a robot that changes its acceleration by 3 m/s² in a third of a second.
+inline constexpr double usualJerkDensity = 10;
+
 /// Position, velocity and acceleration (x, y, vx, vy, ax, ay) at one time. SI.
 struct MotionEstimate
 {

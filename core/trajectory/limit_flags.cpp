@@ -9,7 +9,7 @@ namespace odo {
 namespace {
 
 constexpr double sigmasBeyond = 4;
-constexpr int mostPasses = 8;
+constexpr int mostLimitPasses = 8;
 
 /// Three samples in order of time and the motion between them.
 struct Triple
@@ -29,11 +29,6 @@ struct Triple
         return std::sqrt(rates) / ((in() + out()) / 2);
     }
 };
-
-bool isUsed(const Sample &sample)
-{
-    return sample.position && !isRejected(sample.flags);
-}
 
 /// By how much each of the used samples is beyond the limit; not above zero where it keeps it.
 std::vector<double> excesses(const std::vector<Sample *> &used, const AnalysisOptions &options, double noiseScale)
@@ -84,7 +79,7 @@ void refuseBeyondTask(std::vector<Sample> &samples, const AnalysisOptions &optio
     if (!options.task || !options.task->limits.maxAccelMps2)
         return;
     bool any = true;
-    for (int pass = 0; any && pass < mostPasses; ++pass) {
+    for (int pass = 0; any && pass < mostLimitPasses; ++pass) {
         std::vector<Sample *> used;
         for (Sample &sample : samples) {
             if (isUsed(sample))

@@ -24,8 +24,6 @@ constexpr std::size_t leastNodesForNoise = 30;
 constexpr int refusedInARow = 4; // then it is the robot, and the filter was wrong
 // The centre of a body's silhouette is only to first order the picture of its centre (docs/accuracy.md).
 constexpr double silhouetteSigmaM = 0.004;
-// Until the data tell: a robot that changes its acceleration by 3 m/s² in a third of a second.
-constexpr double usualJerkDensity = 10;
 
 template <class T>
 void keepLast(std::vector<T> &values, std::size_t count)

@@ -8,7 +8,7 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t window = 11;
+constexpr std::size_t windowNodes = 11;
 constexpr std::size_t coefficients = 4; // of a cubic
 
 /// Rows: weights of position, velocity, acceleration; columns: the neighbours.
@@ -31,14 +31,14 @@ MotionEstimate weightedSum(std::span<const TrackNode> track, const std::vector<s
     return estimate;
 }
 
-/// The measured nodes nearest to index, at most `window`, in order.
+/// The measured nodes nearest to index, at most `windowNodes`, in order.
 std::vector<std::size_t> nearestMeasured(std::span<const TrackNode> track, std::size_t index)
 {
     std::vector<std::size_t> chosen;
     std::size_t left = index, right = index + 1; // next to look at: left - 1 and right
     if (track[index].measured)
         chosen.push_back(index);
-    while (chosen.size() < window && (left > 0 || right < track.size())) {
+    while (chosen.size() < windowNodes && (left > 0 || right < track.size())) {
         // In turn from both sides, so that the window stays centred away from the ends.
         const std::size_t toLeft = index - left, toRight = right - index - 1;
         const bool goLeft = left > 0 && (right >= track.size() || toLeft <= toRight);

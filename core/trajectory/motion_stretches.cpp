@@ -9,7 +9,6 @@ namespace odo {
 
 namespace {
 
-constexpr double leastSpeedMps = 0.02;
 constexpr double sigmasAboveRest = 3;
 constexpr std::size_t shortestMotion = 3; // points
 constexpr double longestCorrelationS = 1;
@@ -39,7 +38,7 @@ std::vector<RunInstant> validInstants(const std::vector<Sample> &samples,
             commonSigma = std::sqrt(std::max(0.0, samples[i].commonCovariance.trace() / 2));
         if (points[i].valid)
             instants.push_back({toSeconds(samples[i].time), &points[i],
-                                std::max(leastSpeedMps, sigmasAboveRest * points[i].sigmaSpeedMps),
+                                std::max(leastMovingMps, sigmasAboveRest * points[i].sigmaSpeedMps),
                                 commonSigma});
     }
     return instants;

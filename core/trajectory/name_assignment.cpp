@@ -15,7 +15,7 @@ namespace {
 
 constexpr double confusableHueRad = 40 * std::numbers::pi / 180;
 constexpr std::size_t mostConfusable = 5;
-constexpr double usualPlaneM = 0.04, highestPlaneM = 0.6;
+constexpr double usualPlaneM = 0.04, highestAssignedM = 0.6;
 constexpr double firstSigmaM = 0.1, secondSigmaM = 0.05;
 constexpr double mostDisagreementM = 0.25; ///< median; beyond it the views do not show the same time or floor
 
@@ -207,7 +207,7 @@ double planeOf(const std::vector<Lessons::Pair> &pairs)
         if (square > 0.01)
             heights.push_back(-pair.apart.dot(pair.perMetreHeight) / square);
     }
-    return heights.empty() ? usualPlaneM : std::clamp(upperMedian(std::move(heights)), 0.0, highestPlaneM);
+    return heights.empty() ? usualPlaneM : std::clamp(upperMedian(std::move(heights)), 0.0, highestAssignedM);
 }
 
 double disagreementOf(const std::vector<Lessons::Pair> &pairs, double planeM)

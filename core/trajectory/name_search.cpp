@@ -9,7 +9,7 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t mostHypotheses = 256;
+constexpr std::size_t mostNameHypotheses = 256;
 constexpr double hopelessCost = 60.0; ///< behind the best hypothesis
 /// A moment's disagreement on the floor: capped against false sightings; and neighbouring moments are not
 /// independent of one another.
@@ -21,7 +21,7 @@ constexpr double costOfRenaming = 0.05; ///< the tracker's own choice is as good
 constexpr int none = -1;
 
 /// One way to have named everything up to now.
-struct Hypothesis
+struct NameHypothesis
 {
     std::vector<int>
         state; ///< for each view and slot its name; then for each view and name its last tracklet
@@ -29,20 +29,20 @@ struct Hypothesis
     int decision = none; ///< the last one, in the search's list
 };
 
-struct Decision
+struct NameDecision
 {
     int before = none;
     std::size_t tracklet = 0, name = 0;
 };
 
-class Search
+class NamesSearch
 {
 public:
-    Search(const NameEvidence &evidence, std::size_t views, const NameKnowledge &knowledge)
+    NamesSearch(const NameEvidence &evidence, std::size_t views, const NameKnowledge &knowledge)
         : m_evidence(evidence), m_knowledge(knowledge), m_views(views), m_robots(evidence.toldHueRad.size()),
           m_runsUntilS(views * m_robots, -1e300)
     {
-        Hypothesis first;
+        NameHypothesis first;
         first.state.assign(2 * m_views * m_robots, none);
         for (std::size_t i = 0; i < m_views * m_robots; ++i)
             first.state[i] = static_cast<int>(i % m_robots);
@@ -74,7 +74,7 @@ private:
     {
         if (!m_knowledge.viewsAgree)
             return;
-        for (Hypothesis &hypothesis : m_hypotheses) {
+        for (NameHypothesis &hypothesis : m_hypotheses) {
             for (std::size_t a = 0; a < m_views; ++a) {
                 for (std::size_t b = a + 1; b < m_views; ++b)
                     hypothesis.cost += floorWeight * floorCost(moment, hypothesis, a, b);
@@ -82,7 +82,7 @@ private:
         }
     }
 
-    double floorCost(const FloorMoment &moment, const Hypothesis &hypothesis, std::size_t a,
+    double floorCost(const FloorMoment &moment, const NameHypothesis &hypothesis, std::size_t a,
                      std::size_t b) const
     {
         double cost = 0;
@@ -100,7 +100,7 @@ private:
         return cost;
     }
 
-    double costOf(const Hypothesis &hypothesis, const TrackletOf &begun, std::size_t name) const
+    double costOf(const NameHypothesis &hypothesis, const TrackletOf &begun, std::size_t name) const
     {
         double cost = colourCost(begun, name);
         const int last = hypothesis.state[lastIndex(begun.view, name)];
@@ -135,12 +135,12 @@ private:
     void decide(std::size_t t)
     {
         const TrackletOf &begun = m_evidence.tracklets[t];
-        std::vector<Hypothesis> next;
-        for (const Hypothesis &hypothesis : m_hypotheses) {
+        std::vector<NameHypothesis> next;
+        for (const NameHypothesis &hypothesis : m_hypotheses) {
             for (std::size_t slot = 0; slot < m_robots; ++slot) {
                 if (m_runsUntilS[slotIndex(begun.view, slot)] >= begun.tracklet.begin.timeS)
                     continue;
-                Hypothesis changed = hypothesis;
+                NameHypothesis changed = hypothesis;
                 const std::size_t own = slotIndex(begun.view, begun.slot),
                                   other = slotIndex(begun.view, slot);
                 const auto name = static_cast<std::size_t>(hypothesis.state[other]);
@@ -157,14 +157,14 @@ private:
     }
 
     /// Of hypotheses that only differ in what lies behind the cheapest; of all the cheapest few hundred.
-    static std::vector<Hypothesis> bestOf(std::vector<Hypothesis> hypotheses)
+    static std::vector<NameHypothesis> bestOf(std::vector<NameHypothesis> hypotheses)
     {
         std::sort(hypotheses.begin(), hypotheses.end(),
-                  [](const Hypothesis &a, const Hypothesis &b) { return a.cost < b.cost; });
+                  [](const NameHypothesis &a, const NameHypothesis &b) { return a.cost < b.cost; });
         std::map<std::vector<int>, bool> known;
-        std::vector<Hypothesis> best;
-        for (Hypothesis &hypothesis : hypotheses) {
-            if (best.size() == mostHypotheses || hypothesis.cost > hypotheses.front().cost + hopelessCost)
+        std::vector<NameHypothesis> best;
+        for (NameHypothesis &hypothesis : hypotheses) {
+            if (best.size() == mostNameHypotheses || hypothesis.cost > hypotheses.front().cost + hopelessCost)
                 break;
             if (known.emplace(hypothesis.state, true).second)
                 best.push_back(hypothesis);
@@ -177,9 +177,9 @@ private:
         std::vector<std::size_t> names(m_evidence.tracklets.size());
         const auto best =
             std::min_element(m_hypotheses.begin(), m_hypotheses.end(),
-                             [](const Hypothesis &a, const Hypothesis &b) { return a.cost < b.cost; });
+                             [](const NameHypothesis &a, const NameHypothesis &b) { return a.cost < b.cost; });
         for (int d = best->decision; d != none; d = m_decisions[static_cast<std::size_t>(d)].before) {
-            const Decision &decision = m_decisions[static_cast<std::size_t>(d)];
+            const NameDecision &decision = m_decisions[static_cast<std::size_t>(d)];
             names[decision.tracklet] = decision.name;
         }
         return names;
@@ -189,8 +189,8 @@ private:
     const NameKnowledge &m_knowledge;
     const std::size_t m_views, m_robots;
     std::vector<double> m_runsUntilS; ///< for each view and slot the end of its tracklet
-    std::vector<Hypothesis> m_hypotheses;
-    std::vector<Decision> m_decisions;
+    std::vector<NameHypothesis> m_hypotheses;
+    std::vector<NameDecision> m_decisions;
 };
 
 } // namespace
@@ -198,7 +198,7 @@ private:
 std::vector<std::size_t> searchNames(const NameEvidence &evidence, std::size_t views,
                                      const NameKnowledge &knowledge)
 {
-    return Search(evidence, views, knowledge).run();
+    return NamesSearch(evidence, views, knowledge).run();
 }
 
 } // namespace odo

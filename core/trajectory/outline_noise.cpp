@@ -14,17 +14,17 @@ namespace {
 
 constexpr double sureScore = 0.3;
 constexpr double usualSlowShare = 0.8, usualSlowLengthM = 0.1;
-constexpr double mostSlowShare = 0.98, leastScale = 0.1, mostScale = 100;
+constexpr double mostSlowShare = 0.98, leastNoiseScale = 0.1, mostScale = 100;
 constexpr std::size_t binCount = 16;
 constexpr double longestWayM = 0.4;
 constexpr std::size_t longestLag = 60; // sightings
-constexpr double leastPairs = 40;      // in a bin
+constexpr double leastPairsInBin = 40;      // in a bin
 constexpr double outlier = 30;         // times the typical squared change: a false sighting
-constexpr int reach = 2;               // sightings to either side that a step of the way is measured over
+constexpr int stepReach = 2;               // sightings to either side that a step of the way is measured over
 constexpr double trust = 200;          // innovations
 
 /// The disagreement of two views at one time, whitened by its stated covariance.
-struct Disagreement
+struct WhitenedDisagreement
 {
     double travelM = 0;
     Eigen::Vector2d whitened;
@@ -35,10 +35,10 @@ bool isSure(const Sighting &sighting)
     return sighting.seen && !sighting.cut && sighting.score >= sureScore;
 }
 
-std::vector<Disagreement> disagreements(const std::vector<Sighting> &a, const std::vector<Sighting> &b,
+std::vector<WhitenedDisagreement> disagreements(const std::vector<Sighting> &a, const std::vector<Sighting> &b,
                                         const std::vector<double> &travel)
 {
-    std::vector<Disagreement> found;
+    std::vector<WhitenedDisagreement> found;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
         if (!isSure(a[i]) || !isSure(b[i]))
             continue;
@@ -53,7 +53,7 @@ struct Variogram
 {
     std::array<double, binCount> way{}, change{}, count{};
 
-    void add(const std::vector<Disagreement> &series, double mostChange)
+    void add(const std::vector<WhitenedDisagreement> &series, double mostChange)
     {
         for (std::size_t i = 0; i < series.size(); ++i) {
             for (std::size_t j = i + 1; j < std::min(series.size(), i + longestLag); ++j) {
@@ -73,23 +73,23 @@ struct Variogram
 };
 
 /// White and slow variance for one correlation length, by weighted least squares, and what remains.
-struct Fit
+struct NoiseFit
 {
     double white = 0, slow = 0, lengthM = usualSlowLengthM, cost = HUGE_VAL;
 };
 
-Fit fitAt(const Variogram &variogram, double lengthM)
+NoiseFit fitAt(const Variogram &variogram, double lengthM)
 {
     double n = 0, x = 0, xx = 0, y = 0, xy = 0, yy = 0;
     for (std::size_t bin = 0; bin < binCount; ++bin) {
         const double count = variogram.count[bin];
-        if (count < leastPairs)
+        if (count < leastPairsInBin)
             continue;
         const double rise = 1 - std::exp(-variogram.way[bin] / count / lengthM);
         const double value = variogram.change[bin] / count;
         n += 1, x += rise, xx += rise * rise, y += value, xy += rise * value, yy += value * value;
     }
-    Fit fit;
+    NoiseFit fit;
     fit.lengthM = lengthM;
     const double determinant = n * xx - x * x;
     if (n < 4 || !(determinant > 1e-9))
@@ -106,7 +106,7 @@ Fit fitAt(const Variogram &variogram, double lengthM)
     return fit;
 }
 
-double typicalChange(const std::vector<Disagreement> &series)
+double typicalChange(const std::vector<WhitenedDisagreement> &series)
 {
     std::vector<double> squared;
     for (std::size_t i = 8; i < series.size(); ++i)
@@ -123,7 +123,7 @@ std::vector<double> travelOf(const std::vector<std::vector<Sighting>> &views)
     const std::size_t times = views.empty() ? 0 : views.front().size();
     std::vector<double> travel(times);
     const auto step = [&](std::size_t i) {
-        const std::size_t before = i > reach ? i - reach : 0, behind = std::min(times - 1, i + reach);
+        const std::size_t before = i > stepReach ? i - stepReach : 0, behind = std::min(times - 1, i + stepReach);
         for (const auto &view : views) {
             if (view[before].seen && view[behind].seen && behind > before)
                 return (view[behind].place.pointInWorld - view[before].place.pointInWorld).norm() /
@@ -148,16 +148,16 @@ MeasurementNoise estimateOutlineNoise(const std::vector<std::vector<Sighting>> &
             variogram.add(series, outlier * typicalChange(series));
         }
     }
-    Fit best;
+    NoiseFit best;
     for (double lengthM = 0.02; lengthM < 0.3; lengthM *= 1.25) {
-        if (const Fit fit = fitAt(variogram, lengthM); fit.cost < best.cost)
+        if (const NoiseFit fit = fitAt(variogram, lengthM); fit.cost < best.cost)
             best = fit;
     }
     MeasurementNoise noise{1, usualSlowShare, usualSlowLengthM};
     const double total = best.white + best.slow;
     if (!(total > 0) || best.cost == HUGE_VAL)
         return noise;
-    noise.scale = std::clamp(total, leastScale, mostScale);
+    noise.scale = std::clamp(total, leastNoiseScale, mostScale);
     noise.slowShare = std::min(best.slow / total, mostSlowShare);
     noise.slowLengthM = best.lengthM;
     noise.trust = trust;

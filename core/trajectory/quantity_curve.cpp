@@ -20,11 +20,6 @@ double alongPath(const ProfilePoint &point, const Eigen::Vector2d &acceleration)
     return speed > standing ? acceleration.dot(point.velocity) / speed : acceleration.norm();
 }
 
-bool isUsed(const Sample &sample)
-{
-    return sample.position && !isRejected(sample.flags);
-}
-
 /// All samples from `reach` before to `reach` after are used.
 bool areUsed(const Profile &profile, std::size_t i, std::size_t reach)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/range_statistics.h"
 
+#include "core/trajectory/curve_statistics.h"
 #include "core/trajectory/measured_places.h"
 #include "core/trajectory/metrics.h"
 
@@ -12,8 +13,6 @@ namespace odo {
 
 namespace {
 
-constexpr double sigmasNear = 1.5;     // as of percentile
-constexpr double leastSpeedMps = 0.02; // as of findMotions
 
 bool isPosition(Quantity quantity)
 {
@@ -106,7 +105,7 @@ double sigmaOfMedian(const std::vector<CurvePoint> &points, ErrorCourse course,
         const double apart = std::abs(points[i].value - median);
         if (apart < std::abs(points[nearest].value - median))
             nearest = i;
-        if (apart <= sigmasNear * points[i].sigma)
+        if (apart <= sigmasNearPercentile * points[i].sigma)
             whole += weights[i] = shares[i];
     }
     if (whole <= 0)
@@ -156,7 +155,7 @@ std::vector<CurvePoint> pointsWithin(const Profile &profile, Quantity quantity, 
         CurvePoint point{place.timeS, values[i]->value, isPosition(quantity) ? position : values[i]->sigma,
                          errorRate(position, place.point->sigmaSpeedMps), place.point->sigmaSpeedMps};
         if (isAngle(quantity))
-            point.integralSigma /= std::max(leastSpeedMps, place.point->speedMps);
+            point.integralSigma /= std::max(leastMovingMps, place.point->speedMps);
         points.push_back(point);
     }
     return points;

@@ -15,12 +15,12 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t mostTimes = 30, leastTimes = 5;
+constexpr std::size_t mostTimes = 30, leastShapeTimes = 5;
 constexpr double independentTimes =
     4; // the outlines' errors repeat wherever the robot is seen from the same side
 constexpr double placeSigmaPx =
     0.7; // of a centroid against the other views', the registration's error being in it
-constexpr double worstMisfit = 4, goodMisfit = 1.5;
+constexpr double worstShapeMisfit = 4, goodMisfit = 1.5;
 constexpr double impossible = 1e3; // a residual, where the solid would lie behind the camera
 constexpr double guessM = 0.2, guessHeightM = 0.1;
 // A simpler solid is taken unless another explains the outlines so much better.
@@ -88,14 +88,14 @@ struct FormPrior
     }
 };
 
-struct Candidate
+struct ShapeCandidate
 {
     SolidShape::Form kind = SolidShape::Form::Box;
     Form form{};
     std::vector<int> constant; ///< indices of the form that stay
 };
 
-struct Fit
+struct ShapeFit
 {
     SolidShape solid;
     double misfit = HUGE_VAL, sigmaTopM = 0;
@@ -139,7 +139,7 @@ Pose firstPose(const CommonOutlines &common, const SolidShape &solid)
     return pose;
 }
 
-std::optional<Fit> fitSolid(const std::vector<CommonOutlines> &times, const Candidate &candidate)
+std::optional<ShapeFit> fitSolid(const std::vector<CommonOutlines> &times, const ShapeCandidate &candidate)
 {
     Form form = candidate.form;
     std::vector<Pose> poses;
@@ -184,7 +184,7 @@ std::optional<Fit> fitSolid(const std::vector<CommonOutlines> &times, const Cand
     if (!summary.IsSolutionUsable())
         return std::nullopt;
 
-    Fit fit;
+    ShapeFit fit;
     fit.solid = solidOf(form.data(), candidate.kind);
     double cost = 0;
     ceres::Problem::EvaluateOptions evaluated;
@@ -207,7 +207,7 @@ std::optional<Fit> fitSolid(const std::vector<CommonOutlines> &times, const Cand
 }
 
 /// The solids that what was told allows: first those that stand on the floor, which most robots are.
-std::vector<Candidate> candidatesFor(const std::vector<CommonOutlines> &times, const RobotShape &told)
+std::vector<ShapeCandidate> candidatesFor(const std::vector<CommonOutlines> &times, const RobotShape &told)
 {
     const bool sizeTold = told.lengthM && told.widthM;
     const double heightM = told.heightM.value_or(guessHeightM);
@@ -215,9 +215,9 @@ std::vector<Candidate> candidatesFor(const std::vector<CommonOutlines> &times, c
     const double lengthM = sizeTold ? *told.lengthM : 1.15 * sizeM,
                  widthM = sizeTold ? *told.widthM : sizeM / 1.15;
     const bool maybeRound = !sizeTold || std::max(lengthM, widthM) <= roundEnough * std::min(lengthM, widthM);
-    std::vector<Candidate> candidates;
+    std::vector<ShapeCandidate> candidates;
     for (const double base : {0.0, 1.0, 0.3}) {
-        Candidate box{
+        ShapeCandidate box{
             SolidShape::Form::Box, {std::log(lengthM), std::log(widthM), std::log(heightM), base}, {}};
         if (sizeTold)
             box.constant = {LogLength, LogWidth};
@@ -228,7 +228,7 @@ std::vector<Candidate> candidatesFor(const std::vector<CommonOutlines> &times, c
         candidates.push_back(box);
         if (!maybeRound)
             continue;
-        Candidate cylinder = box;
+        ShapeCandidate cylinder = box;
         cylinder.kind = SolidShape::Form::Cylinder;
         cylinder.form[LogLength] = std::log(sizeTold ? (lengthM + widthM) / 2 : sizeM);
         if (!sizeTold)
@@ -243,10 +243,10 @@ std::vector<Candidate> candidatesFor(const std::vector<CommonOutlines> &times, c
 std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, const RobotShape &told)
 {
     const std::vector<CommonOutlines> times = commonOutlines(views, mostTimes);
-    if (times.size() < leastTimes)
+    if (times.size() < leastShapeTimes)
         return std::nullopt;
-    std::optional<Fit> best;
-    for (const Candidate &candidate : candidatesFor(times, told)) {
+    std::optional<ShapeFit> best;
+    for (const ShapeCandidate &candidate : candidatesFor(times, told)) {
         if (best && best->misfit < goodMisfit && candidate.form[BaseShare] > 0)
             break;
         const auto fit = fitSolid(times, candidate);
@@ -259,7 +259,7 @@ std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, 
         if (!best || fit->misfit < handicap * best->misfit)
             best = fit;
     }
-    if (!best || best->misfit > worstMisfit)
+    if (!best || best->misfit > worstShapeMisfit)
         return std::nullopt;
     return ShapeEstimate{best->solid, best->sigmaTopM, !told.heightM, best->misfit};
 }

@@ -27,7 +27,6 @@ constexpr double sigmasOverLimit = 4;
 // A tracker that strays longer is unlikely, and a track that is all spikes absurd.
 constexpr double longestStrayS = 0.6, dearPricePerSecond = 300;
 constexpr double noticedAfterS = 0.02;
-constexpr double usualJerkDensity = 10;
 constexpr double strayingSpeed = 1.2;  // m/s
 constexpr double leastSigmaM = 0.0007; // smaller ones promise more than any picture can hold
 constexpr double dearestMargin = 60;

@@ -25,7 +25,6 @@ constexpr Words<GateRole, 4> roleWords{{{GateRole::Start, "start"},
                                         {GateRole::Split, "split"}}};
 
 constexpr double shortestGateM = 0.001;
-constexpr double furthestM = 1000; // a floor, not a country
 constexpr double largestChordErrorM = 5e-5;
 
 template <class Value, std::size_t Count>
@@ -46,11 +45,6 @@ std::string_view wordOf(const Words<Value, Count> &words, Value value)
 {
     return std::find_if(words.begin(), words.end(), [value](const auto &one) { return one.first == value; })
         ->second;
-}
-
-bool isOnFloor(const Eigen::Vector2d &point)
-{
-    return point.allFinite() && point.cwiseAbs().maxCoeff() <= furthestM;
 }
 
 /// A curve of one parameter from 0 to 1, with chords short enough for its sharpest bend.

@@ -7,7 +7,7 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t reach = 2; // measured nodes to either side that a step of the way is measured over
+constexpr std::size_t nodesAround = 2; // measured nodes to either side that a step of the way is measured over
 
 /// Fills the way up to each node: over five measured nodes each, so that pixel noise is no way.
 void measureTravel(std::vector<TrackNode> &nodes)
@@ -19,8 +19,8 @@ void measureTravel(std::vector<TrackNode> &nodes)
     }
     double travelM = 0;
     for (std::size_t m = 1; m < measured.size(); ++m) {
-        const TrackNode &before = nodes[measured[m - std::min(m, reach)]];
-        const TrackNode &behind = nodes[measured[std::min(measured.size() - 1, m + reach)]];
+        const TrackNode &before = nodes[measured[m - std::min(m, nodesAround)]];
+        const TrackNode &behind = nodes[measured[std::min(measured.size() - 1, m + nodesAround)]];
         const double speed = (behind.position - before.position).norm() / (behind.timeS - before.timeS);
         const std::size_t from = measured[m - 1], to = measured[m];
         for (std::size_t i = from + 1; i <= to; ++i)

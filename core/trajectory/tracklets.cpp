@@ -13,7 +13,7 @@ namespace {
 
 constexpr double leastScore = 0.2;
 constexpr std::size_t leastFrames = 3, framesOfVelocity = 6;
-constexpr double mostCost = 12.0;
+constexpr double mostLinkCost = 12.0;
 constexpr double accelerationRadii = 16.0; ///< per s²: 2 m/s² of a robot whose circle has a radius of 0.12 m
 constexpr double placeSigmaRadii = 0.3, speedSigmaRadii = 0.5;
 
@@ -80,7 +80,7 @@ double costOfJoining(const Tracklet::End &end, const Tracklet::End &begin)
     const Eigen::Vector2d halfway = (begin.positionPx - 0.5 * dt * begin.velocityPxPerS) -
                                     (end.positionPx + 0.5 * dt * end.velocityPxPerS);
     const Eigen::Vector2d change = begin.velocityPxPerS - end.velocityPxPerS;
-    return std::min(mostCost, 0.5 * (halfway.squaredNorm() / (placeSigma * placeSigma) +
+    return std::min(mostLinkCost, 0.5 * (halfway.squaredNorm() / (placeSigma * placeSigma) +
                                      change.squaredNorm() / (speedSigma * speedSigma)));
 }
 

@@ -10,11 +10,6 @@ namespace {
 
 constexpr Nanoseconds longestAtEnd = std::chrono::milliseconds(500);
 
-bool isUsed(const Sample &sample)
-{
-    return sample.position && !isRejected(sample.flags);
-}
-
 /// Rejected spikes in between do not show where it is; but mostly spikes is another matter than not seen.
 bool mostlyUnseen(const std::vector<Sample> &samples, std::size_t begin, std::size_t end)
 {

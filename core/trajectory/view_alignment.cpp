@@ -14,7 +14,7 @@ namespace {
 constexpr double averagedSamples = 10;
 
 /// How far a view lay beside the fused track, and when that was last seen.
-struct Offset
+struct ViewOffset
 {
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     double weight = 0;
@@ -50,7 +50,7 @@ public:
     }
 
     /// Goes on to the next sample; for one that the view carries alone: the offset when it was last joined.
-    std::optional<Offset> next(std::size_t i)
+    std::optional<ViewOffset> next(std::size_t i)
     {
         const Sample &sample = m_samples[i];
         if (!sample.position || (sample.views & m_bit) == 0)
@@ -65,12 +65,12 @@ private:
     const std::vector<Sample> &m_samples;
     const std::vector<Sighting> &m_sightings;
     std::uint32_t m_bit;
-    Offset m_offset;
+    ViewOffset m_offset;
 };
 
 /// The offset to take from a sample that the view carries alone.
-Eigen::Vector2d offsetOf(const Sample &sample, const std::optional<Offset> &before,
-                         const std::optional<Offset> &behind, const std::optional<FloorView> &view)
+Eigen::Vector2d offsetOf(const Sample &sample, const std::optional<ViewOffset> &before,
+                         const std::optional<ViewOffset> &behind, const std::optional<FloorView> &view)
 {
     if (!before || !behind)
         return (before ? *before : *behind).at(*sample.position, view);
@@ -87,7 +87,7 @@ void alignSingleViews(FusedTrack &track, const std::vector<std::vector<Sighting>
     std::vector<Sample> &samples = track.samples;
     for (std::size_t v = 0; v < sightings.size(); ++v) {
         const std::uint32_t bit = 1u << v;
-        std::map<std::size_t, std::optional<Offset>> behind;
+        std::map<std::size_t, std::optional<ViewOffset>> behind;
         Sweep backward(samples, sightings[v], bit);
         for (std::size_t i = samples.size(); i-- > 0;) {
             if (auto offset = backward.next(i))

@@ -12,7 +12,6 @@ using Eigen::Vector2d;
 
 constexpr std::string_view insideWord = "stay_inside", outsideWord = "stay_outside";
 constexpr std::size_t fewestCorners = 3, mostCorners = 100, mostZones = 30;
-constexpr double furthestM = 1000; // a floor, not a country
 constexpr double shortestEdgeM = 0.001;
 
 /// Positive: c lies to the left of a → b.
@@ -55,6 +54,12 @@ bool meetsItself(const std::vector<Vector2d> &corners)
 
 } // namespace
 
+bool isOnFloor(const Vector2d &point)
+{
+    constexpr double furthestM = 1000; // a floor, not a country
+    return point.allFinite() && point.cwiseAbs().maxCoeff() <= furthestM;
+}
+
 Result<ZoneRule> parseZoneRule(std::string_view word)
 {
     if (word == insideWord)
@@ -86,9 +91,6 @@ Result<void> checkZone(const Zone &zone)
         return refuse("it has less than three corners", "give the corners of its outline, all the way round");
     if (corners.size() > mostCorners)
         return refuse("it has more than " + std::to_string(mostCorners) + " corners", "draw it more coarsely");
-    const auto isOnFloor = [](const Vector2d &point) {
-        return point.allFinite() && point.cwiseAbs().maxCoeff() <= furthestM;
-    };
     if (!std::ranges::all_of(corners, isOnFloor))
         return refuse("its corners are not on a floor of 1 km", "check the numbers");
     for (std::size_t i = 0; i < corners.size(); ++i) {

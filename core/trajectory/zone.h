@@ -22,6 +22,9 @@ struct Zone
     std::vector<Eigen::Vector2d> corners;
 };
 
+/// Whether a place can be one of a floor: finite, and within a kilometre of the world's axes.
+bool isOnFloor(const Eigen::Vector2d &point);
+
 /// "stay_inside", "stay_outside"; NotFound, with the words there are, for another.
 Result<ZoneRule> parseZoneRule(std::string_view word);
 std::string_view zoneRuleWord(ZoneRule rule);

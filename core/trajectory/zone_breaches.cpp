@@ -81,7 +81,7 @@ struct Stretch
 };
 
 /// The moment between two standings at which the shifted edge is crossed; adds its variance.
-double crossing(const Standing &a, const Standing &b, double shiftM, Stretch &into)
+double edgeCrossing(const Standing &a, const Standing &b, double shiftM, Stretch &into)
 {
     const double rise = b.beyondM - a.beyondM, share = (shiftM - a.beyondM) / rise;
     const double step = b.timeS - a.timeS;
@@ -112,9 +112,9 @@ std::vector<Stretch> stretchesBeyond(const std::vector<Standing> &standings, dou
         if (beyond && !open) {
             open = Stretch{here.timeS, here.timeS, i, 0, false};
             if (before)
-                open->fromS = crossing(*before, here, shiftM, *open);
+                open->fromS = edgeCrossing(*before, here, shiftM, *open);
         } else if (!beyond && open) {
-            const double atS = crossing(*before, here, shiftM, *open);
+            const double atS = edgeCrossing(*before, here, shiftM, *open);
             close(atS);
         }
         if (!open)
