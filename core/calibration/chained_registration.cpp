@@ -40,11 +40,12 @@ Result<void> checkInPicture(const SharedPoint &point, const Vector2d &pixel, con
 {
     const Intrinsics &lens = camera.intrinsics();
     if (!pixel.allFinite())
-        return refuseThrough("the pixel of point " + point.label + " is not a finite number", "correct the pixels");
+        return refuseThrough("the pixel of point " + point.label + " is not a finite number",
+                             "correct the pixels");
     if (pixel.x() < -1 || pixel.y() < -1 || pixel.x() > lens.widthPx || pixel.y() > lens.heightPx)
         return refuseThrough("point " + point.label + " lies outside the picture of " + whose + " (" +
-                          std::to_string(lens.widthPx) + "×" + std::to_string(lens.heightPx) + ")",
-                      "check which columns belong to which camera");
+                                 std::to_string(lens.widthPx) + "×" + std::to_string(lens.heightPx) + ")",
+                             "check which columns belong to which camera");
     return {};
 }
 
@@ -53,12 +54,13 @@ Result<void> checkPoints(const FloorView &through, const std::string &throughNam
 {
     if (points.size() < 4)
         return refuseThrough("four points are needed that both cameras see; there are " +
-                          std::to_string(points.size()),
-                      "add points of the floor, such as corners of tiles");
+                                 std::to_string(points.size()),
+                             "add points of the floor, such as corners of tiles");
     std::set<std::string> labels;
     for (const SharedPoint &point : points) {
         if (!labels.insert(point.label).second)
-            return refuseThrough("point " + point.label + " is there twice", "give each point a label of its own");
+            return refuseThrough("point " + point.label + " is there twice",
+                                 "give each point a label of its own");
         if (auto sound = checkInPicture(point, point.pixel, camera, "the camera to register"); !sound)
             return sound;
         if (auto sound = checkInPicture(point, point.throughPixel, through.camera(), throughName); !sound)
@@ -69,7 +71,7 @@ Result<void> checkPoints(const FloorView &through, const std::string &throughNam
             if ((other.pixel - point.pixel).norm() < nearestPointPixels ||
                 (other.throughPixel - point.throughPixel).norm() < nearestPointPixels)
                 return refuseThrough("points " + other.label + " and " + point.label + " lie on one pixel",
-                              "mark each of them where it is seen");
+                                     "mark each of them where it is seen");
         }
     }
     return {};
@@ -95,7 +97,7 @@ Result<void> checkHorizon(const FloorView &through, const std::string &throughNa
     for (const SharedPoint &point : points) {
         if (!through.floorFromPixel(point.throughPixel, 0))
             return refuseThrough("point " + point.label + " lies at or beyond the horizon of " + throughName,
-                          "choose points of the floor");
+                                 "choose points of the floor");
     }
     return {};
 }
@@ -110,7 +112,7 @@ Result<void> checkSide(const FloorView &through, const std::string &throughName,
         const auto from = through.camera().unproject(point.throughPixel), to = camera.unproject(point.pixel);
         if (!from || !to || !(from->z() > 0) || !(to->z() > 0))
             return refuseThrough("point " + point.label + " lies where a lens cannot have put it",
-                          "check its pixels and the intrinsics of both cameras");
+                                 "check its pixels and the intrinsics of both cameras");
         rays.push_back({from->hnormalized(), to->hnormalized(), point.label});
     }
     const auto raysFromThrough = Homography::estimate(rays);
@@ -125,7 +127,8 @@ Result<void> checkSide(const FloorView &through, const std::string &throughName,
         return refuseThrough(raysFromFloor.error().why, raysFromFloor.error().advice);
     if (raysFromFloor->matrix().determinant() > 0)
         return refuseThrough("the points are mirrored between the pictures of the two cameras",
-                      "check which label belongs to which point in " + throughName + " and in this camera");
+                             "check which label belongs to which point in " + throughName +
+                                 " and in this camera");
     return {};
 }
 
@@ -220,7 +223,7 @@ Result<void> measure(const std::vector<PointPair> &pairs, const FloorView &view,
         const auto back = view.pixelFromWorld({pair.source.x(), pair.source.y(), 0});
         if (!seen || !back)
             return refuseThrough("point " + pair.label + " would lie at or beyond the horizon",
-                          "check its pixels in both pictures");
+                                 "check its pixels in both pictures");
         const double errorM = (*seen - pair.source).norm();
         registration.markers.push_back({pair.label, errorM, (*back - pair.target).norm()});
         squares += errorM * errorM;
@@ -290,7 +293,8 @@ Result<ChainedRegistration> registerThrough(const FloorView &through, const std:
     const auto pose = fitPlanePose(pairs, *lens, FocalLength::Known, weights);
     const auto common = carried(through, points, *lens, weights);
     if (!pose || !common)
-        return refuseThrough("the points do not determine where the camera stands", "spread them over the floor");
+        return refuseThrough("the points do not determine where the camera stands",
+                             "spread them over the floor");
 
     registration.worldFromCamera = pose->worldFromCamera;
     registration.rmsPx = pose->rmsPx;
@@ -302,7 +306,8 @@ Result<ChainedRegistration> registerThrough(const FloorView &through, const std:
     const double sigmaM = largestSigma(view, points), spanM = extentOf(places);
     if (sigmaM > worstPointSigma * spanM)
         return refuseThrough("the floor among the points is known only to ±" + millimetres(sigmaM),
-                      "spread the points over the floor, or register " + throughName + " better first");
+                             "spread the points over the floor, or register " + throughName +
+                                 " better first");
     registration.floorSigmaM = sigmaM;
     const FloorView commonOnly(*lens, registration.worldFromCamera, *common);
     registration.verdict =

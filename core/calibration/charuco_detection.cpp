@@ -130,8 +130,8 @@ BoardView refined(const cv::Mat &luma, const std::vector<ForetoldCorner> &corner
     BoardView view{source, layout.squaresX - 1, layout.squaresY - 1, {}, {}, BoardPattern::Charuco};
     for (const ForetoldCorner &corner : corners) {
         // The window must not reach the markers, whose corners would pull.
-        const int half =
-            std::clamp(static_cast<int>(corner.nearestMarkerPx / std::sqrt(2.0)) - 1, 2, widestCornerWindowPx);
+        const int half = std::clamp(static_cast<int>(corner.nearestMarkerPx / std::sqrt(2.0)) - 1, 2,
+                                    widestCornerWindowPx);
         std::vector<cv::Point2f> place{
             {static_cast<float>(corner.pixel.x()), static_cast<float>(corner.pixel.y())}};
         if (!cv::Rect2f(1, 1, static_cast<float>(luma.cols - 2), static_cast<float>(luma.rows - 2))
@@ -174,22 +174,22 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
             const double ratio = measuredMarkerRatio(markers, *layout);
             BoardView view = refined(luma, foretellCorners(markers, *layout, ratio), *layout, spec, source);
             if (view.pixels.size() < leastCornersOfView)
-                return refuseCharuco(source,
-                              "only " + std::to_string(view.pixels.size()) + " corners of the board are seen",
-                              "show more of the board");
+                return refuseCharuco(
+                    source, "only " + std::to_string(view.pixels.size()) + " corners of the board are seen",
+                    "show more of the board");
             return view;
         }
     }
     if (mostMarkers < 4)
-        return refuseCharuco(source,
-                      "no board found: " + std::to_string(mostMarkers) + " of its markers could be read",
-                      "show the board larger, sharp and well lit");
+        return refuseCharuco(
+            source, "no board found: " + std::to_string(mostMarkers) + " of its markers could be read",
+            "show the board larger, sharp and well lit");
     const std::string size = spec.columns > 0 ? " of " + std::to_string(spec.columns) + "x" +
                                                     std::to_string(spec.rows) + " inner corners"
                                               : "";
     return refuseCharuco(source, "the markers that were read do not lie as on a ChArUco board" + size,
-                  spec.columns > 0 ? "count the inner corners, or leave the size out"
-                                   : "show one ChArUco board");
+                         spec.columns > 0 ? "count the inner corners, or leave the size out"
+                                          : "show one ChArUco board");
 }
 
 } // namespace odo

@@ -97,8 +97,8 @@ CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &
     CornerMarks marks = beyond(fit, limitPx);
     if (countOf(marks) == 0)
         return marks;
-    const auto robust =
-        fitLens(views, {fit.intrinsics, fit.cameraFromBoard}, {false, 2 * limitPx / standingOutOfCorners}, control);
+    const auto robust = fitLens(views, {fit.intrinsics, fit.cameraFromBoard},
+                                {false, 2 * limitPx / standingOutOfCorners}, control);
     return robust ? beyond(*robust, limitOf(*robust)) : marks;
 }
 

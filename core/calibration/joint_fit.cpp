@@ -24,7 +24,8 @@ struct JointState
 LeastSquaresProblem<JointState> problemOf(const JointProblem &problem)
 {
     LeastSquaresProblem<JointState> squares;
-    squares.evaluate = [&problem](const JointState &state, Eigen::VectorXd &residuals, Eigen::MatrixXd *byStep) {
+    squares.evaluate = [&problem](const JointState &state, Eigen::VectorXd &residuals,
+                                  Eigen::MatrixXd *byStep) {
         const auto cameras = static_cast<Eigen::Index>(problem.cameras.size());
         const auto points = static_cast<Eigen::Index>(problem.points.size());
         const auto observations = static_cast<Eigen::Index>(problem.observations.size());

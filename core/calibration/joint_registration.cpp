@@ -59,14 +59,16 @@ public:
 private:
     static tl::unexpected<Error> undetermined()
     {
-        return refuseJoint("the markers do not determine where the cameras stand", "spread the markers over the floor");
+        return refuseJoint("the markers do not determine where the cameras stand",
+                           "spread the markers over the floor");
     }
 
     Result<void> checkCameras() const
     {
         if (m_cameras.size() < 2)
-            return refuseJoint("there is " + std::to_string(m_cameras.size()) + " camera on layout '" + m_layout.name + "', two are needed",
-                          "register the cameras one by one by this layout first");
+            return refuseJoint("there is " + std::to_string(m_cameras.size()) + " camera on layout '" +
+                                   m_layout.name + "', two are needed",
+                               "register the cameras one by one by this layout first");
         std::set<std::string> names;
         for (const JointCamera &camera : m_cameras) {
             if (!names.insert(camera.name).second)
@@ -108,12 +110,14 @@ private:
                 ++counted;
             }
             if (counted < leastPixels)
-                return refuseJoint("camera '" + camera.name + "' sees only " + std::to_string(counted) + " of the markers",
-                              "register it by more of them first");
+                return refuseJoint("camera '" + camera.name + "' sees only " + std::to_string(counted) +
+                                       " of the markers",
+                                   "register it by more of them first");
         }
         const auto isShared = [](const auto &each) { return each.second >= 2; };
         if (std::ranges::none_of(seenBy, isShared))
-            return refuseJoint("no two of the cameras see the same marker", "let them see some of the same floor");
+            return refuseJoint("no two of the cameras see the same marker",
+                               "let them see some of the same floor");
         return {};
     }
 
@@ -278,7 +282,8 @@ private:
 Result<JointRegistration> registerJointly(const MarkerLayout &layout, const std::vector<JointCamera> &cameras, double tapeSigmaM)
 {
     if (!(tapeSigmaM > 0) || !std::isfinite(tapeSigmaM))
-        return fail(ErrorCode::InvalidInput, jointRegistration, "the σ of the tape measure is not above 0", "give some 2 mm");
+        return fail(ErrorCode::InvalidInput, jointRegistration, "the σ of the tape measure is not above 0",
+                    "give some 2 mm");
     return Joining(layout, cameras, tapeSigmaM).join();
 }
 

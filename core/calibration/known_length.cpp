@@ -26,7 +26,8 @@ Eigen::Matrix2d noiseOf(double sigmaPx) { return sigmaPx * sigmaPx * Eigen::Matr
 Result<Measured> measure(const SeenLength &seen, double heightM)
 {
     if ((seen.fromPixel - seen.toPixel).norm() < shortestPx)
-        return fail(ErrorCode::InvalidInput, lengthMeasurement, "both ends lie on one pixel of camera '" + seen.camera + "'",
+        return fail(ErrorCode::InvalidInput, lengthMeasurement,
+                    "both ends lie on one pixel of camera '" + seen.camera + "'",
                     "mark the two ends where they are seen");
     const auto from = seen.view->locate(seen.fromPixel, noiseOf(seen.fromSigmaPx), heightM);
     const auto to = seen.view->locate(seen.toPixel, noiseOf(seen.toSigmaPx), heightM);
@@ -62,9 +63,11 @@ std::string judgement(const LengthCheck &check, double toldM)
 Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<double> toldM, double heightM)
 {
     if (seen.empty())
-        return fail(ErrorCode::InvalidInput, lengthMeasurement, "no camera was given that sees it", "mark its ends in one picture at least");
+        return fail(ErrorCode::InvalidInput, lengthMeasurement, "no camera was given that sees it",
+                    "mark its ends in one picture at least");
     if (toldM && !(*toldM > 0 && std::isfinite(*toldM)))
-        return fail(ErrorCode::InvalidInput, lengthMeasurement, "the told length is not above 0", "give the length as it was measured with a tape");
+        return fail(ErrorCode::InvalidInput, lengthMeasurement, "the told length is not above 0",
+                    "give the length as it was measured with a tape");
     double information = 0, weighted = 0;
     std::vector<Measured> each;
     for (const SeenLength &one : seen) {

@@ -115,8 +115,8 @@ std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views, const 
     if (control.isCancelled())
         return std::nullopt;
     const LensCandidate &best = *std::ranges::min_element(candidates, {}, &LensCandidate::heldOutPx);
-    LensCandidate &chosen =
-        *std::ranges::find_if(candidates, [&](const LensCandidate &candidate) { return !isClearlyWorse(candidate, best); });
+    LensCandidate &chosen = *std::ranges::find_if(
+        candidates, [&](const LensCandidate &candidate) { return !isClearlyWorse(candidate, best); });
     std::string reason = reasonOf(chosen, candidates);
     return LensChoice{std::move(chosen.fit), std::move(chosen.outliers), std::move(trials), std::move(reason)};
 }

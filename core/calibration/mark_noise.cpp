@@ -18,7 +18,8 @@ double markSigmaPx(double squaresPx2, double freedom)
     freedom = std::max(0.0, freedom);
     if (freedom >= 1 && std::sqrt(squaresPx2 / freedom) > refutedBeyond * usualMarkSigmaPx)
         return std::sqrt(squaresPx2 / freedom);
-    return std::sqrt((priorFreedom * usualMarkSigmaPx * usualMarkSigmaPx + squaresPx2) / (priorFreedom + freedom));
+    return std::sqrt((priorFreedom * usualMarkSigmaPx * usualMarkSigmaPx + squaresPx2) /
+                     (priorFreedom + freedom));
 }
 
 } // namespace odo

@@ -60,9 +60,10 @@ tl::unexpected<Error> askForOne(const MarkerLayout &layout, const std::vector<So
             best = layout.markers[label].label;
         }
     }
-    return refuseAssignment("in " + std::to_string(equal.size()) +
-                      " ways they fit the layout equally well, which looks the same from several sides",
-                  "tell by hand which of them is " + best);
+    return refuseAssignment(
+        "in " + std::to_string(equal.size()) +
+            " ways they fit the layout equally well, which looks the same from several sides",
+        "tell by hand which of them is " + best);
 }
 
 } // namespace
@@ -98,7 +99,7 @@ Result<std::vector<MarkerPixel>> assignMarkers(const std::vector<RoundMarker> &s
         return *best;
     if (shapes.size() + hints.size() < 4)
         return refuseAssignment(std::to_string(shapes.size()) + " rings or dots were found, four are needed",
-                      "show more of them, larger or in better light, or mark the markers by hand");
+                                "show more of them, larger or in better light, or mark the markers by hand");
     return refuseAssignment(
         "none of the ways to name the " + std::to_string(shapes.size()) + " rings and dots fits the layout",
         "check the layout's places and their unit, cover other round things, or mark the markers by hand");

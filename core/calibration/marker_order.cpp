@@ -50,7 +50,8 @@ std::string describe(std::span<const PointPair> pairs, const Order &order, doubl
     }
     const std::string fit = formatNumber(rmsPx, 1);
     if (moved.size() == 2)
-        return "with " + pairs[moved[0]].label + " and " + pairs[moved[1]].label + " exchanged they fit to " + fit + " px";
+        return "with " + pairs[moved[0]].label + " and " + pairs[moved[1]].label + " exchanged they fit to " +
+               fit + " px";
     std::string told, meant;
     for (std::size_t i : moved) {
         told += (told.empty() ? "" : ", ") + pairs[order[i]].label;

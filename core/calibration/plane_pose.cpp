@@ -42,12 +42,12 @@ using Weights = std::span<const Eigen::Matrix2d>;
 
 /// Residuals in pixels (or weighted ones) over (rotation, position[, log of the focal length]).
 LeastSquaresProblem<PoseState> problemOf(std::span<const PointPair> pairs, const CameraModel &camera,
-                                     FocalLength focal, Weights weights)
+                                         FocalLength focal, Weights weights)
 {
     const Eigen::Index parameters = focal == FocalLength::Free ? 7 : 6;
     LeastSquaresProblem<PoseState> problem;
-    problem.evaluate = [pairs, camera, parameters, weights](const PoseState &state, Eigen::VectorXd &residuals,
-                                                            Eigen::MatrixXd *byStep) {
+    problem.evaluate = [pairs, camera, parameters, weights](
+                           const PoseState &state, Eigen::VectorXd &residuals, Eigen::MatrixXd *byStep) {
         residuals.resize(static_cast<Eigen::Index>(2 * pairs.size()));
         if (byStep)
             byStep->resize(residuals.size(), parameters);

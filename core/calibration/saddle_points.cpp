@@ -13,7 +13,7 @@ namespace {
 
 constexpr int ringSamples = 32;
 constexpr float ringRadius = 5;
-constexpr float leastSaddleContrast = 12;      // grey levels between the fields
+constexpr float leastSaddleContrast = 12; // grey levels between the fields
 constexpr std::size_t mostPoints = 3000; // a picture of gravel has no end of them
 constexpr float twoPi = 2 * std::numbers::pi_v<float>;
 

@@ -19,7 +19,7 @@ constexpr std::size_t mostEdges = 12, leastPoints = 8;
 constexpr double leastSlope = 16, shareOfSteepest = 0.25; // Sobel's, per pixel
 constexpr double reachPx = 1.2, sameDirection = 0.985;    // 10°
 constexpr double gapPx = 2.5, roundCornerPx = 3;
-constexpr double worstEdgeSigma = 0.4;                        // of one point: no straight edge of anything
+constexpr double worstEdgeSigma = 0.4;                    // of one point: no straight edge of anything
 constexpr double leastSine = 0.42;                        // 25°
 
 struct Point
@@ -95,7 +95,8 @@ std::vector<Vector2d> awayFromEnds(std::vector<Vector2d> points, const Vector2d 
             ends.push_back(along(points[i]));
     }
     std::erase_if(points, [&](const Vector2d &point) {
-        return std::ranges::any_of(ends, [&](double end) { return std::abs(along(point) - end) < roundCornerPx; });
+        return std::ranges::any_of(ends,
+                                   [&](double end) { return std::abs(along(point) - end) < roundCornerPx; });
     });
     return points;
 }
@@ -126,7 +127,8 @@ std::optional<StraightEdge> measured(const cv::Mat &picture, const std::vector<V
     }
     edge.sigmaPx = std::sqrt(squares / static_cast<double>(points.size() - 2));
     std::ranges::sort(edge.along);
-    if (edge.sigmaPx > worstEdgeSigma || edge.along.back() - edge.along.front() < static_cast<double>(leastPoints))
+    if (edge.sigmaPx > worstEdgeSigma ||
+        edge.along.back() - edge.along.front() < static_cast<double>(leastPoints))
         return std::nullopt;
     return edge;
 }

@@ -28,7 +28,8 @@ struct TagAlignment
     Eigen::Vector2d middle() const { return pixelFromTag.col(2).hnormalized(); }
 };
 
-/// The likeness from which a tag is one: of one read out of noise, or laid where there is none, it is less than 0.5.
+/// The likeness from which a tag is one: of one read out of noise, or laid where there is none, it is less
+/// than 0.5.
 inline constexpr double leastTagLikeness = 0.7;
 
 /// Lays a tag whose cells are known over the picture so that what it would look like is nearest to what is

@@ -78,7 +78,7 @@ std::optional<Homography> raysFromTag(const SeenTag &tag, const CameraModel &cam
 
 /// From the largest tag's own plane, laid on the floor so that the others' middles come where they are.
 std::optional<Tags> roughTags(const MarkerLayout &layout, const std::vector<SeenTag> &read,
-                            const CameraModel &camera)
+                              const CameraModel &camera)
 {
     const SeenTag &largest = *std::ranges::max_element(read, {}, tagAreaOf);
     const auto rays = raysFromTag(largest, camera);

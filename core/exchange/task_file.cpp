@@ -53,7 +53,8 @@ public:
 private:
     static bool isNull(const YamlNode &node) { return node.kind == Kind::Scalar && node.text == "null"; }
 
-    tl::unexpected<Error> failure(int line, const std::string &why, const std::string &advice = taskAdvice) const
+    tl::unexpected<Error> failure(int line, const std::string &why,
+                                  const std::string &advice = taskAdvice) const
     {
         return fail(ErrorCode::InvalidInput, atLine(m_file, line), why, advice);
     }

@@ -9,13 +9,14 @@ namespace odo {
 
 namespace {
 
-constexpr double leastEvidenceScore = 0.5;        // of an observation; doubtful ones only blur the answer
+constexpr double leastEvidenceScore = 0.5; // of an observation; doubtful ones only blur the answer
 constexpr double disagreementSigmas = 4;
 constexpr double nearFlashSigmas = 5;
 constexpr double rarely = 0.05;          // of the frames
 constexpr double leastDisagreementS = 0.002; // less is no harm
 
-std::optional<Eigen::Vector2d> placeSeen(const FloorView &view, const Observation &observation, double heightM)
+std::optional<Eigen::Vector2d> placeSeen(const FloorView &view, const Observation &observation,
+                                         double heightM)
 {
     if (!observation.found || observation.score < leastEvidenceScore || observation.touchesBorder)
         return std::nullopt;

@@ -316,7 +316,7 @@ Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTra
 {
     if (firstTrack.size() < fewestPairs || secondTrack.size() < fewestPairs)
         return undeterminedOffset("one view saw the robot in fewer than " + std::to_string(fewestPairs) +
-                            " pictures");
+                                  " pictures");
     const std::vector<TimedPosition> first = thinned(firstTrack), second = thinned(secondTrack);
     const double frameS = std::max(medianStepS(first), 1e-3);
     const GridSearch grid = searchGrid(first, second, frameS, range);
@@ -326,7 +326,8 @@ Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTra
     const Fit fit = refine(first, second, {grid.best->offsetS, 0}, false, frameS);
     const ClipOffset plain = offsetFrom(fit, frameS);
     if (plain.sigmaS > frameS)
-        return undeterminedOffset("the robot stood still or ran straight at constant speed, so every offset fits");
+        return undeterminedOffset(
+            "the robot stood still or ran straight at constant speed, so every offset fits");
     if (plain.score < 0.8)
         return undeterminedOffset("the views' tracks do not resemble one another");
     if (std::abs(plain.offsetS - range.middleS) > range.halfWidthS + frameS)
@@ -335,8 +336,9 @@ Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTra
         const Fit rival = refine(first, second, {grid.rival->offsetS, 0}, false, frameS);
         if (std::abs(rival.clock.offsetS - plain.offsetS) > closestRivalS / 2 &&
             rival.agreement.variance < 2 * std::max(fit.agreement.variance, 1e-6))
-            return undeterminedOffset("the motion repeats itself: offsets of " + std::to_string(plain.offsetS) +
-                                " s and " + std::to_string(rival.clock.offsetS) + " s fit alike");
+            return undeterminedOffset("the motion repeats itself: offsets of " +
+                                      std::to_string(plain.offsetS) + " s and " +
+                                      std::to_string(rival.clock.offsetS) + " s fit alike");
     }
     return withRate(plain, fit, refine(first, second, fit.clock, true, frameS), frameS);
 }

@@ -8,7 +8,6 @@ namespace odo {
 
 namespace {
 
-
 } // namespace
 
 const Curve speedCurve{&ProfilePoint::speedMps, &ProfilePoint::sigmaSpeedMps, [](const RunInstant &instant) {

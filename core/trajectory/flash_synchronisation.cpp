@@ -18,7 +18,7 @@ constexpr double againstAMiss = 2.3;    ///< ln 10
 constexpr double clearLead = 5;         ///< ln 150
 constexpr double shutterSigma = 0.1;    ///< of the frame interval
 constexpr double toleranceSigmas = 4;
-constexpr double usualRate = 2e-4;      ///< by which clocks may differ while edges are paired
+constexpr double usualRate = 2e-4; ///< by which clocks may differ while edges are paired
 constexpr double shortestRateSpanS = 20;
 constexpr std::size_t fewestForRate = 3;
 constexpr std::size_t mostEdges = 200;  ///< more is a lamp that flickers, and tells nothing
@@ -207,8 +207,9 @@ Result<ClipOffset> estimateFlashOffset(const LightCourse &first, const LightCour
         return undeterminedOffset("the flashes of light in the views do not belong together");
     for (const Proposal &rival : proposals) {
         if (!isSame(*best, rival) && rival.likelihood() > best->likelihood() - clearLead)
-            return undeterminedOffset("the flashes of light fit alike at offsets of " + formatNumber(best->offsetS, 2) +
-                                " s and " + formatNumber(rival.offsetS, 2) + " s");
+            return undeterminedOffset("the flashes of light fit alike at offsets of " +
+                                      formatNumber(best->offsetS, 2) + " s and " +
+                                      formatNumber(rival.offsetS, 2) + " s");
     }
     return flashOffset(*best, shutterSigma * std::hypot(first.frameS, second.frameS));
 }

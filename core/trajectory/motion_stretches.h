@@ -32,7 +32,8 @@ std::vector<RunInstant> validInstants(const std::vector<Sample> &samples,
 /// No robot moves more slowly.
 inline constexpr double leastMovingMps = 0.02;
 
-/// Where the robot moves: faster than leastMovingMps and than three σ of the speed, for at least three instants.
+/// Where the robot moves: faster than leastMovingMps and than three σ of the speed, for at least three
+/// instants.
 std::vector<MotionStretch> findMotions(const std::vector<RunInstant> &instants);
 
 /// σ of the moment of crossing the threshold next to an instant: the speed's σ over its steepness, at most

@@ -175,9 +175,9 @@ private:
     std::vector<std::size_t> namesOfTheBest() const
     {
         std::vector<std::size_t> names(m_evidence.tracklets.size());
-        const auto best =
-            std::min_element(m_hypotheses.begin(), m_hypotheses.end(),
-                             [](const NameHypothesis &a, const NameHypothesis &b) { return a.cost < b.cost; });
+        const auto best = std::min_element(
+            m_hypotheses.begin(), m_hypotheses.end(),
+            [](const NameHypothesis &a, const NameHypothesis &b) { return a.cost < b.cost; });
         for (int d = best->decision; d != none; d = m_decisions[static_cast<std::size_t>(d)].before) {
             const NameDecision &decision = m_decisions[static_cast<std::size_t>(d)];
             names[decision.tracklet] = decision.name;

@@ -18,9 +18,9 @@ constexpr double mostSlowShare = 0.98, leastNoiseScale = 0.1, mostScale = 100;
 constexpr std::size_t binCount = 16;
 constexpr double longestWayM = 0.4;
 constexpr std::size_t longestLag = 60; // sightings
-constexpr double leastPairsInBin = 40;      // in a bin
+constexpr double leastPairsInBin = 40; // in a bin
 constexpr double outlier = 30;         // times the typical squared change: a false sighting
-constexpr int stepReach = 2;               // sightings to either side that a step of the way is measured over
+constexpr int stepReach = 2;           // sightings to either side that a step of the way is measured over
 constexpr double trust = 200;          // innovations
 
 /// The disagreement of two views at one time, whitened by its stated covariance.
@@ -35,8 +35,9 @@ bool isSure(const Sighting &sighting)
     return sighting.seen && !sighting.cut && sighting.score >= sureScore;
 }
 
-std::vector<WhitenedDisagreement> disagreements(const std::vector<Sighting> &a, const std::vector<Sighting> &b,
-                                        const std::vector<double> &travel)
+std::vector<WhitenedDisagreement> disagreements(const std::vector<Sighting> &a,
+                                                const std::vector<Sighting> &b,
+                                                const std::vector<double> &travel)
 {
     std::vector<WhitenedDisagreement> found;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
@@ -123,7 +124,8 @@ std::vector<double> travelOf(const std::vector<std::vector<Sighting>> &views)
     const std::size_t times = views.empty() ? 0 : views.front().size();
     std::vector<double> travel(times);
     const auto step = [&](std::size_t i) {
-        const std::size_t before = i > stepReach ? i - stepReach : 0, behind = std::min(times - 1, i + stepReach);
+        const std::size_t before = i > stepReach ? i - stepReach : 0,
+                          behind = std::min(times - 1, i + stepReach);
         for (const auto &view : views) {
             if (view[before].seen && view[behind].seen && behind > before)
                 return (view[behind].place.pointInWorld - view[before].place.pointInWorld).norm() /

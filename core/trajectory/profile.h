@@ -67,7 +67,10 @@ struct Sample
 };
 
 /// Whether the smoother uses a sample: it has a position, and that is not rejected.
-inline bool isUsed(const Sample &sample) { return sample.position && !isRejected(sample.flags); }
+inline bool isUsed(const Sample &sample)
+{
+    return sample.position && !isRejected(sample.flags);
+}
 
 /// The smoothed state at one sample's time. World frame, SI.
 struct ProfilePoint

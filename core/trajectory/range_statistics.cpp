@@ -13,7 +13,6 @@ namespace odo {
 
 namespace {
 
-
 bool isPosition(Quantity quantity)
 {
     return quantity == Quantity::PositionX || quantity == Quantity::PositionY;

@@ -7,7 +7,8 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t nodesAround = 2; // measured nodes to either side that a step of the way is measured over
+constexpr std::size_t nodesAround =
+    2; // measured nodes to either side that a step of the way is measured over
 
 /// Fills the way up to each node: over five measured nodes each, so that pixel noise is no way.
 void measureTravel(std::vector<TrackNode> &nodes)

@@ -81,7 +81,7 @@ double costOfJoining(const Tracklet::End &end, const Tracklet::End &begin)
                                     (end.positionPx + 0.5 * dt * end.velocityPxPerS);
     const Eigen::Vector2d change = begin.velocityPxPerS - end.velocityPxPerS;
     return std::min(mostLinkCost, 0.5 * (halfway.squaredNorm() / (placeSigma * placeSigma) +
-                                     change.squaredNorm() / (speedSigma * speedSigma)));
+                                         change.squaredNorm() / (speedSigma * speedSigma)));
 }
 
 } // namespace odo

@@ -90,7 +90,8 @@ Result<void> checkZone(const Zone &zone)
     if (corners.size() < fewestCorners)
         return refuse("it has less than three corners", "give the corners of its outline, all the way round");
     if (corners.size() > mostCorners)
-        return refuse("it has more than " + std::to_string(mostCorners) + " corners", "draw it more coarsely");
+        return refuse("it has more than " + std::to_string(mostCorners) + " corners",
+                      "draw it more coarsely");
     if (!std::ranges::all_of(corners, isOnFloor))
         return refuse("its corners are not on a floor of 1 km", "check the numbers");
     for (std::size_t i = 0; i < corners.size(); ++i) {

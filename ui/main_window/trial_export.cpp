@@ -39,7 +39,8 @@ std::string csvText(const AnalysisRecord &analysis)
 
 QList<Format> formats()
 {
-    return {{TrialExportWords::tr("CSV for programs (*.csv)"), QStringLiteral("csv"), &csvText<CsvStyle::Analysis>},
+    return {{TrialExportWords::tr("CSV for programs (*.csv)"), QStringLiteral("csv"),
+             &csvText<CsvStyle::Analysis>},
             {TrialExportWords::tr("CSV for spreadsheets, 1.5 (*.csv)"), QStringLiteral("csv"),
              &csvText<CsvStyle::International>},
             {TrialExportWords::tr("CSV for spreadsheets, 1,5 (*.csv)"), QStringLiteral("csv"),
@@ -57,8 +58,8 @@ int chooseRobot(const std::vector<AnalysisRecord> &analyses, QWidget &window)
     for (const AnalysisRecord &analysis : analyses)
         names << QString::fromStdString(analysis.robotName);
     bool accepted = false;
-    const QString name =
-        QInputDialog::getItem(&window, TrialExportWords::tr("Export"), TrialExportWords::tr("Robot:"), names, 0, false, &accepted);
+    const QString name = QInputDialog::getItem(&window, TrialExportWords::tr("Export"),
+                                               TrialExportWords::tr("Robot:"), names, 0, false, &accepted);
     return accepted ? static_cast<int>(names.indexOf(name)) : -1;
 }
 
@@ -84,9 +85,11 @@ Result<QString> exportTrial(Project &project, const QString &trial, QWidget &win
         filters << format.filter;
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     QString chosen = filters.front();
-    QString file = QFileDialog::getSaveFileName(&window, TrialExportWords::tr("Export %1").arg(trial),
-                                                QDir(folder).filePath(QString::fromStdString(fileNameOf(trial.toStdString())) + QStringLiteral(".csv")),
-                                                filters.join(QStringLiteral(";;")), &chosen);
+    QString file = QFileDialog::getSaveFileName(
+        &window, TrialExportWords::tr("Export %1").arg(trial),
+        QDir(folder).filePath(QString::fromStdString(fileNameOf(trial.toStdString())) +
+                              QStringLiteral(".csv")),
+        filters.join(QStringLiteral(";;")), &chosen);
     if (file.isEmpty())
         return QString();
     const Format format = formats().at(std::max(0, static_cast<int>(filters.indexOf(chosen))));

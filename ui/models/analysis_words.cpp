@@ -59,8 +59,9 @@ QString stepText(const RecordingRecord &view)
     else
         return AnalysisWords::tr("taken as begun together");
     if (view.clockRate != 0)
-        text += view.clockRate > 0 ? AnalysisWords::tr(", its clock %1 ppm fast").arg(std::lround(view.clockRate * 1e6))
-                                   : AnalysisWords::tr(", its clock %1 ppm slow").arg(std::lround(-view.clockRate * 1e6));
+        text += view.clockRate > 0
+                    ? AnalysisWords::tr(", its clock %1 ppm fast").arg(std::lround(view.clockRate * 1e6))
+                    : AnalysisWords::tr(", its clock %1 ppm slow").arg(std::lround(-view.clockRate * 1e6));
     return text;
 }
 
@@ -68,7 +69,8 @@ QString unevenText(const RecordingRecord &view)
 {
     const auto uneven = unevenRate(view.frameTimes);
     const auto ms = [](Nanoseconds interval) { return QLocale().toString(toSeconds(interval) * 1e3, 'f', 0); };
-    return uneven ? AnalysisWords::tr("%1 to %2 ms apart").arg(ms(uneven->shortest), ms(uneven->longest)) : QString();
+    return uneven ? AnalysisWords::tr("%1 to %2 ms apart").arg(ms(uneven->shortest), ms(uneven->longest))
+                  : QString();
 }
 
 } // namespace odo

@@ -231,7 +231,7 @@ QString shownWords(const QString &english)
     if (first < 0)
         return english;
     return joinedBy(english.left(english.at(first) == u'.' ? first + 1 : first), english.at(first),
-                  shownWords(english.mid(first + 2)));
+                    shownWords(english.mid(first + 2)));
 }
 
 QString shownWords(const std::string &english)

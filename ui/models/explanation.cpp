@@ -153,8 +153,9 @@ QString smootherSource(Smoother smoother)
 {
     switch (smoother) {
     case Smoother::Rts:
-        return ExplanationWords::tr("smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, "
-                         "Tung, Striebel 1965; Bar-Shalom et al. 2001)");
+        return ExplanationWords::tr(
+            "smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, "
+            "Tung, Striebel 1965; Bar-Shalom et al. 2001)");
     case Smoother::SavGol:
         return ExplanationWords::tr("smoothed by a cubic through eleven points (Savitzky and Golay 1964)");
     case Smoother::Tracker:
@@ -178,9 +179,12 @@ QString viewNames(const TrialScene &scene)
 QStringList methodLines(const AnalysisRecord &analysis)
 {
     return {smootherSource(analysis.options.smoother),
-            (analysis.profile.heightEstimated ? ExplanationWords::tr("robot %1 high (estimated)") : ExplanationWords::tr("robot %1 high"))
+            (analysis.profile.heightEstimated ? ExplanationWords::tr("robot %1 high (estimated)")
+                                              : ExplanationWords::tr("robot %1 high"))
                 .arg(lengthText(analysis.profile.heightM)),
-            ExplanationWords::tr("analysis %1 by Odograph %2").arg(analysis.id).arg(QString::fromStdString(analysis.softwareVersion))};
+            ExplanationWords::tr("analysis %1 by Odograph %2")
+                .arg(analysis.id)
+                .arg(QString::fromStdString(analysis.softwareVersion))};
 }
 
 struct CurveWords
@@ -191,26 +195,35 @@ struct CurveWords
 /// The formulas are those of core/trajectory/quantity_curve.h.
 CurveWords curveWords(Quantity quantity)
 {
-    const QString ofVelocity = ExplanationWords::tr("σ of the smoothed velocity there, with the calibration's error of scale");
+    const QString ofVelocity =
+        ExplanationWords::tr("σ of the smoothed velocity there, with the calibration's error of scale");
     switch (quantity) {
     case Quantity::Speed:
-        return {ExplanationWords::tr("Speed"), ExplanationWords::tr("|v| = √(vx² + vy²) of the smoothed curve at this frame"), ofVelocity};
+        return {ExplanationWords::tr("Speed"),
+                ExplanationWords::tr("|v| = √(vx² + vy²) of the smoothed curve at this frame"), ofVelocity};
     case Quantity::Acceleration:
         return {ExplanationWords::tr("Acceleration"),
-                ExplanationWords::tr("a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands"),
-                ExplanationWords::tr("σ of the smoothed acceleration there, with the calibration's error of scale")};
+                ExplanationWords::tr("a·v/|v| of the smoothed curve at this frame: along the path, so that "
+                                     "braking is negative; |a| while it stands"),
+                ExplanationWords::tr(
+                    "σ of the smoothed acceleration there, with the calibration's error of scale")};
     case Quantity::Heading:
-        return {ExplanationWords::tr("Heading"), ExplanationWords::tr("atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn"),
+        return {ExplanationWords::tr("Heading"),
+                ExplanationWords::tr("atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from "
+                                     "X, without steps of a whole turn"),
                 ExplanationWords::tr("σ of the velocity across the motion over the speed")};
     case Quantity::TurnRate:
-        return {ExplanationWords::tr("Turn rate"), ExplanationWords::tr("(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame"),
+        return {ExplanationWords::tr("Turn rate"),
+                ExplanationWords::tr("(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame"),
                 ExplanationWords::tr("σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order")};
     case Quantity::PositionX:
     case Quantity::PositionY:
         break;
     }
-    return {quantity == Quantity::PositionX ? ExplanationWords::tr("Position X") : ExplanationWords::tr("Position Y"),
-            ExplanationWords::tr("the smoothed curve at this frame"), ExplanationWords::tr("σ of the smoothed position, with the calibration's part")};
+    return {quantity == Quantity::PositionX ? ExplanationWords::tr("Position X")
+                                            : ExplanationWords::tr("Position Y"),
+            ExplanationWords::tr("the smoothed curve at this frame"),
+            ExplanationWords::tr("σ of the smoothed position, with the calibration's part")};
 }
 
 /// What was measured at a sample, and whether it counted.
@@ -245,19 +258,25 @@ QStringList flagMeanings(SampleFlags flags)
         QString words;
     };
     const std::array<Meaning, 9> meanings{{
-        {SampleFlag::Jump, ExplanationWords::tr("Jump: the place is beyond what the motion before and after allows for "
-                                     "(χ² of two degrees of freedom, 99.9 %).")},
+        {SampleFlag::Jump,
+         ExplanationWords::tr("Jump: the place is beyond what the motion before and after allows for "
+                              "(χ² of two degrees of freedom, 99.9 %).")},
         {SampleFlag::SpeedLimit,
-         ExplanationWords::tr("Limit: to get there it had to be faster than the limit of the task or of the analysis.")},
-        {SampleFlag::AccelerationLimit, ExplanationWords::tr("Limit: to get there it had to accelerate harder than the "
-                                                  "limit of the task or of the analysis.")},
-        {SampleFlag::ViewsDisagree, ExplanationWords::tr("Views disagree: their places differ by more than their errors "
-                                              "and their usual disagreement explain (χ², 99.9 %).")},
+         ExplanationWords::tr(
+             "Limit: to get there it had to be faster than the limit of the task or of the analysis.")},
+        {SampleFlag::AccelerationLimit,
+         ExplanationWords::tr("Limit: to get there it had to accelerate harder than the "
+                              "limit of the task or of the analysis.")},
+        {SampleFlag::ViewsDisagree,
+         ExplanationWords::tr("Views disagree: their places differ by more than their errors "
+                              "and their usual disagreement explain (χ², 99.9 %).")},
         {SampleFlag::LowScore, ExplanationWords::tr("Low score: the tracker was not sure of what it saw.")},
         {SampleFlag::Lost, ExplanationWords::tr("Lost: no view found the robot.")},
         {SampleFlag::DuplicateFrame,
-         ExplanationWords::tr("Repeated picture: the camera gave the same picture twice, so its time is not known.")},
-        {SampleFlag::Interpolated, ExplanationWords::tr("Bridged: the curve goes across without a measurement.")},
+         ExplanationWords::tr(
+             "Repeated picture: the camera gave the same picture twice, so its time is not known.")},
+        {SampleFlag::Interpolated,
+         ExplanationWords::tr("Bridged: the curve goes across without a measurement.")},
         {SampleFlag::ByHand, ExplanationWords::tr("By hand: a person judged it, over the analysis.")},
     }};
     QStringList words;
@@ -286,7 +305,8 @@ QString Explanation::text() const
 QStringList analysisInputs(const TrialRecord &trial, const AnalysisRecord &analysis)
 {
     QStringList lines;
-    lines << ExplanationWords::tr("trial %1, robot %2").arg(QString::fromStdString(trial.name), QString::fromStdString(analysis.robotName));
+    lines << ExplanationWords::tr("trial %1, robot %2")
+                 .arg(QString::fromStdString(trial.name), QString::fromStdString(analysis.robotName));
     return lines + methodLines(analysis);
 }
 
@@ -316,8 +336,8 @@ QStringList zoneBreachLines(const TrialScene &scene, std::size_t robot)
         return lines;
     for (const ZoneBreach &breach : findZoneBreaches(scene.task->zones, analysis->profile.samples, analysis->profile.points))
         lines << ExplanationWords::tr("%1: from %2 to %3, %4 beyond the edge at most")
-                     .arg(QString::fromStdString(breach.zone), secondsText(breach.from), secondsText(breach.to),
-                          lengthText(breach.depthM));
+                     .arg(QString::fromStdString(breach.zone), secondsText(breach.from),
+                          secondsText(breach.to), lengthText(breach.depthM));
     return lines;
 }
 
@@ -345,7 +365,12 @@ Explanation explainMetric(const TrialScene &scene, std::size_t robot, const Metr
 Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity quantity, Nanoseconds time, const QString &value)
 {
     const CurveWords words = curveWords(quantity);
-    Explanation explanation{ExplanationWords::tr("%1 at %2").arg(words.name, secondsText(time)), value, words.formula, words.uncertainty, {}, {}};
+    Explanation explanation{ExplanationWords::tr("%1 at %2").arg(words.name, secondsText(time)),
+                            value,
+                            words.formula,
+                            words.uncertainty,
+                            {},
+                            {}};
     const auto &analysis = scene.robots.at(robot).analysis;
     if (analysis) {
         const auto &samples = analysis->profile.samples;
@@ -366,10 +391,11 @@ Explanation explainSpike(const TrialScene &scene, std::size_t robot, const Spike
                             analysisInputs(scene, robot),
                             {}};
     explanation.formula += u'\n';
-    explanation.formula += isRejected(spike.flags)
-                               ? ExplanationWords::tr("The sample is kept, but not used for the curve.")
-                               : ExplanationWords::tr("The sample is used for the curve nevertheless: what is wrong "
-                                           "with it was left out, or a person restored it.");
+    explanation.formula +=
+        isRejected(spike.flags)
+            ? ExplanationWords::tr("The sample is kept, but not used for the curve.")
+            : ExplanationWords::tr("The sample is used for the curve nevertheless: what is wrong "
+                                   "with it was left out, or a person restored it.");
     const auto index = static_cast<std::size_t>(spike.sampleIndex);
     const Profile &profile = scene.robots.at(robot).analysis->profile;
     if (index < profile.samples.size() && profile.samples[index].viewDisagreementM)

@@ -24,8 +24,10 @@ std::size_t countOf(const Project &project)
 
 tl::unexpected<Error> nothing(const QString &what)
 {
-    return fail(ErrorCode::NotFound, what.toStdString(), OwnChangesWords::tr("nothing was changed here").toStdString(),
-                OwnChangesWords::tr("what was changed before is taken back in the window's menu Edit").toStdString());
+    return fail(
+        ErrorCode::NotFound, what.toStdString(),
+        OwnChangesWords::tr("nothing was changed here").toStdString(),
+        OwnChangesWords::tr("what was changed before is taken back in the window's menu Edit").toStdString());
 }
 
 } // namespace

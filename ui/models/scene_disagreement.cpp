@@ -47,13 +47,14 @@ QString disagreementWords(const ViewDisagreement &disagreement)
 {
     if (disagreement.places.empty())
         return SceneDisagreementWords::tr("Only one view at a time: nothing to compare");
-    const QString measured =
-        SceneDisagreementWords::tr("RMS %1, median %2").arg(lengthText(disagreement.rmsM), lengthText(disagreement.medianM));
+    const QString measured = SceneDisagreementWords::tr("RMS %1, median %2")
+                                 .arg(lengthText(disagreement.rmsM), lengthText(disagreement.medianM));
     const QString expected =
         SceneDisagreementWords::tr("expected by the errors: %1").arg(lengthText(disagreement.expectedRmsM));
     return measured + u'\n' +
-           (disagreement.ratio() > surprising ? SceneDisagreementWords::tr("%1 – more than they explain").arg(expected)
-                                              : expected);
+           (disagreement.ratio() > surprising
+                ? SceneDisagreementWords::tr("%1 – more than they explain").arg(expected)
+                : expected);
 }
 
 Explanation explainDisagreement(const TrialScene &scene, std::size_t robot,
@@ -65,24 +66,24 @@ Explanation explainDisagreement(const TrialScene &scene, std::size_t robot,
                             {},
                             analysisInputs(scene, robot),
                             {}};
-    explanation.formula = SceneDisagreementWords::tr("Each view alone puts the robot at a place on the floor. Shown is how "
-                                    "far these places are apart in each "
-                                    "frame in which two views or more saw it (of more than two, the largest "
-                                    "distance); RMS is √(mean of the "
-                                    "squares). Samples that are not used are left out.\n"
-                                    "Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of "
-                                    "two views (pixels and calibration), "
-                                    "the speed v and the views' step σs.\n"
-                                    "Much more than expected means that something is not as it was told: the "
-                                    "views are not in step (then it grows "
-                                    "with the speed), a camera has moved or is badly registered (then it "
-                                    "depends on the place), or the robot's "
-                                    "height is wrong (then it points to and from the cameras).");
+    explanation.formula =
+        SceneDisagreementWords::tr("Each view alone puts the robot at a place on the floor. Shown is how "
+                                   "far these places are apart in each "
+                                   "frame in which two views or more saw it (of more than two, the largest "
+                                   "distance); RMS is √(mean of the "
+                                   "squares). Samples that are not used are left out.\n"
+                                   "Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of "
+                                   "two views (pixels and calibration), "
+                                   "the speed v and the views' step σs.\n"
+                                   "Much more than expected means that something is not as it was told: the "
+                                   "views are not in step (then it grows "
+                                   "with the speed), a camera has moved or is badly registered (then it "
+                                   "depends on the place), or the robot's "
+                                   "height is wrong (then it points to and from the cameras).");
     explanation.inputs.prepend(
         SceneDisagreementWords::tr("%1 frames seen by two views or more; largest %2; views in step to %3 ms")
             .arg(disagreement.places.size())
-            .arg(lengthText(disagreement.largestM),
-                 QLocale().toString(1e3 * stepSigmaS(scene), 'f', 1)));
+            .arg(lengthText(disagreement.largestM), QLocale().toString(1e3 * stepSigmaS(scene), 'f', 1)));
     return explanation;
 }
 

@@ -46,7 +46,8 @@ QString lineText(const CriterionScore &line)
         return ScoreTextWords::tr("%1: not measured, no points (%2)").arg(name, rule);
     const QString figure = metricFigure(*line.metric).text();
     if (line.criterion.points < 0)
-        return ScoreTextWords::tr("%1 %2: %3 points (%4)").arg(name, figure, withSigma(line.points, line.sigma), rule);
+        return ScoreTextWords::tr("%1 %2: %3 points (%4)")
+            .arg(name, figure, withSigma(line.points, line.sigma), rule);
     return ScoreTextWords::tr("%1 %2: %3 of %4 points (%5)")
         .arg(name, figure, withSigma(line.points, line.sigma), pointsText(line.criterion.points), rule);
 }
@@ -94,10 +95,12 @@ Explanation explainScore(const Score &score, const QStringList &inputs)
     Explanation told;
     told.what = metricName("score");
     told.value = scoreText(score);
-    told.formula = ScoreTextWords::tr("the sum of the points of each line; a line gives points × (figure − none at) / "
-                             "(all at − none at), from 0 to all");
-    told.uncertainty = ScoreTextWords::tr("of each line half of what its points differ by when its figure is one σ "
-                                 "more or less; root of the sum of the squares");
+    told.formula =
+        ScoreTextWords::tr("the sum of the points of each line; a line gives points × (figure − none at) / "
+                           "(all at − none at), from 0 to all");
+    told.uncertainty =
+        ScoreTextWords::tr("of each line half of what its points differ by when its figure is one σ "
+                           "more or less; root of the sum of the squares");
     told.inputs = scoreLines(score) + inputs;
     return told;
 }
@@ -109,9 +112,10 @@ QString criterionText(const Criterion &criterion)
     const QString points = pointsText(std::abs(criterion.points));
     const bool less = criterion.fullAt < criterion.noneAt;
     if (criterion.points < 0)
-        return less
-                   ? ScoreTextWords::tr("%1 points off at %2 or less, none off at %3 or more").arg(points, full, none)
-                   : ScoreTextWords::tr("%1 points off at %2 or more, none off at %3 or less").arg(points, full, none);
+        return less ? ScoreTextWords::tr("%1 points off at %2 or less, none off at %3 or more")
+                          .arg(points, full, none)
+                    : ScoreTextWords::tr("%1 points off at %2 or more, none off at %3 or less")
+                          .arg(points, full, none);
     return less ? ScoreTextWords::tr("%1 points at %2 or less, none at %3 or more").arg(points, full, none)
                 : ScoreTextWords::tr("%1 points at %2 or more, none at %3 or less").arg(points, full, none);
 }

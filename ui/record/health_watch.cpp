@@ -55,7 +55,8 @@ QString HealthWatch::blocked() const
     if (m_readOnly)
         return HealthWatchWords::tr("The project can only be read");
     if (!m_cameras.session())
-        return m_cameras.isPreparing() ? HealthWatchWords::tr("Opening the cameras…") : HealthWatchWords::tr("No camera runs");
+        return m_cameras.isPreparing() ? HealthWatchWords::tr("Opening the cameras…")
+                                       : HealthWatchWords::tr("No camera runs");
     return m_anyDelivers ? QString() : HealthWatchWords::tr("No camera sends pictures");
 }
 

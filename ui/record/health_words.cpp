@@ -29,7 +29,9 @@ Badge viewBadge(const ViewHealth &view)
         return {RecordHealthWords::tr("slow"), BadgeState::Warning};
     if (view.lostByUs > 0 || view.lostOnWire > 0)
         return {RecordHealthWords::tr("losses"), BadgeState::Warning};
-    return view.state == ViewHealth::State::Delivering ? Badge{RecordHealthWords::tr("good"), BadgeState::Good} : Badge{};
+    return view.state == ViewHealth::State::Delivering
+               ? Badge{RecordHealthWords::tr("good"), BadgeState::Good}
+               : Badge{};
 }
 
 Fact viewFact(const ViewHealth &view, const WantedCamera &camera)
@@ -39,7 +41,8 @@ Fact viewFact(const ViewHealth &view, const WantedCamera &camera)
         words += RecordHealthWords::tr(", %1 ms").arg(std::lround(1e3 * view.latencyS));
     if (!camera.floorView)
         words += RecordHealthWords::tr("; not registered");
-    return {RecordHealthWords::tr("Camera %1").arg(QString::fromStdString(camera.name)), words, viewBadge(view)};
+    return {RecordHealthWords::tr("Camera %1").arg(QString::fromStdString(camera.name)), words,
+            viewBadge(view)};
 }
 
 ViewHealth since(ViewHealth view, const CaptureHealth &before, std::size_t v)
@@ -57,14 +60,16 @@ Fact robotFact(const SeenRobot &robot)
 {
     const QString name = QString::fromStdString(robot.name);
     if (!robot.now || !robot.now->point.valid)
-        return {name, RecordHealthWords::tr("not seen"), {RecordHealthWords::tr("unseen"), BadgeState::Warning}};
+        return {
+            name, RecordHealthWords::tr("not seen"), {RecordHealthWords::tr("unseen"), BadgeState::Warning}};
     const ProfilePoint &point = robot.now->point;
-    const QString place =
-        RecordHealthWords::tr("x %1, y %2, %3")
-            .arg(distanceText(point.position.x()), distanceText(point.position.y()),
-                 speedText(point.speedMps, point.sigmaSpeedMps));
+    const QString place = RecordHealthWords::tr("x %1, y %2, %3")
+                              .arg(distanceText(point.position.x()), distanceText(point.position.y()),
+                                   speedText(point.speedMps, point.sigmaSpeedMps));
     if (std::popcount(robot.now->sample.views) == 1)
-        return {name, place + RecordHealthWords::tr("; one camera sees it"), {RecordHealthWords::tr("seen"), BadgeState::Neutral}};
+        return {name,
+                place + RecordHealthWords::tr("; one camera sees it"),
+                {RecordHealthWords::tr("seen"), BadgeState::Neutral}};
     return {name, place, {RecordHealthWords::tr("seen"), BadgeState::Good}};
 }
 
@@ -104,8 +109,8 @@ QList<Fact> healthFacts(const CaptureHealth &health, const std::vector<WantedCam
                       live.latencyP99S > slowMapS ? Badge{RecordHealthWords::tr("slow"), BadgeState::Warning}
                                                   : Badge{RecordHealthWords::tr("good"), BadgeState::Good}});
     if (health.disk.recording) {
-        QStringList words{
-            RecordHealthWords::tr("%1 MB written").arg(QLocale().toString(double(health.disk.bytes) / 1e6, 'f', 0))};
+        QStringList words{RecordHealthWords::tr("%1 MB written")
+                              .arg(QLocale().toString(double(health.disk.bytes) / 1e6, 'f', 0))};
         if (const std::string room = roomWords(health.disk); !room.empty())
             words << shownWords(room);
         const bool bad = health.disk.trouble || health.disk.waiting >= 1;
@@ -123,12 +128,14 @@ QString unregisteredWords(const std::vector<WantedCamera> &cameras)
     for (const WantedCamera &camera : cameras) {
         const QString name = QString::fromStdString(camera.name);
         if (!camera.floorView && camera.registeredPx.isEmpty())
-            return RecordHealthWords::tr("Camera %1 is not registered to the floor: it is recorded, but cannot tell "
-                             "where a robot is.")
+            return RecordHealthWords::tr(
+                       "Camera %1 is not registered to the floor: it is recorded, but cannot tell "
+                       "where a robot is.")
                 .arg(name);
         if (!camera.floorView)
-            return RecordHealthWords::tr("Camera %1 was registered for pictures of %2×%3, which it does not send now: it "
-                             "is recorded, but cannot tell where a robot is.")
+            return RecordHealthWords::tr(
+                       "Camera %1 was registered for pictures of %2×%3, which it does not send now: it "
+                       "is recorded, but cannot tell where a robot is.")
                 .arg(name)
                 .arg(camera.registeredPx.width())
                 .arg(camera.registeredPx.height());
@@ -155,7 +162,8 @@ QString troubleWords(const CaptureHealth &health, const std::vector<WantedCamera
     if (const QString words = firstOf(&ViewHealth::slow); !words.isEmpty())
         return words;
     if (health.disk.recording && health.disk.waiting >= 0.5)
-        return RecordHealthWords::tr("The disk is hardly fast enough: record to a faster one, or with fewer cameras.");
+        return RecordHealthWords::tr(
+            "The disk is hardly fast enough: record to a faster one, or with fewer cameras.");
     if (health.disk.secondsLeft && *health.disk.secondsLeft < littleRoomS)
         return sentence(
             RecordHealthWords::tr("The disk is nearly full: %1").arg(shownWords(roomWords(health.disk))));

@@ -130,8 +130,9 @@ void AnnotatedPicture::layOutViews(const QRectF &room)
                  height = (room.height() - pictureGap * double(rows - 1)) / double(rows);
     for (std::size_t view = 0; view < count; ++view) {
         const double column = double(view % inARow), row = double(view / inARow);
-        m_views.push_back(snapped(
-            QRectF(room.left() + column * (width + pictureGap), room.top() + row * (height + pictureGap), width, height), m_scale));
+        m_views.push_back(snapped(QRectF(room.left() + column * (width + pictureGap),
+                                         room.top() + row * (height + pictureGap), width, height),
+                                  m_scale));
     }
 }
 
@@ -308,8 +309,9 @@ void AnnotatedPicture::paintView(QPainter &painter, std::size_t view, const View
     if (moment.picture.isNull()) {
         painter.setPen(ThemeColours::of(m_look.palette).muted);
         painter.drawText(m_views[view].adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
-                         moment.frame < 0 ? AnnotatedPictureWords::tr("This camera was not recording at this time")
-                                          : AnnotatedPictureWords::tr("This picture cannot be decoded"));
+                         moment.frame < 0
+                             ? AnnotatedPictureWords::tr("This camera was not recording at this time")
+                             : AnnotatedPictureWords::tr("This picture cannot be decoded"));
     }
     if (moment.frame < 0)
         return;

@@ -118,11 +118,16 @@ private:
 
 QRectF ClassPage::paintFrame(const QRectF &sheet, const QString &title, const QStringList &facts, int page, int pages)
 {
-    QStringList foot(ClassReportWords::tr("Rank: one more than the number of teams that are better beyond doubt (medians apart by more "
-                               "than 1.96 σ); teams of one rank cannot be told apart."));
+    QStringList foot(ClassReportWords::tr(
+        "Rank: one more than the number of teams that are better beyond doubt (medians apart by more "
+        "than 1.96 σ); teams of one rank cannot be told apart."));
     if (m_content.leftOut > 0)
-        foot << ClassReportWords::tr("%n trial(s) left out: measured by another course; measure them again.", "", m_content.leftOut);
-    foot << (pages > 1 ? ClassReportWords::tr("Page %1 of %2 · Odograph %3").arg(page).arg(pages).arg(QStringLiteral(ODOGRAPH_VERSION))
+        foot << ClassReportWords::tr("%n trial(s) left out: measured by another course; measure them again.",
+                                     "", m_content.leftOut);
+    foot << (pages > 1 ? ClassReportWords::tr("Page %1 of %2 · Odograph %3")
+                             .arg(page)
+                             .arg(pages)
+                             .arg(QStringLiteral(ODOGRAPH_VERSION))
                        : ClassReportWords::tr("Odograph %1").arg(QStringLiteral(ODOGRAPH_VERSION)));
     return drawFoot(m_painter, drawHead(m_painter, sheet, m_options.letterhead, title, facts), m_options.letterhead, foot);
 }
@@ -150,17 +155,21 @@ void ClassPage::paintClassFigures(const QRectF &rect)
     QList<ReportFigure> figures;
     figures << ReportFigure{ClassReportWords::tr("Teams"), number(int(m_standings.teams.size())), {}}
             << ReportFigure{ClassReportWords::tr("Trials"), number(int(values.size())),
-                            m_content.trials > int(values.size()) ? ClassReportWords::tr("of %1").arg(m_content.trials) : QString()}
+                            m_content.trials > int(values.size())
+                                ? ClassReportWords::tr("of %1").arg(m_content.trials)
+                                : QString()}
             << ReportFigure{ClassReportWords::tr("Best"), figureOf(m_standings, bestOf(m_standings)), {}}
-            << ReportFigure{ClassReportWords::tr("Median of all runs"), figureOf(m_standings, median(values)), {}};
+            << ReportFigure{
+                   ClassReportWords::tr("Median of all runs"), figureOf(m_standings, median(values)), {}};
     constexpr std::size_t leastForQuartiles = 4;
     std::ranges::sort(values);
     const auto quartile = [&](double part) { return values[std::size_t(std::lround(part * double(values.size() - 1)))]; };
     if (values.size() >= leastForQuartiles)
         figures << ReportFigure{ClassReportWords::tr("Middle half of the runs"),
-                            figureOf(m_standings, quartile(0.75) - quartile(0.25)),
-                            ClassReportWords::tr("%1 to %2").arg(figureOf(m_standings, quartile(0.25)).value,
-                                                      figureOf(m_standings, quartile(0.75)).text())};
+                                figureOf(m_standings, quartile(0.75) - quartile(0.25)),
+                                ClassReportWords::tr("%1 to %2")
+                                    .arg(figureOf(m_standings, quartile(0.25)).value,
+                                         figureOf(m_standings, quartile(0.75)).text())};
     drawFigures(m_painter, rect, figures);
 }
 
@@ -259,7 +268,8 @@ void ClassPage::paintRuns(const QRectF &rect, const TeamStanding &team)
     ReportTable table;
     table.weights = {0.3, 0.42, 0.28};
     table.alignments = {Qt::AlignLeft, Qt::AlignLeft, Qt::AlignRight};
-    table.header = {ClassReportWords::tr("Date"), ClassReportWords::tr("Trial"), metricName(m_standings.choice.metric)};
+    table.header = {ClassReportWords::tr("Date"), ClassReportWords::tr("Trial"),
+                    metricName(m_standings.choice.metric)};
     const auto perColumn = std::size_t(std::max(1.0, room.height() / table.rowHeight - 1));
     const bool isWide = team.runs.size() > perColumn;
     const double width = isWide ? (room.width() - 20) / 2 : room.width() * 0.7;
@@ -282,19 +292,24 @@ void ClassPage::paintTeam(const QRectF &sheet, std::size_t index)
     QRectF room = paintFrame(sheet, teamName(team), facts + classFacts(), 1, 1);
     QList<ReportFigure> figures;
     if (m_standings.isRanked())
-        figures << ReportFigure{ClassReportWords::tr("Rank"), {QLocale().toString(team.figures.rank), {}, {}},
+        figures << ReportFigure{ClassReportWords::tr("Rank"),
+                                {QLocale().toString(team.figures.rank), {}, {}},
                                 ClassReportWords::tr("of %n team(s)", "", int(m_standings.teams.size()))};
     figures << ReportFigure{ClassReportWords::tr("Best"), figureOf(m_standings, team.progress.best), {}};
     const double sigma = team.figures.sigma;
-    figures << ReportFigure{ClassReportWords::tr("Median"),
-                            figureOf(m_standings, team.figures.median, sigma > 0 ? std::optional(sigma) : std::nullopt),
-                            ClassReportWords::tr("class median %1").arg(figureOf(m_standings, median(allValues(m_standings))).text())};
+    figures << ReportFigure{
+        ClassReportWords::tr("Median"),
+        figureOf(m_standings, team.figures.median, sigma > 0 ? std::optional(sigma) : std::nullopt),
+        ClassReportWords::tr("class median %1")
+            .arg(figureOf(m_standings, median(allValues(m_standings))).text())};
     if (team.progress.spread)
-        figures << ReportFigure{ClassReportWords::tr("Spread of one run"), figureOf(m_standings, *team.progress.spread), {}};
+        figures << ReportFigure{
+            ClassReportWords::tr("Spread of one run"), figureOf(m_standings, *team.progress.spread), {}};
     drawFigures(m_painter, QRectF(room.left(), room.top(), room.width(), figuresHeight), figures);
     room.setTop(room.top() + figuresHeight + partGap);
-    const QRectF trend = drawPartTitle(m_painter, QRectF(room.left(), room.top(), room.width(), trendHeight),
-                                       ClassReportWords::tr("Through the term"), progressText(team, m_standings));
+    const QRectF trend =
+        drawPartTitle(m_painter, QRectF(room.left(), room.top(), room.width(), trendHeight),
+                      ClassReportWords::tr("Through the term"), progressText(team, m_standings));
     m_painter.setFont(reportFont(smallSize));
     drawTrend(m_painter, trend, team, reportPalette());
     room.setTop(room.top() + trendHeight + partGap);

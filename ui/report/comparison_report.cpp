@@ -107,11 +107,13 @@ void ComparisonPage::paintCurves(const QRectF &rect, Compared what, const QStrin
 
 void ComparisonPage::paintTable(const QRectF &rect, const QString &title, const DifferenceModel &model)
 {
-    const QRectF room = drawPartTitle(m_painter, rect, title, ComparisonReportWords::tr("± one σ; grey, ≈: within the error"));
+    const QRectF room = drawPartTitle(m_painter, rect, title,
+                                      ComparisonReportWords::tr("± one σ; grey, ≈: within the error"));
     ReportTable table;
     table.weights = {0.28, 0.24, 0.24, 0.24};
     table.alignments = {Qt::AlignLeft, Qt::AlignRight, Qt::AlignRight, Qt::AlignRight};
-    table.header = {QString(), ComparisonReportWords::tr("left"), ComparisonReportWords::tr("right"), ComparisonReportWords::tr("right − left")};
+    table.header = {QString(), ComparisonReportWords::tr("left"), ComparisonReportWords::tr("right"),
+                    ComparisonReportWords::tr("right − left")};
     for (int row = 0; row < model.rowCount(); ++row) {
         ReportTable::Row line;
         for (int column = 0; column < model.columnCount(); ++column)
@@ -124,8 +126,9 @@ void ComparisonPage::paintTable(const QRectF &rect, const QString &title, const 
 
 QString ComparisonPage::alignedWords() const
 {
-    const QString along = m_scene.compared.comparison.isTasksPath ? ComparisonReportWords::tr("along the task’s path")
-                                                                  : ComparisonReportWords::tr("along the way of the left run");
+    const QString along = m_scene.compared.comparison.isTasksPath
+                              ? ComparisonReportWords::tr("along the task’s path")
+                              : ComparisonReportWords::tr("along the way of the left run");
     switch (m_scene.compared.comparison.alignedBy) {
     case AlignBy::StartGate:
         return ComparisonReportWords::tr("aligned by the start gate, %1").arg(along);
@@ -151,15 +154,21 @@ void ComparisonPage::paint(const QRectF &sheet)
     for (int side = 0; side < 2; ++side) {
         const AnalysisRecord &analysis = m_scene.trials.runs[runAt(side)].analysis;
         foot << ComparisonReportWords::tr("%1: analysed %2, Odograph %3")
-                    .arg(literalName(m_scene.name(runAt(side))), reportDate(analysis.made), literalName(analysis.softwareVersion));
+                    .arg(literalName(m_scene.name(runAt(side))), reportDate(analysis.made),
+                         literalName(analysis.softwareVersion));
     }
-    foot << (m_scene.trials.shareCalibration ? ComparisonReportWords::tr("Both runs share their calibration: its error cancels as far as they do.")
-                                             : ComparisonReportWords::tr("The runs do not share their calibration: the errors of both count."));
-    const QRectF room = drawFoot(
-        m_painter,
-        drawHead(m_painter, sheet, m_options.letterhead,
-                 ComparisonReportWords::tr("%1 and %2").arg(literalName(m_scene.name(0)), literalName(m_scene.name(m_content.other))), facts),
-        m_options.letterhead, foot);
+    foot << (m_scene.trials.shareCalibration
+                 ? ComparisonReportWords::tr(
+                       "Both runs share their calibration: its error cancels as far as they do.")
+                 : ComparisonReportWords::tr(
+                       "The runs do not share their calibration: the errors of both count."));
+    const QRectF room =
+        drawFoot(m_painter,
+                 drawHead(m_painter, sheet, m_options.letterhead,
+                          ComparisonReportWords::tr("%1 and %2")
+                              .arg(literalName(m_scene.name(0)), literalName(m_scene.name(m_content.other))),
+                          facts),
+                 m_options.letterhead, foot);
     const double side = sideShare * room.width(), upper = upperShare * room.height();
     paintRun(QRectF(room.left(), room.top(), side, upper), 0);
     paintRun(QRectF(room.right() - side, room.top(), side, upper), 1);
@@ -170,7 +179,8 @@ void ComparisonPage::paint(const QRectF &sheet)
     const QRectF charts(lower.left(), lower.top(), lower.width() - tables - gap, lower.height());
     const double speed = (1 - deltaShare) * charts.height();
     paintCurves(QRectF(charts.left(), charts.top(), charts.width(), speed - 4), Compared::Speed,
-                ComparisonReportWords::tr("Speed along the way, %1").arg(comparedUnit(Compared::Speed)), ComparisonReportWords::tr("with its ±95 % band"));
+                ComparisonReportWords::tr("Speed along the way, %1").arg(comparedUnit(Compared::Speed)),
+                ComparisonReportWords::tr("with its ±95 % band"));
     paintCurves(QRectF(charts.left(), charts.top() + speed, charts.width(), deltaShare * charts.height()),
                 Compared::TimeDifference, ComparisonReportWords::tr("Time difference, s"),
                 ComparisonReportWords::tr("above 0: the right run is later; grey: within the error"));
@@ -179,7 +189,8 @@ void ComparisonPage::paint(const QRectF &sheet)
     metrics.setMetrics(m_scene.compared.metrics[m_content.other - 1]);
     QRectF right(lower.right() - tables, lower.top(), tables, lower.height());
     const double sectorHeight = 40 + 15 * std::min(5, sectors.rowCount());
-    paintTable(QRectF(right.left(), right.top(), right.width(), sectorHeight), ComparisonReportWords::tr("Sectors, s"), sectors);
+    paintTable(QRectF(right.left(), right.top(), right.width(), sectorHeight),
+               ComparisonReportWords::tr("Sectors, s"), sectors);
     right.setTop(right.top() + sectorHeight + 4);
     paintTable(right, ComparisonReportWords::tr("Figures"), metrics);
 }

@@ -63,13 +63,14 @@ QString viewLine(const TrialContent &content, std::size_t view)
 QString sampleSummary(const Profile &profile)
 {
     const auto count = [&profile](const auto &is) { return int(std::ranges::count_if(profile.samples, is)); };
-    return ReportMethodWords::tr("%1 samples: %2 measured, %3 used, %4 flagged, %5 bridged; the views disagree by %6 on average")
-        .arg(profile.samples.size())
-        .arg(count([](const Sample &sample) { return sample.position.has_value(); }))
-        .arg(count([](const Sample &sample) { return sample.position && !isRejected(sample.flags); }))
-        .arg(profile.spikes.size())
-        .arg(count([](const Sample &sample) { return hasFlag(sample.flags, SampleFlag::Interpolated); }))
-        .arg(lengthText(profile.meanViewDisagreementM));
+    return ReportMethodWords::
+        tr("%1 samples: %2 measured, %3 used, %4 flagged, %5 bridged; the views disagree by %6 on average")
+            .arg(profile.samples.size())
+            .arg(count([](const Sample &sample) { return sample.position.has_value(); }))
+            .arg(count([](const Sample &sample) { return sample.position && !isRejected(sample.flags); }))
+            .arg(profile.spikes.size())
+            .arg(count([](const Sample &sample) { return hasFlag(sample.flags, SampleFlag::Interpolated); }))
+            .arg(lengthText(profile.meanViewDisagreementM));
 }
 
 /// Every how many-th sample, so that a page has room for them.
@@ -77,8 +78,12 @@ void drawSamples(QPainter &painter, const QRectF &rect, const Profile &profile)
 {
     ReportTable table;
     const ShownUnits &units = shownUnits();
-    table.header = {ReportMethodWords::tr("t, s"), ReportMethodWords::tr("x, %1").arg(units.length.name), ReportMethodWords::tr("y, %1").arg(units.length.name),
-                    ReportMethodWords::tr("speed, %1").arg(units.speed.name), ReportMethodWords::tr("± (σ)"), ReportMethodWords::tr("acceleration, %1").arg(units.acceleration.name),
+    table.header = {ReportMethodWords::tr("t, s"),
+                    ReportMethodWords::tr("x, %1").arg(units.length.name),
+                    ReportMethodWords::tr("y, %1").arg(units.length.name),
+                    ReportMethodWords::tr("speed, %1").arg(units.speed.name),
+                    ReportMethodWords::tr("± (σ)"),
+                    ReportMethodWords::tr("acceleration, %1").arg(units.acceleration.name),
                     ReportMethodWords::tr("flags")};
     table.weights = {0.1, 0.12, 0.12, 0.14, 0.1, 0.18, 0.24};
     table.alignments = QList<Qt::Alignment>(6, Qt::AlignRight) << Qt::AlignLeft;
@@ -97,9 +102,11 @@ void drawSamples(QPainter &painter, const QRectF &rect, const Profile &profile)
         cells << flagWords(profile.samples[i].flags);
         table.rows << ReportTable::Row{cells, !point.valid, false};
     }
-    const QRectF left = drawPartTitle(painter, rect, ReportMethodWords::tr("What was measured"),
-                                      step == 1 ? ReportMethodWords::tr("every sample, smoothed")
-                                                : ReportMethodWords::tr("one sample of %1, smoothed; all of them are in the exported file").arg(step));
+    const QRectF left = drawPartTitle(
+        painter, rect, ReportMethodWords::tr("What was measured"),
+        step == 1 ? ReportMethodWords::tr("every sample, smoothed")
+                  : ReportMethodWords::tr("one sample of %1, smoothed; all of them are in the exported file")
+                        .arg(step));
     drawTable(painter, left, table);
 }
 
@@ -132,9 +139,11 @@ QStringList provenanceLines(const TrialContent &content, std::size_t robot)
     const AnalysisRecord &analysis = *scene.robots[robot].analysis;
     QStringList parts;
     for (std::size_t view = 1; view < scene.views.size(); ++view)
-        parts << ReportMethodWords::tr("%1 %2").arg(literalName(scene.views[view].camera), stepText(scene.views[view].recording));
+        parts << ReportMethodWords::tr("%1 %2").arg(literalName(scene.views[view].camera),
+                                                    stepText(scene.views[view].recording));
     parts << ReportMethodWords::tr("smoother: %1").arg(smootherText(analysis.options.smoother));
-    parts << ReportMethodWords::tr("analysed %1, Odograph %2").arg(reportDate(analysis.made), literalName(analysis.softwareVersion));
+    parts << ReportMethodWords::tr("analysed %1, Odograph %2")
+                 .arg(reportDate(analysis.made), literalName(analysis.softwareVersion));
     lines << parts.join(QStringLiteral(" · "));
     return lines;
 }
@@ -147,8 +156,10 @@ void paintMethodPage(QPainter &painter, const QRectF &sheet, const TrialContent 
     const TrialScene &scene = *content.scene;
     const AnalysisRecord &analysis = *scene.robots[robot].analysis;
     const ThemeColours colours = ThemeColours::of(reportPalette());
-    QRectF room = drawFoot(painter, drawHead(painter, sheet, letterhead, ReportMethodWords::tr("%1: method").arg(trialTitle(scene, robot)),
-                                             trialHeadFacts(scene, robot)),
+    QRectF room = drawFoot(painter,
+                           drawHead(painter, sheet, letterhead,
+                                    ReportMethodWords::tr("%1: method").arg(trialTitle(scene, robot)),
+                                    trialHeadFacts(scene, robot)),
                            letterhead, provenanceLines(content, robot));
     const QRectF samples(room.left(), room.bottom() - samplesShare * room.height(), room.width(), samplesShare * room.height());
     drawSamples(painter, samples, analysis.profile);

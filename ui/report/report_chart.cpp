@@ -23,8 +23,9 @@ class ReportChartWords
 
 QString titleOf(Quantity quantity)
 {
-    return quantity == Quantity::Speed ? ReportChartWords::tr("Speed, %1").arg(curveUnit(quantity))
-                                       : ReportChartWords::tr("Acceleration along the path, %1").arg(curveUnit(quantity));
+    return quantity == Quantity::Speed
+               ? ReportChartWords::tr("Speed, %1").arg(curveUnit(quantity))
+               : ReportChartWords::tr("Acceleration along the path, %1").arg(curveUnit(quantity));
 }
 
 std::vector<double> timesOf(const Profile &profile)
@@ -89,15 +90,16 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
 {
     const QPalette &palette = reportPalette();
     const ThemeColours colours = ThemeColours::of(palette);
-    const QRectF room = drawPartTitle(painter, rect, titleOf(quantity),
-                                      ReportChartWords::tr("smoothed, with its ±95 % band; dots: as measured"));
+    const QRectF room =
+        drawPartTitle(painter, rect, titleOf(quantity),
+                      ReportChartWords::tr("smoothed, with its ±95 % band; dots: as measured"));
     const std::vector<double> times = timesOf(profile);
     const auto values = curveValues(profile, quantity);
     std::vector<CurveRun> runs = curveRuns(values, quantity, times);
     std::erase_if(runs, [](const CurveRun &run) { return run.line.size() < 2; });
     if (runs.empty()) {
-        drawLine(painter, room, ReportChartWords::tr("No curve: the robot was not seen"), reportFont(bodySize), colours.muted,
-                 Qt::AlignCenter);
+        drawLine(painter, room, ReportChartWords::tr("No curve: the robot was not seen"),
+                 reportFont(bodySize), colours.muted, Qt::AlignCenter);
         return;
     }
     std::vector<const CurveRun *> shown;

@@ -47,9 +47,11 @@ void addMotion(const Profile &profile, std::vector<Weighed> &events)
                           motionWeight});
     };
     add(instants[motions.front().first], motions.front().startS,
-        motions.front().first == 0 ? RunEventsWords::tr("First seen, moving already") : RunEventsWords::tr("Starts to move"));
+        motions.front().first == 0 ? RunEventsWords::tr("First seen, moving already")
+                                   : RunEventsWords::tr("Starts to move"));
     add(instants[motions.back().last], motions.back().stopS,
-        motions.back().last + 1 == instants.size() ? RunEventsWords::tr("Last seen, still moving") : RunEventsWords::tr("Stops"));
+        motions.back().last + 1 == instants.size() ? RunEventsWords::tr("Last seen, still moving")
+                                                   : RunEventsWords::tr("Stops"));
 }
 
 void addTopSpeed(const Profile &profile, std::vector<Weighed> &events)

@@ -34,8 +34,8 @@ QRectF drawStill(QPainter &painter, const QRectF &rect, const TrialScene &scene,
     painter.setClipRect(box);
     if (still.picture.isNull()) {
         painter.fillRect(box, colours.pictureGround);
-        drawLine(painter, box, ReportStillsWords::tr("no picture: the video is missing"), reportFont(smallSize), colours.muted,
-                 Qt::AlignCenter);
+        drawLine(painter, box, ReportStillsWords::tr("no picture: the video is missing"),
+                 reportFont(smallSize), colours.muted, Qt::AlignCenter);
     } else {
         painter.drawImage(box, still.picture);
         const double scale = box.width() / recording.widthPx;

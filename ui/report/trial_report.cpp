@@ -80,7 +80,8 @@ QList<ReportFigure> TrialPage::figures() const
 {
     QList<ReportFigure> figures;
     if (m_score)
-        figures << ReportFigure{TrialReportWords::tr("Score"), scoreFigure(*m_score), medianWords(scoreMetric, "1")};
+        figures << ReportFigure{TrialReportWords::tr("Score"), scoreFigure(*m_score),
+                                medianWords(scoreMetric, "1")};
     for (const Metric &metric : tellingMetrics(m_analysis->profile.metrics, largeCount()))
         figures << ReportFigure{metricName(metric.name), metricFigure(metric), medianWords(metric.name, metric.unit)};
     return figures;
@@ -92,15 +93,18 @@ void TrialPage::paintPlaces(const QRectF &rect)
     const bool hasViews = !m_scene.views.empty();
     constexpr double mapShare = 0.6, gap = 14;
     const double mapWidth = hasViews ? mapShare * rect.width() : rect.width();
-    const QRectF map = drawPartTitle(m_painter, QRectF(rect.left(), rect.top(), mapWidth, rect.height()),
-                                     TrialReportWords::tr("The run from above"), TrialReportWords::tr("coloured by speed"));
+    const QRectF map =
+        drawPartTitle(m_painter, QRectF(rect.left(), rect.top(), mapWidth, rect.height()),
+                      TrialReportWords::tr("The run from above"), TrialReportWords::tr("coloured by speed"));
     drawRunMap(m_painter, map, m_scene, m_robot, m_events);
     if (!hasViews)
         return;
     const QRectF right(rect.left() + mapWidth + gap, rect.top(), rect.width() - mapWidth - gap, rect.height());
-    const QRectF pictures = drawPartTitle(m_painter, right, TrialReportWords::tr("The cameras’ views"),
-                                          m_analysis && m_content.isAtTopSpeed && m_scene.robots.size() == 1 ? TrialReportWords::tr("at %1, the top speed").arg(secondsText(m_content.stillTime))
-                                                     : TrialReportWords::tr("at %1").arg(secondsText(m_content.stillTime)));
+    const QRectF pictures =
+        drawPartTitle(m_painter, right, TrialReportWords::tr("The cameras’ views"),
+                      m_analysis && m_content.isAtTopSpeed && m_scene.robots.size() == 1
+                          ? TrialReportWords::tr("at %1, the top speed").arg(secondsText(m_content.stillTime))
+                          : TrialReportWords::tr("at %1").arg(secondsText(m_content.stillTime)));
     drawStills(m_painter, pictures, m_scene, m_content.stills);
 }
 
@@ -114,8 +118,9 @@ void TrialPage::paintEvents(const QRectF &rect)
         table.rows << ReportTable::Row{{QString::number(event.number), secondsText(event.time), literalName(event.words)},
                                        false, false};
     if (table.rows.isEmpty())
-        drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), 16), TrialReportWords::tr("It did not move"),
-                 reportFont(bodySize), ThemeColours::of(reportPalette()).muted);
+        drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), 16),
+                 TrialReportWords::tr("It did not move"), reportFont(bodySize),
+                 ThemeColours::of(reportPalette()).muted);
     drawTable(m_painter, room, table);
 }
 
@@ -130,19 +135,25 @@ void TrialPage::paintSplits(const QRectF &rect, const std::vector<Lap> &laps)
         const auto time = [](double seconds, double sigmaS) {
             return figureText(seconds, sigmaS, QStringLiteral("s")).text();
         };
-        table.rows << ReportTable::Row{{TrialReportWords::tr("Run %1").arg(lap - laps.begin() + 1), time(lap->timeS, lap->sigmaS)},
-                                       false, laps.size() > 1 && lap == best};
+        table.rows << ReportTable::Row{
+            {TrialReportWords::tr("Run %1").arg(lap - laps.begin() + 1), time(lap->timeS, lap->sigmaS)},
+            false,
+            laps.size() > 1 && lap == best};
         for (const Sector &sector : lap->sectors)
             if (lap->sectors.size() > 1)
-                table.rows << ReportTable::Row{{QStringLiteral("   ") + TrialReportWords::tr("to %1").arg(literalName(sector.gate)),
-                                                time(sector.timeS, sector.sigmaS)}, false, false};
+                table.rows << ReportTable::Row{
+                    {QStringLiteral("   ") + TrialReportWords::tr("to %1").arg(literalName(sector.gate)),
+                     time(sector.timeS, sector.sigmaS)},
+                    false,
+                    false};
     }
     drawTable(m_painter, room, table);
 }
 
 void TrialPage::paintMetrics(const QRectF &rect)
 {
-    const QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("Figures"), TrialReportWords::tr("± one σ"));
+    const QRectF room =
+        drawPartTitle(m_painter, rect, TrialReportWords::tr("Figures"), TrialReportWords::tr("± one σ"));
     ReportTable table;
     table.weights = {0.54, 0.46};
     table.alignments = {Qt::AlignLeft, Qt::AlignRight};
@@ -201,8 +212,8 @@ void TrialPage::paint(const QRectF &sheet)
     paintRemarks(remarks);
     if (!m_analysis) {
         drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), 30),
-                 TrialReportWords::tr("This trial has not been tracked yet: there are no figures."), reportFont(bodySize + 2),
-                 ThemeColours::of(reportPalette()).text);
+                 TrialReportWords::tr("This trial has not been tracked yet: there are no figures."),
+                 reportFont(bodySize + 2), ThemeColours::of(reportPalette()).text);
         paintPlaces(room.adjusted(0, 40, 0, -room.height() * 0.35));
         return;
     }

@@ -49,8 +49,8 @@ QString valueText(Quantity quantity, const CurveValue &value, int power = 0)
 QStringList inputsOf(const RangeReport &report)
 {
     const RangeRequest &request = report.request;
-    QStringList inputs{
-        RangeFactsWords::tr("from %1 to %2").arg(secondsText(request.span.begin), secondsText(request.span.end))};
+    QStringList inputs{RangeFactsWords::tr("from %1 to %2")
+                           .arg(secondsText(request.span.begin), secondsText(request.span.end))};
     return inputs + analysisInputs(*request.scene, request.robot);
 }
 
@@ -74,11 +74,12 @@ Explanation explainStatistics(const RangeReport &report, Quantity quantity, cons
 {
     return {quantityName(quantity),
             value,
-            RangeFactsWords::tr("Of the smoothed curve, each value for half the time to both neighbours: its mean, the "
-                      "median (half of the "
-                      "time stays below it), the least and the most beyond doubt (by the value plus or minus "
-                      "2σ), and the "
-                      "spread √(mean of the squared distance from the mean)."),
+            RangeFactsWords::tr(
+                "Of the smoothed curve, each value for half the time to both neighbours: its mean, the "
+                "median (half of the "
+                "time stays below it), the least and the most beyond doubt (by the value plus or minus "
+                "2σ), and the "
+                "spread √(mean of the squared distance from the mean)."),
             smoothedPart() + u' ' + calibrationPart(quantity),
             inputsOf(report),
             {}};
@@ -102,8 +103,9 @@ QList<Fact> statisticsFacts(const RangeReport &report, Quantity quantity,
     QStringList words;
     for (const Fact &line : lines)
         words << line.name + u' ' + line.value;
-    Fact head{
-        quantityName(quantity), RangeFactsWords::tr("%n points", nullptr, static_cast<int>(statistics->points)), {}};
+    Fact head{quantityName(quantity),
+              RangeFactsWords::tr("%n points", nullptr, static_cast<int>(statistics->points)),
+              {}};
     head.how = explainStatistics(report, quantity, words.join(QStringLiteral(", ")));
     return QList<Fact>{head} + lines;
 }
@@ -127,26 +129,29 @@ Explanation explainFit(const RangeReport &report, const CurveFit &fit, const QSt
     Explanation explanation{
         RangeFactsWords::tr("Fit of %1").arg(quantityName(quantity)),
         value,
-        RangeFactsWords::tr("The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, "
-                  "over what the errors let expect of it: the number of points less what the coefficients "
-                  "take up.")
+        RangeFactsWords::tr(
+            "The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, "
+            "over what the errors let expect of it: the number of points less what the coefficients "
+            "take up.")
             .arg(isPosition(quantity) ? RangeFactsWords::tr("the measured places that are used")
                                       : RangeFactsWords::tr("the smoothed curve"),
                  secondsText(fromSeconds(fit.originS))),
         {},
         inputsOf(report),
         QStringLiteral("Aitken 1935")};
-    explanation.uncertainty = isPosition(quantity)
-                                  ? RangeFactsWords::tr("The larger of two: that of the measurements, widened by 1 + "
-                                              "2Σρ of the residuals where they hang "
-                                              "together (here ×%1), and that of the smoothed curve, which "
-                                              "knows what of their errors lasts.")
-                                        .arg(QLocale().toString(fit.neighbourFactor, 'g', 3))
-                                  : smoothedPart();
-    explanation.uncertainty += u' ' + calibrationPart(quantity) + u' ' +
-                               RangeFactsWords::tr("That the shape is the true one is taken for granted; χ² far above "
-                                         "1 says that it is not. Below 1 it "
-                                         "comes of a smoother that allows for more motion than there is.");
+    explanation.uncertainty =
+        isPosition(quantity)
+            ? RangeFactsWords::tr("The larger of two: that of the measurements, widened by 1 + "
+                                  "2Σρ of the residuals where they hang "
+                                  "together (here ×%1), and that of the smoothed curve, which "
+                                  "knows what of their errors lasts.")
+                  .arg(QLocale().toString(fit.neighbourFactor, 'g', 3))
+            : smoothedPart();
+    explanation.uncertainty +=
+        u' ' + calibrationPart(quantity) + u' ' +
+        RangeFactsWords::tr("That the shape is the true one is taken for granted; χ² far above "
+                            "1 says that it is not. Below 1 it "
+                            "comes of a smoother that allows for more motion than there is.");
     explanation.inputs.prepend(RangeFactsWords::tr("%1 points").arg(fit.points));
     return explanation;
 }
@@ -205,7 +210,8 @@ QList<Fact> fitFacts(const RangeReport &report)
     QStringList words;
     for (const Fact &line : std::as_const(lines))
         words << line.name + u' ' + line.value;
-    Fact verdict{RangeFactsWords::tr("Fit of %1").arg(quantityName(quantity)), verdictText(fit, quantity), {}};
+    Fact verdict{
+        RangeFactsWords::tr("Fit of %1").arg(quantityName(quantity)), verdictText(fit, quantity), {}};
     verdict.how = explainFit(report, fit, words.join(QStringLiteral(", ")));
     return QList<Fact>{verdict} + lines;
 }

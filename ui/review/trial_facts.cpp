@@ -29,8 +29,9 @@ QString robotText(const SceneRobot &robot)
     if (!robot.analysis || robot.analysis->views.empty()) // an imported track tells no height
         return name;
     const QString height = lengthText(robot.analysis->profile.heightM);
-    return robot.analysis->profile.heightEstimated ? TrialFactsWords::tr("%1, %2 high (estimated)").arg(name, height)
-                                                   : TrialFactsWords::tr("%1, %2 high").arg(name, height);
+    return robot.analysis->profile.heightEstimated
+               ? TrialFactsWords::tr("%1, %2 high (estimated)").arg(name, height)
+               : TrialFactsWords::tr("%1, %2 high").arg(name, height);
 }
 
 QString viewText(const SceneView &view)
@@ -60,10 +61,11 @@ Fact viewFact(const SceneView &view)
 
 Fact stepFact(const SceneView &view)
 {
-    Fact fact{TrialFactsWords::tr("In step"),
-              TrialFactsWords::tr("%1: %2").arg(QString::fromStdString(view.camera), stepText(view.recording)),
-              {},
-              explainStep(view, stepText(view.recording))};
+    Fact fact{
+        TrialFactsWords::tr("In step"),
+        TrialFactsWords::tr("%1: %2").arg(QString::fromStdString(view.camera), stepText(view.recording)),
+        {},
+        explainStep(view, stepText(view.recording))};
     if (view.recording.syncMethod != "told" && !isStepMeasured(view.recording))
         fact.badge = {TrialFactsWords::tr("not synchronised"), BadgeState::Warning};
     return fact;
@@ -88,10 +90,14 @@ QList<Fact> gateFacts(const TrialScene &scene)
     QList<Fact> facts;
     QStringList gates;
     for (const GatePassage &passage : profile.passages)
-        gates << TrialFactsWords::tr("%1 at %2").arg(QString::fromStdString(passage.gate),
-                                           timeText(toSeconds(passage.time), passage.sigmaS));
+        gates << TrialFactsWords::tr("%1 at %2")
+                     .arg(QString::fromStdString(passage.gate),
+                          timeText(toSeconds(passage.time), passage.sigmaS));
     if (!gates.isEmpty())
-        facts.append({TrialFactsWords::tr("Gates"), gates.join(u'\n'), {}, explainPassages(scene, 0, gates.join(u'\n'))});
+        facts.append({TrialFactsWords::tr("Gates"),
+                      gates.join(u'\n'),
+                      {},
+                      explainPassages(scene, 0, gates.join(u'\n'))});
     const bool oneGate = std::any_of(profile.passages.begin(), profile.passages.end(), [](const GatePassage &passage) {
         return passage.role == GateRole::StartFinish;
     });
@@ -100,9 +106,11 @@ QList<Fact> gateFacts(const TrialScene &scene)
         QStringList lines(timeText(lap.timeS, lap.sigmaS));
         for (const Sector &sector : lap.sectors) {
             if (lap.sectors.size() > 1)
-                lines << TrialFactsWords::tr("to %1 %2").arg(QString::fromStdString(sector.gate), timeText(sector.timeS, sector.sigmaS));
+                lines << TrialFactsWords::tr("to %1 %2")
+                             .arg(QString::fromStdString(sector.gate), timeText(sector.timeS, sector.sigmaS));
         }
-        const QString what = (oneGate ? TrialFactsWords::tr("Lap %1") : TrialFactsWords::tr("Run %1")).arg(++number);
+        const QString what =
+            (oneGate ? TrialFactsWords::tr("Lap %1") : TrialFactsWords::tr("Run %1")).arg(++number);
         facts.append({what, lines.join(u'\n'), {}, explainLap(scene, 0, lap, what)});
     }
     return facts;
@@ -150,16 +158,22 @@ void addTask(const TrialScene &scene, QList<Fact> &facts)
         return;
     const bool isOtherwise = !scene.robots.empty() && isMeasuredOtherwise(scene, 0);
     facts.append({TrialFactsWords::tr("Task"), QString::fromStdString(scene.trial.task),
-                  isOtherwise ? Badge{TrialFactsWords::tr("measured by another course"), BadgeState::Warning} : Badge()});
+                  isOtherwise ? Badge{TrialFactsWords::tr("measured by another course"), BadgeState::Warning}
+                              : Badge()});
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
         const std::optional<Score> score = scoreOf(scene, robot);
         if (!score)
             continue;
         const QString who = scene.robots.size() == 1 ? QString() : QString::fromStdString(scene.robots[robot].robot.name) + QStringLiteral(": ");
-        facts.append({TrialFactsWords::tr("Score"), who + scoreText(*score), {}, explainScore(*score, analysisInputs(scene, robot))});
+        facts.append({TrialFactsWords::tr("Score"),
+                      who + scoreText(*score),
+                      {},
+                      explainScore(*score, analysisInputs(scene, robot))});
     }
     if (isOtherwise && !scene.scoring.empty())
-        facts.append({TrialFactsWords::tr("Score"), TrialFactsWords::tr("none until it is measured again: the task has another course now"), {}});
+        facts.append({TrialFactsWords::tr("Score"),
+                      TrialFactsWords::tr("none until it is measured again: the task has another course now"),
+                      {}});
 }
 
 } // namespace
@@ -175,10 +189,12 @@ QList<Fact> trialFacts(const TrialScene &scene)
     add(TrialFactsWords::tr("Team"), shownTeam(trial));
     addTask(scene, facts);
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot)
-        facts.append({TrialFactsWords::tr("Robot"), robotText(scene.robots[robot]), {}, explainHeight(scene, robot)});
+        facts.append(
+            {TrialFactsWords::tr("Robot"), robotText(scene.robots[robot]), {}, explainHeight(scene, robot)});
     add(TrialFactsWords::tr("Date"), dateText(trial.date));
     if (scene.layout)
-        add(TrialFactsWords::tr("Testbed"), TrialFactsWords::tr("markers “%1”").arg(QString::fromStdString(scene.layout->name)));
+        add(TrialFactsWords::tr("Testbed"),
+            TrialFactsWords::tr("markers “%1”").arg(QString::fromStdString(scene.layout->name)));
     for (const SceneView &view : scene.views)
         facts.append(viewFact(view));
     for (const ImportedTrack &source : scene.imported)
@@ -189,9 +205,16 @@ QList<Fact> trialFacts(const TrialScene &scene)
         const AnalysisRecord &analysis = *scene.robots.front().analysis;
         facts += gateFacts(scene);
         if (const QString path = pathText(analysis.profile); !path.isEmpty())
-            facts.append({TrialFactsWords::tr("Path"), path, {}, explainFigures(scene, 0, TrialFactsWords::tr("Distance from the path"), path, "cross_track")});
+            facts.append({TrialFactsWords::tr("Path"),
+                          path,
+                          {},
+                          explainFigures(scene, 0, TrialFactsWords::tr("Distance from the path"), path,
+                                         "cross_track")});
         if (const QString zones = zonesText(scene); !zones.isEmpty())
-            facts.append({TrialFactsWords::tr("Zones"), zones, {}, explainFigures(scene, 0, TrialFactsWords::tr("Zones"), zones, "zone_")});
+            facts.append({TrialFactsWords::tr("Zones"),
+                          zones,
+                          {},
+                          explainFigures(scene, 0, TrialFactsWords::tr("Zones"), zones, "zone_")});
         add(TrialFactsWords::tr("Smoother"), smootherText(analysis.options.smoother));
         add(TrialFactsWords::tr("Analysed"),
             TrialFactsWords::tr("%1, Odograph %2")

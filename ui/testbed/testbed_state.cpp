@@ -42,10 +42,12 @@ void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
 {
     const QLocale locale;
     const Intrinsics &lens = record.calibration.intrinsics;
-    facts.append({TestbedStateWords::tr("Picture"), QStringLiteral("%1×%2").arg(lens.widthPx).arg(lens.heightPx), {}});
-    facts.append({TestbedStateWords::tr("Lens"),
-                  TestbedStateWords::tr("%1, f = %2 px").arg(lensName(lens.model), locale.toString(lens.fxPx, 'f', 1)),
-                  {}});
+    facts.append(
+        {TestbedStateWords::tr("Picture"), QStringLiteral("%1×%2").arg(lens.widthPx).arg(lens.heightPx), {}});
+    facts.append(
+        {TestbedStateWords::tr("Lens"),
+         TestbedStateWords::tr("%1, f = %2 px").arg(lensName(lens.model), locale.toString(lens.fxPx, 'f', 1)),
+         {}});
     facts.append({TestbedStateWords::tr("Origin"),
                   QStringLiteral("%1, %2").arg(shownWords(record.origin), dateText(record.made)),
                   {}});
@@ -57,7 +59,8 @@ void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
                       {}});
     if (record.calibration.crossValidationPx > 0)
         facts.append({TestbedStateWords::tr("Held-out error"),
-                      TestbedStateWords::tr("%1 px").arg(locale.toString(record.calibration.crossValidationPx, 'f', 2)),
+                      TestbedStateWords::tr("%1 px").arg(
+                          locale.toString(record.calibration.crossValidationPx, 'f', 2)),
                       {}});
     if (!record.calibration.verdict.empty())
         facts.append({TestbedStateWords::tr("Verdict"), shownWords(record.calibration.verdict), {}});
@@ -67,11 +70,12 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
 {
     const QLocale locale;
     const FloorRegistration &registration = record.registration;
-    facts.append({TestbedStateWords::tr("On the floor"), TestbedStateWords::tr("registered %1").arg(dateText(record.made)),
-                  cameraBadge(record)});
+    facts.append({TestbedStateWords::tr("On the floor"),
+                  TestbedStateWords::tr("registered %1").arg(dateText(record.made)), cameraBadge(record)});
     if (record.lastCheck)
         facts.append({TestbedStateWords::tr("Last check"),
-                      QStringLiteral("%1: %2").arg(dateText(record.lastCheck->made), shownWords(record.lastCheck->words)),
+                      QStringLiteral("%1: %2").arg(dateText(record.lastCheck->made),
+                                                   shownWords(record.lastCheck->words)),
                       {}});
     const Eigen::Vector3d place = registration.worldFromCamera.translation;
     facts.append({TestbedStateWords::tr("Place"),
@@ -128,12 +132,15 @@ QList<Fact> cameraFacts(const CameraRow &camera)
     if (camera.intrinsics)
         addIntrinsics(facts, *camera.intrinsics);
     else
-        facts.append({TestbedStateWords::tr("Lens"), TestbedStateWords::tr("not calibrated: taken as free of distortion"), {}});
+        facts.append({TestbedStateWords::tr("Lens"),
+                      TestbedStateWords::tr("not calibrated: taken as free of distortion"),
+                      {}});
     if (camera.registration)
         addRegistration(facts, *camera.registration);
     else
-        facts.append(
-            {TestbedStateWords::tr("On the floor"), TestbedStateWords::tr("not registered: positions cannot be measured yet"), {}});
+        facts.append({TestbedStateWords::tr("On the floor"),
+                      TestbedStateWords::tr("not registered: positions cannot be measured yet"),
+                      {}});
     return facts;
 }
 

@@ -176,8 +176,8 @@ void FigureGrid::paintEvent(QPaintEvent *)
     const ThemeColours colours = ThemeColours::of(palette());
     if (m_figures.empty()) {
         painter.setPen(colours.muted);
-        painter.drawText(rect().adjusted(figurePadding, 0, -figurePadding, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No result yet: track the trial"));
+        painter.drawText(rect().adjusted(figurePadding, 0, -figurePadding, 0),
+                         Qt::AlignCenter | Qt::TextWordWrap, tr("No result yet: track the trial"));
         return;
     }
     const int height = rowHeight(), columnWidth = width() / columnCount;

@@ -85,7 +85,8 @@ void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette
     painter.setPen(colours.muted);
     painter.drawText(
         QRectF(0, plan.size.height() - MapPlan::footHeight, plan.size.width() - 10, MapPlan::footHeight - 6),
-        Qt::AlignRight | Qt::AlignBottom, MapPaintingWords::tr("grid %1 %2").arg(ticks.label(ticks.step), unit.name));
+        Qt::AlignRight | Qt::AlignBottom,
+        MapPaintingWords::tr("grid %1 %2").arg(ticks.label(ticks.step), unit.name));
 }
 
 void drawMapFoot(QPainter &painter, const MapPlan &plan, const QPalette &palette)

@@ -121,9 +121,10 @@ void drawSpeedLegend(QPainter &painter, const MapPlan &plan, double topMps, cons
         return;
     const ShownUnit &speed = shownUnits().speed;
     const double top = speed.perSi * topMps;
-    drawScaleLegend(painter, plan,
-                    TrailPaintingWords::tr("0 to %1 %2").arg(QLocale().toString(top, 'f', top < 1 ? 2 : 1), speed.name),
-                    palette);
+    drawScaleLegend(
+        painter, plan,
+        TrailPaintingWords::tr("0 to %1 %2").arg(QLocale().toString(top, 'f', top < 1 ? 2 : 1), speed.name),
+        palette);
 }
 
 } // namespace odo

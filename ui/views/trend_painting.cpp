@@ -109,7 +109,9 @@ void drawTrend(QPainter &painter, const QRectF &rect, const TeamStanding &team, 
     const Metric &metric = team.runs.front().metric;
     const QString name = metricName(metric.name);
     drawAxes(painter, plot,
-             metric.unit == "1" ? name : TrendPaintingWords::tr("%1 in %2").arg(name, QString::fromStdString(metric.unit)),
+             metric.unit == "1"
+                 ? name
+                 : TrendPaintingWords::tr("%1 in %2").arg(name, QString::fromStdString(metric.unit)),
              palette);
     drawProgress(painter, plot, team, palette);
 }

@@ -96,8 +96,8 @@ int V4l2Stream::setMode(const V4l2Mode &mode)
 int V4l2Stream::makeBuffers()
 {
     v4l2_requestbuffers request{};
-    request.count = static_cast<__u32>(std::clamp(static_cast<int>(std::ceil(heldS * m_framesPerSecond)),
-                                                  fewestHeld, VIDEO_MAX_FRAME));
+    request.count = static_cast<__u32>(
+        std::clamp(static_cast<int>(std::ceil(heldS * m_framesPerSecond)), fewestHeld, VIDEO_MAX_FRAME));
     request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     request.memory = V4L2_MEMORY_MMAP;
     if (const int failure = m_device->call(VIDIOC_REQBUFS, &request); failure != 0)

@@ -229,9 +229,11 @@ std::vector<std::string> orderWords(const MarkerLayout &layout, const FloorView 
 {
     std::vector<PointPair> pairs;
     for (const Marker &marker : layout.markers)
-        if (const auto pixel = view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0}); pixel && pairs.size() < 4)
+        if (const auto pixel = view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
+            pixel && pairs.size() < 4)
             pairs.push_back({marker.pointInWorld.head<2>(), *pixel, marker.label});
-    std::vector<std::string> words{betterOrder(pairs, view.camera(), FocalLength::Known, 1e6)}; // many that fit so badly
+    std::vector<std::string> words{
+        betterOrder(pairs, view.camera(), FocalLength::Known, 1e6)}; // many that fit so badly
     const Eigen::Vector2d first = pairs[0].target;
     for (std::size_t i = 0; i < 3; ++i)
         pairs[i].target = i < 2 ? pairs[i + 1].target : first;

@@ -26,7 +26,10 @@ class AccuracyLayerWords
     Q_DECLARE_TR_FUNCTIONS(AccuracyLayer)
 };
 
-QString keyTitle() { return AccuracyLayerWords::tr("expected ±, hatched: not seen"); }
+QString keyTitle()
+{
+    return AccuracyLayerWords::tr("expected ±, hatched: not seen");
+}
 
 struct Range
 {
@@ -52,7 +55,10 @@ std::optional<Range> rangeOf(const SketchedAccuracy &accuracy)
 }
 
 /// 1, 2 or 5 of a power of ten.
-QString levelText(double metres) { return AccuracyLayerWords::tr("%1 mm").arg(QLocale().toString(toMillimetres(metres), 'g', 2)); }
+QString levelText(double metres)
+{
+    return AccuracyLayerWords::tr("%1 mm").arg(QLocale().toString(toMillimetres(metres), 'g', 2));
+}
 
 QImage imageOf(const SketchedAccuracy &accuracy, const Range &range)
 {
