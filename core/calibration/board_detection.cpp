@@ -9,6 +9,11 @@
 
 namespace odo {
 
+tl::unexpected<Error> refuseBoard(const std::string &source, std::string why, std::string advice)
+{
+    return fail(ErrorCode::Undetermined, source, std::move(why), std::move(advice));
+}
+
 Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std::string &source)
 {
     if (frame.y.data == nullptr || frame.y.width < 32 || frame.y.height < 32)

@@ -37,6 +37,12 @@ struct BoardView
     double edgeWidthPx = 0; ///< from 10 to 90 % of an edge's step, the upper quartile; 0 where it is not measured
 };
 
+/// Half the widest window in which a corner is refined, pixels.
+inline constexpr int widestCornerWindowPx = 11;
+
+/// Why a picture shows no board that can be used: Undetermined.
+tl::unexpected<Error> refuseBoard(const std::string &source, std::string why, std::string advice);
+
 /// Looks for the board in the luma plane. Error Undetermined with the reason: none found, another size found, too
 /// blurred, cut off.
 Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std::string &source);

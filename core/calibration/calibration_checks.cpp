@@ -12,10 +12,10 @@ namespace odo {
 
 namespace {
 
-constexpr double leastTurn = 8;          // degrees between the most different poses of the board
+constexpr double leastTurn = 8;             // degrees between the most different poses of the board
 constexpr double doubtfulFocalSigma = 0.03; // of the focal length
-constexpr double probe = 1.3;            // by how much the focal length is changed to see whether the pictures mind
-constexpr double leastBox = 0.15;        // of the picture, that the board must have been moved over
+constexpr double probe = 1.3;               // by how much the focal length is changed to see whether the pictures mind
+constexpr double leastBox = 0.15;           // of the picture, that the board must have been moved over
 constexpr std::size_t leastGroup = 3;
 constexpr double suspiciousGain = 1.5, groupGain = 2; // of the sum of squares
 constexpr double leastZoom = 0.02;                    // of the focal length

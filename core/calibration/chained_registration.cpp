@@ -26,7 +26,7 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr const char *throughRegistration = "the camera cannot be registered through another";
-constexpr double pixelSigma = 0.3;    // of a point picked or found in a picture
+constexpr double pixelSigma = 0.3;         // of a point picked or found in a picture
 constexpr double nearestPointPixels = 1.0; // points closer than that are one and the same
 constexpr double worstPointSigma = 0.05;   // of the points' extent on the floor
 

@@ -39,7 +39,6 @@ constexpr NamedDictionary smallDictionaries[] = {
     {"DICT_6X6_250", cv::aruco::DICT_6X6_250}, {"DICT_7X7_50", cv::aruco::DICT_7X7_50},
     {"DICT_7X7_100", cv::aruco::DICT_7X7_100}, {"DICT_7X7_250", cv::aruco::DICT_7X7_250},
 };
-constexpr int widestCornerWindowPx = 11;
 
 std::vector<NamedDictionary> dictionariesFor(const std::string &name)
 {
@@ -148,11 +147,6 @@ BoardView refined(const cv::Mat &luma, const std::vector<ForetoldCorner> &corner
     return view;
 }
 
-tl::unexpected<Error> refuseCharuco(const std::string &source, std::string why, std::string advice)
-{
-    return fail(ErrorCode::Undetermined, source, std::move(why), std::move(advice));
-}
-
 } // namespace
 
 Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, const std::string &source)
@@ -174,22 +168,22 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
             const double ratio = measuredMarkerRatio(markers, *layout);
             BoardView view = refined(luma, foretellCorners(markers, *layout, ratio), *layout, spec, source);
             if (view.pixels.size() < leastCornersOfView)
-                return refuseCharuco(
+                return refuseBoard(
                     source, "only " + std::to_string(view.pixels.size()) + " corners of the board are seen",
                     "show more of the board");
             return view;
         }
     }
     if (mostMarkers < 4)
-        return refuseCharuco(
-            source, "no board found: " + std::to_string(mostMarkers) + " of its markers could be read",
-            "show the board larger, sharp and well lit");
+        return refuseBoard(source,
+                           "no board found: " + std::to_string(mostMarkers) + " of its markers could be read",
+                           "show the board larger, sharp and well lit");
     const std::string size = spec.columns > 0 ? " of " + std::to_string(spec.columns) + "x" +
                                                     std::to_string(spec.rows) + " inner corners"
                                               : "";
-    return refuseCharuco(source, "the markers that were read do not lie as on a ChArUco board" + size,
-                         spec.columns > 0 ? "count the inner corners, or leave the size out"
-                                          : "show one ChArUco board");
+    return refuseBoard(source, "the markers that were read do not lie as on a ChArUco board" + size,
+                       spec.columns > 0 ? "count the inner corners, or leave the size out"
+                                        : "show one ChArUco board");
 }
 
 } // namespace odo

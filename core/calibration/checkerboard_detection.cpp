@@ -19,17 +19,11 @@ using cv::Point2f;
 constexpr double firstSearchSide =
     1000; // pixels: search a picture of this size first, it is fast and forgives noise
 constexpr double leastSearchSide = 240;
-constexpr int widestWindowPx = 11; // half the window in which a corner is refined
 constexpr float windowOfSpacing = 0.5F;
 constexpr float mostMoved = 0.3F; // of the spacing, when a corner is refined
 constexpr float worstBlurOfSpacing = 0.4F;
 constexpr float worstBlurPx = 12;
 constexpr double leastPartOfBoard = 2.0 / 3;
-
-tl::unexpected<Error> refuse(const std::string &source, std::string why, std::string advice)
-{
-    return fail(ErrorCode::Undetermined, source, std::move(why), std::move(advice));
-}
 
 std::string sizeText(int columns, int rows)
 {
@@ -170,18 +164,18 @@ Result<CornerGrid> refined(const cv::Mat &luma, const CornerGrid &grid, float bl
 {
     const float spacing = grid.spacing();
     if (blur > worstBlurOfSpacing * spacing || blur > worstBlurPx)
-        return refuse(source,
-                      "the board is blurred: its edges are " + formatNumber(static_cast<double>(blur), 0) +
-                          " pixels wide",
-                      "hold it still, and focus the camera");
+        return refuseBoard(source,
+                           "the board is blurred: its edges are " +
+                               formatNumber(static_cast<double>(blur), 0) + " pixels wide",
+                           "hold it still, and focus the camera");
     CornerGrid sharp = grid;
-    const int half = std::clamp(static_cast<int>(windowOfSpacing * spacing), 2, widestWindowPx);
+    const int half = std::clamp(static_cast<int>(windowOfSpacing * spacing), 2, widestCornerWindowPx);
     cv::cornerSubPix(luma, sharp.corners, {half, half}, {-1, -1},
                      {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 50, 0.005});
     for (std::size_t i = 0; i < sharp.corners.size(); ++i) {
         if (cv::norm(sharp.corners[i] - grid.corners[i]) > static_cast<double>(mostMoved * spacing))
-            return refuse(source, "a corner of the board cannot be made out",
-                          "keep the board clear and well lit");
+            return refuseBoard(source, "a corner of the board cannot be made out",
+                               "keep the board clear and well lit");
     }
     return sharp;
 }
@@ -218,12 +212,12 @@ Result<CornerGrid> matched(const cv::Mat &luma, const CornerGrid &grid, const Bo
                         (upright.columns == spec.columns || leavesPicture(upright, luma, true)) &&
                         (upright.rows == spec.rows || leavesPicture(upright, luma, false));
     if (!cutOff)
-        return refuse(source, "this board has " + found + " inner corners, " + asked + " was asked for",
-                      "count the inner corners, or leave the size out");
+        return refuseBoard(source, "this board has " + found + " inner corners, " + asked + " was asked for",
+                           "count the inner corners, or leave the size out");
     if (static_cast<double>(upright.corners.size()) < leastPartOfBoard * spec.columns * spec.rows)
-        return refuse(source,
-                      "the board is cut off: only " + found + " of its " + asked + " inner corners are seen",
-                      "keep the whole board in the picture");
+        return refuseBoard(
+            source, "the board is cut off: only " + found + " of its " + asked + " inner corners are seen",
+            "keep the whole board in the picture");
     return upright;
 }
 
@@ -233,7 +227,7 @@ Result<BoardView> findCheckerboard(const cv::Mat &luma, const BoardSpec &spec, c
 {
     const CornerGrid grid = searchScales(luma, spec);
     if (grid.corners.empty())
-        return refuse(source, "no board found", "show the whole board, flat, sharp and well lit");
+        return refuseBoard(source, "no board found", "show the whole board, flat, sharp and well lit");
     const auto upright = matched(luma, grid, spec, source);
     if (!upright)
         return tl::unexpected(upright.error());

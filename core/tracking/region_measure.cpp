@@ -17,8 +17,7 @@ constexpr double leastRegionContrast = 5.0; ///< code values between inside and 
 constexpr double referenceNoise =
     1.35; ///< variance of alpha with that of its two references, each of two samples
 constexpr double leastNoise = 0.35;             ///< rounding to whole code values
-constexpr double centreModelVariance =
-    0.015 * 0.015; ///< what the finite number of samples leaves in the centre
+constexpr double centreModelVariance = 0.015 * 0.015; ///< what the finite number of samples leaves there
 
 } // namespace
 
