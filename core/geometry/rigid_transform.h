@@ -12,19 +12,9 @@ struct RigidTransform
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
     Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 
-    Eigen::Vector3d operator*(const Eigen::Vector3d &pointInSource) const
-    {
-        return rotation * pointInSource + translation;
-    }
-    RigidTransform operator*(const RigidTransform &other) const
-    {
-        return {(rotation * other.rotation).normalized(), rotation * other.translation + translation};
-    }
-    RigidTransform inverse() const
-    {
-        const Eigen::Quaterniond back = rotation.conjugate();
-        return {back, -(back * translation)};
-    }
+    Eigen::Vector3d operator*(const Eigen::Vector3d &pointInSource) const;
+    RigidTransform operator*(const RigidTransform &other) const;
+    RigidTransform inverse() const;
 };
 
 } // namespace odo

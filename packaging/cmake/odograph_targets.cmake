@@ -34,11 +34,17 @@ if(ODOGRAPH_COVERAGE)
   target_link_options(odograph_options INTERFACE --coverage)
 endif()
 
+# What a test compiles for itself is the frame around what it tests: to optimise that took a fifth of the time of compiling it.
+add_library(odograph_test_options INTERFACE)
+target_link_libraries(odograph_test_options INTERFACE odograph_options)
+target_compile_options(odograph_test_options INTERFACE $<$<CONFIG:Release>:-O1>)
+
 # odograph_precompiled(KIND LINKS libraries... HEADERS headers...): headers that are compiled once, for all targets that say
 # odograph_precompile(TARGET KIND). GCC takes them only where the same macros are defined, so KIND follows which parts of Qt a
 # target is linked with.
 set(plain_headers <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span>
-  <string> <string_view> <vector> <Eigen/Core> <Eigen/Geometry> <tl/expected.hpp>)
+  <string> <string_view> <vector> <Eigen/Core> <Eigen/Geometry> <tl/expected.hpp>
+  "\"packaging/cmake/precompiled_shapes.h\"")
 add_custom_target(odograph_precompiled_headers) # all of them
 function(odograph_precompiled kind)
   cmake_parse_arguments(ARG "" "" "LINKS;HEADERS" ${ARGN})
@@ -63,8 +69,10 @@ set_target_properties(Qt6::Test PROPERTIES INTERFACE_COMPILE_DEFINITIONS QT_TEST
 odograph_precompiled(std)
 odograph_precompiled(qt LINKS Qt6::Core HEADERS ${qt_headers})
 odograph_precompiled(widgets LINKS Qt6::Widgets HEADERS ${qt_headers} ${widget_headers})
-odograph_precompiled(test LINKS Qt6::Test HEADERS ${qt_headers} ${test_headers})
-odograph_precompiled(widgets_test LINKS Qt6::Widgets Qt6::Test HEADERS ${qt_headers} ${widget_headers} ${test_headers})
+odograph_precompiled(test LINKS odograph_test_options Qt6::Test HEADERS ${qt_headers} ${test_headers})
+odograph_precompiled(gui_test LINKS odograph_test_options Qt6::Gui Qt6::Test HEADERS ${qt_headers} ${test_headers})
+odograph_precompiled(widgets_test LINKS odograph_test_options Qt6::Widgets Qt6::Test
+  HEADERS ${qt_headers} ${widget_headers} ${test_headers})
 
 # odograph_library(NAME SOURCES a.cpp ... [LINKS public...] [PRIVATE_LINKS private...] [QT|WIDGETS] [ALONE])
 # QT, WIDGETS: runs moc over the sources; WIDGETS where they are linked with Qt's widgets. ALONE: a preset that compiles the
@@ -123,13 +131,13 @@ function(odograph_test name)
   set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   target_link_options(${name} PRIVATE ${quick_linker})
   odograph_moc_own(${name})
-  target_link_libraries(${name} PRIVATE odograph_options Qt6::Test ${ARG_LINKS})
+  target_link_libraries(${name} PRIVATE odograph_test_options Qt6::Test ${ARG_LINKS})
   string(REGEX MATCH "^[a-z0-9]+" part ${folder})
   if(part MATCHES "^(ui|manual)$")
     target_link_libraries(${name} PRIVATE Qt6::Widgets)
     odograph_precompile(${name} widgets_test)
   elseif(ARG_LINKS MATCHES "Qt6::(Gui|Svg)|test_stored_example") # with Qt's pictures, but no widgets
-    odograph_precompile(${name} qt)
+    odograph_precompile(${name} gui_test)
   else()
     odograph_precompile(${name} test)
   endif()
