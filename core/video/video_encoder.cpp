@@ -80,7 +80,11 @@ void setRate(const VideoWriterOptions &options, AVCodecContext &encoder, libav::
     case VideoCodec::H264:
         encoder.bit_rate = options.bitRate;
         encoder.max_b_frames = options.maxBFrames;
-        codecOptions.set("preset", "veryfast");
+        // Coded as cameras do, by arithmetic and with softened edges of blocks, but searched as little as can be: at these bit
+        // rates all that "veryfast" finds is half a decibel, in three times the time.
+        codecOptions.set("preset", "ultrafast");
+        codecOptions.set("coder", "ac");
+        codecOptions.set("x264-params", "deblock=0,0");
         break;
     case VideoCodec::Mjpeg:
         encoder.flags |= AV_CODEC_FLAG_QSCALE;

@@ -47,6 +47,22 @@ class TestScenes : public QObject
         return result;
     }
 
+    /// What one seed is too few to tell is not asked of it.
+    static bool isMetByOneSeed(const BarResult &bar)
+    {
+        // The errors of markers and lens are drawn once for a run, so that a run counts nearly as one draw: among 27 of them
+        // the share of those inside scatters by four in the hundred, and only the lower bar says anything, when it is lowered
+        // by twice that.
+        constexpr double leastInside = 84;
+        // One seed has some fourteen samples flagged: of so many one may be wrong.
+        constexpr double leastPrecision = 0.9;
+        if (bar.figure.startsWith(QStringLiteral("truth in")))
+            return bar.value >= leastInside;
+        if (bar.figure == QLatin1String("spikes: precision"))
+            return bar.value >= leastPrecision;
+        return bar.isMet();
+    }
+
 private Q_SLOTS:
     void initTestCase()
     {
@@ -75,16 +91,9 @@ private Q_SLOTS:
 
     void theBarIsMet_data()
     {
-        // The errors of markers and lens are drawn once for a run, so that a run counts nearly as one draw:
-        // among 27 of them the share of those inside scatters by four in the hundred, and only the lower bar
-        // says anything, when it is lowered by twice that.
-        constexpr double leastInsideOfOneSeed = 84;
         QTest::addColumn<bool>("isMet");
-        for (const BarResult &bar : m_bars) {
-            const bool isShare = bar.figure.startsWith(QStringLiteral("truth in"));
-            QTest::newRow(qPrintable(bar.figure))
-                << (isShare && seeds().size() == 1 ? bar.value >= leastInsideOfOneSeed : bar.isMet());
-        }
+        for (const BarResult &bar : m_bars)
+            QTest::newRow(qPrintable(bar.figure)) << (seeds().size() == 1 ? isMetByOneSeed(bar) : bar.isMet());
     }
     void theBarIsMet()
     {
