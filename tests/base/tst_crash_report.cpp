@@ -48,7 +48,7 @@ int endlessly(int depth)
 
 void readNothing()
 {
-    volatile int *nothing = nullptr;
+    volatile int *volatile nothing = nullptr; // the compiler must not see that it is
     *nothing = 1;
 }
 
