@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/json_answers.h"
 
+#include <QDateTime>
+
 namespace odo {
 
 namespace {
@@ -94,6 +96,11 @@ QJsonArray sentencesJson(const std::vector<std::string> &sentences)
     for (const std::string &sentence : sentences)
         array.append(QString::fromStdString(sentence));
     return array;
+}
+
+QString dateText(Instant instant)
+{
+    return QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()).toString(Qt::ISODate);
 }
 
 double metricValue(const Profile &profile, std::string_view name)

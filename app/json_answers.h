@@ -17,6 +17,9 @@ QJsonArray metricsJson(const std::vector<Metric> &metrics);
 QJsonArray spikesJson(const std::vector<Spike> &spikes);
 QJsonArray sentencesJson(const std::vector<std::string> &sentences);
 
+/// By the clock on the wall here, to the second: "2026-11-23T15:04:05".
+QString dateText(Instant instant);
+
 /// The value of a metric by its name; 0 where it could not be computed.
 double metricValue(const Profile &profile, std::string_view name);
 

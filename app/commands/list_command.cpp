@@ -4,18 +4,7 @@
 #include "app/json_answers.h"
 #include "core/project/repositories.h"
 
-#include <QDateTime>
-
 namespace odo {
-
-namespace {
-
-QString dateText(Instant date)
-{
-    return QDateTime::fromMSecsSinceEpoch(date.time_since_epoch().count()).toString(Qt::ISODate);
-}
-
-} // namespace
 
 Result<void> runList(const QStringList &arguments, const CancelToken &cancel)
 {

@@ -4,8 +4,6 @@
 #include "app/json_answers.h"
 #include "core/workflow/revisions.h"
 
-#include <QDateTime>
-
 namespace odo {
 
 namespace {
@@ -15,11 +13,6 @@ const std::pair<Revision::Kind, const char *> kinds[] = {{Revision::Kind::Calibr
                                                          {Revision::Kind::Registration, "registration"}};
 
 QString kindName(Revision::Kind kind) { return QString::fromLatin1(kinds[kind == Revision::Kind::Calibration ? 0 : 1].second); }
-
-QString dateText(Instant instant)
-{
-    return QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()).toString(Qt::ISODate);
-}
 
 QJsonObject revisionJson(const Revision &revision)
 {
