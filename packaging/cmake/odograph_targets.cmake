@@ -74,12 +74,10 @@ odograph_precompiled(gui_test LINKS odograph_test_options Qt6::Gui Qt6::Test HEA
 odograph_precompiled(widgets_test LINKS odograph_test_options Qt6::Widgets Qt6::Test
   HEADERS ${qt_headers} ${widget_headers} ${test_headers})
 
-# odograph_library(NAME SOURCES a.cpp ... [LINKS public...] [PRIVATE_LINKS private...] [QT|WIDGETS] [ALONE])
-# QT, WIDGETS: runs moc over the sources; WIDGETS where they are linked with Qt's widgets. ALONE: a preset that compiles the
-# sources of a library as few (CMAKE_UNITY_BUILD, a quarter of the time) compiles these each by itself, for they use one short
-# name for constants of their own in many places.
+# odograph_library(NAME SOURCES a.cpp ... [LINKS public...] [PRIVATE_LINKS private...] [QT|WIDGETS])
+# QT, WIDGETS: runs moc over the sources; WIDGETS where they are linked with Qt's widgets.
 function(odograph_library name)
-  cmake_parse_arguments(ARG "QT;WIDGETS;ALONE" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "QT;WIDGETS" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   target_link_libraries(${name} PUBLIC odograph_options ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
   set(kind std)
@@ -89,9 +87,6 @@ function(odograph_library name)
   endif()
   if(ARG_WIDGETS)
     set(kind widgets)
-  endif()
-  if(ARG_ALONE)
-    set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   endif()
   odograph_precompile(${name} ${kind})
 endfunction()

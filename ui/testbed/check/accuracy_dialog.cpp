@@ -24,7 +24,7 @@
 namespace odo {
 namespace {
 
-constexpr int sideWidth = 400;
+constexpr int mapSideWidth = 400;
 constexpr double nearestPlannedM = 1, farthestPlannedM = 6; // from the floor, to begin with
 enum Show { Together, Alone };
 
@@ -107,7 +107,7 @@ AccuracyDialog::~AccuracyDialog() = default;
 QWidget *AccuracyDialog::makeSide()
 {
     auto *side = new QWidget;
-    side->setFixedWidth(sideWidth);
+    side->setFixedWidth(mapSideWidth);
     auto *layout = new QVBoxLayout(side);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(makeCameraCard(), 1);

@@ -29,9 +29,12 @@
 namespace odo {
 namespace {
 
-constexpr int sideWidth = 380;
+constexpr int lengthSideWidth = 380;
 constexpr double byHandPx = 0.5; // of one coordinate of an end that was put by hand
-enum Column { EndColumn, SeenColumn, PlaceColumn, ColumnCount };
+struct LengthColumn
+{
+    enum { End, Seen, Place, Count };
+};
 
 QString labelOf(int end) { return QString::number(end + 1); }
 
@@ -47,9 +50,10 @@ QString tenths(double metres)
 } // namespace
 
 LengthPage::LengthPage(QWidget *parent)
-    : QWidget(parent), m_canvas(new MarkerCanvas), m_table(new QTableWidget(2, ColumnCount)), m_told(new NumberBox),
-      m_height(new NumberBox), m_unit(new QComboBox), m_snap(new QCheckBox(tr("Take what lies &near a click"))), m_length(new QLabel),
-      m_words(new QLabel), m_badge(new BadgeLabel({}))
+    : QWidget(parent), m_canvas(new MarkerCanvas), m_table(new QTableWidget(2, LengthColumn::Count)),
+      m_told(new NumberBox), m_height(new NumberBox), m_unit(new QComboBox),
+      m_snap(new QCheckBox(tr("Take what lies &near a click"))), m_length(new QLabel), m_words(new QLabel),
+      m_badge(new BadgeLabel({}))
 {
     m_canvas->setAccessibleName(tr("Picture with both ends; arrow keys move the chosen one, Space snaps it"));
     m_canvas->setJoined(true);
@@ -119,7 +123,7 @@ QWidget *LengthPage::makeSide()
     auto *result = new Card(tr("Measured"));
     result->setContent(said);
     auto *side = new QWidget;
-    side->setFixedWidth(sideWidth);
+    side->setFixedWidth(lengthSideWidth);
     auto *layout = new QVBoxLayout(side);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(ends, 2);
@@ -223,10 +227,10 @@ void LengthPage::showEnds()
                 place = tr("beyond the horizon");
         }
         const QString texts[] = {labelOf(end), put ? put->seenAs : tr("not put yet"), place};
-        for (int column = 0; column < ColumnCount; ++column)
+        for (int column = 0; column < LengthColumn::Count; ++column)
             m_table->setItem(end, column, new QTableWidgetItem(texts[column]));
     }
-    for (int column = 0; column + 1 < ColumnCount; ++column) // the last takes what is left
+    for (int column = 0; column + 1 < LengthColumn::Count; ++column) // the last takes what is left
         m_table->resizeColumnToContents(column);
     m_canvas->setMarkers(std::move(shown));
     m_canvas->setCurrent(labelOf(currentEnd()));

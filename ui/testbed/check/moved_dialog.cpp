@@ -29,8 +29,11 @@ namespace {
 
 constexpr int mostLetters = 24; ///< of a name on a button
 
-enum Column { CameraColumn, PictureColumn, ResultColumn, ColumnCount };
-constexpr int badgeTextRole = Qt::UserRole, badgeStateRole = Qt::UserRole + 1;
+struct MovedColumn
+{
+    enum { Camera, Picture, Result, Count };
+};
+constexpr int resultTextRole = Qt::UserRole, resultStateRole = Qt::UserRole + 1;
 constexpr int fileRole = Qt::UserRole, uriRole = Qt::UserRole + 1;
 
 /// "sim:A" is camera A, as is the one whose address the project knows.
@@ -56,7 +59,7 @@ Badge badgeOf(const MovedCheck &check)
 
 MovedDialog::MovedDialog(Project &project, std::vector<CheckCamera> cameras, const LiveCameras &live,
                          QWidget *parent)
-    : QDialog(parent), m_project(project), m_table(new QTableWidget(int(cameras.size()), ColumnCount)),
+    : QDialog(parent), m_project(project), m_table(new QTableWidget(int(cameras.size()), MovedColumn::Count)),
       m_words(new QLabel), m_check(plainButton(tr("&Check"))),
       m_register(plainButton(tr("&Register again…"))), m_runner(project)
 {
@@ -68,9 +71,10 @@ MovedDialog::MovedDialog(Project &project, std::vector<CheckCamera> cameras, con
     showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->horizontalHeader()->setSectionResizeMode(CameraColumn, QHeaderView::ResizeToContents);
-    m_table->setColumnWidth(PictureColumn, 260);
-    m_table->setItemDelegateForColumn(ResultColumn, new BadgeDelegate(badgeTextRole, badgeStateRole, this));
+    m_table->horizontalHeader()->setSectionResizeMode(MovedColumn::Camera, QHeaderView::ResizeToContents);
+    m_table->setColumnWidth(MovedColumn::Picture, 260);
+    m_table->setItemDelegateForColumn(MovedColumn::Result,
+                                      new BadgeDelegate(resultTextRole, resultStateRole, this));
     for (int row = 0; row < int(m_rows.size()); ++row)
         addRow(row);
     offerLive(live);
@@ -128,9 +132,9 @@ void MovedDialog::addRow(int row)
     choice->addItem(tr("Not checked"));
     choice->addItem(tr("A picture or video…"));
     m_rows[std::size_t(row)].origin = {choice->currentData(fileRole).toString(), choice->currentData(uriRole).toString()};
-    m_table->setItem(row, CameraColumn, new QTableWidgetItem(camera.name));
-    m_table->setCellWidget(row, PictureColumn, choice);
-    m_table->setItem(row, ResultColumn, new QTableWidgetItem);
+    m_table->setItem(row, MovedColumn::Camera, new QTableWidgetItem(camera.name));
+    m_table->setCellWidget(row, MovedColumn::Picture, choice);
+    m_table->setItem(row, MovedColumn::Result, new QTableWidgetItem);
     m_table->setRowHeight(row, choice->sizeHint().height() + 6);
     connect(choice, &QComboBox::activated, this, [this, row](int index) { choosePicture(row, index); });
     showRow(row);
@@ -146,7 +150,7 @@ void MovedDialog::offerLive(const LiveCameras &live)
 /// First in the list; chosen where it is the row's camera and nobody has chosen otherwise.
 void MovedDialog::offerLive(int row, const CameraDescription &live)
 {
-    auto *choice = qobject_cast<QComboBox *>(m_table->cellWidget(row, PictureColumn));
+    auto *choice = qobject_cast<QComboBox *>(m_table->cellWidget(row, MovedColumn::Picture));
     const QString uri = QString::fromStdString(live.uri);
     if (choice->findData(uri, uriRole) >= 0)
         return;
@@ -161,7 +165,7 @@ void MovedDialog::offerLive(int row, const CameraDescription &live)
 
 void MovedDialog::choosePicture(int row, int index)
 {
-    auto *choice = qobject_cast<QComboBox *>(m_table->cellWidget(row, PictureColumn));
+    auto *choice = qobject_cast<QComboBox *>(m_table->cellWidget(row, MovedColumn::Picture));
     m_table->selectRow(row);
     m_rows[std::size_t(row)].chosen = true;
     if (index + 1 < choice->count()) {
@@ -176,7 +180,7 @@ void MovedDialog::choosePicture(int row, int index)
 
 void MovedDialog::setPicture(int row, const PictureOrigin &origin)
 {
-    auto *choice = qobject_cast<QComboBox *>(m_table->cellWidget(row, PictureColumn));
+    auto *choice = qobject_cast<QComboBox *>(m_table->cellWidget(row, MovedColumn::Picture));
     m_rows[std::size_t(row)].origin = origin;
     m_rows[std::size_t(row)].chosen = true;
     const int notChecked = choice->count() - 2;
@@ -244,10 +248,10 @@ void MovedDialog::finishOne(const std::shared_ptr<Job> &job, const std::optional
 void MovedDialog::showRow(int row)
 {
     const Badge badge = m_rows[std::size_t(row)].badge.text.isEmpty() ? m_rows[std::size_t(row)].camera.badge : m_rows[std::size_t(row)].badge;
-    QTableWidgetItem *item = m_table->item(row, ResultColumn);
+    QTableWidgetItem *item = m_table->item(row, MovedColumn::Result);
     item->setText(badge.text); // for the screen reader
-    item->setData(badgeTextRole, badge.text);
-    item->setData(badgeStateRole, int(badge.state));
+    item->setData(resultTextRole, badge.text);
+    item->setData(resultStateRole, int(badge.state));
 }
 
 void MovedDialog::showCurrent()

@@ -24,7 +24,10 @@
 namespace odo {
 namespace {
 
-enum Column { RobotColumn, MetricColumn, BeforeColumn, AfterColumn, ChangeColumn, ColumnCount };
+struct ReprocessColumn
+{
+    enum { Robot, Metric, Before, After, Change, Count };
+};
 
 QString figure(const std::optional<double> &value, const MetricChange &metric)
 {
@@ -48,9 +51,9 @@ QString difference(const MetricChange &metric)
 } // namespace
 
 ReprocessDialog::ReprocessDialog(Project &project, QWidget *parent)
-    : QDialog(parent), m_project(project), m_trial(new QComboBox), m_table(new QTableWidget(0, ColumnCount)),
-      m_words(new QLabel), m_begin(plainButton(tr("&Measure again"))), m_keep(plainButton(tr("&Keep"))),
-      m_runner(project)
+    : QDialog(parent), m_project(project), m_trial(new QComboBox),
+      m_table(new QTableWidget(0, ReprocessColumn::Count)), m_words(new QLabel),
+      m_begin(plainButton(tr("&Measure again"))), m_keep(plainButton(tr("&Keep"))), m_runner(project)
 {
     setWindowTitle(tr("Measure trials again"));
     m_table->setHorizontalHeaderLabels({tr("Robot"), tr("Figure"), tr("Before"), tr("After"), tr("Change")});
@@ -153,7 +156,7 @@ void ReprocessDialog::addMetric(const QString &robot, const MetricChange &metric
     const int row = m_table->rowCount();
     m_table->insertRow(row);
     const QString texts[] = {robot, metricName(metric.name), figure(metric.before, metric), figure(metric.after, metric), difference(metric)};
-    for (int column = 0; column < ColumnCount; ++column)
+    for (int column = 0; column < ReprocessColumn::Count; ++column)
         m_table->setItem(row, column, new QTableWidgetItem(texts[column]));
 }
 

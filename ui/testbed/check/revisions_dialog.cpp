@@ -29,8 +29,11 @@
 namespace odo {
 namespace {
 
-enum Column { KindColumn, DateColumn, VersionColumn, OriginColumn, RmsColumn, TrialsColumn, StateColumn, ColumnCount };
-constexpr int badgeTextRole = Qt::UserRole, badgeStateRole = Qt::UserRole + 1;
+struct RevisionColumn
+{
+    enum { Kind, Date, Version, Origin, Rms, Trials, State, Count };
+};
+constexpr int stateTextRole = Qt::UserRole, stateBadgeRole = Qt::UserRole + 1;
 
 QString namesText(const std::vector<std::string> &names)
 {
@@ -49,8 +52,9 @@ QString dateText(Instant instant)
 
 RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, const QString &current,
                                  QWidget *parent)
-    : QDialog(parent), m_project(project), m_camera(new QComboBox), m_table(new QTableWidget(0, ColumnCount)),
-      m_words(new QLabel), m_picture(new RevisionPicture), m_choose(plainButton(tr("&Use this one"))),
+    : QDialog(parent), m_project(project), m_camera(new QComboBox),
+      m_table(new QTableWidget(0, RevisionColumn::Count)), m_words(new QLabel),
+      m_picture(new RevisionPicture), m_choose(plainButton(tr("&Use this one"))),
       m_register(plainButton(tr("&Register with this lens"))),
       m_reprocess(plainButton(tr("&Measure trials again…")))
 {
@@ -63,7 +67,8 @@ RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, c
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setWordWrap(false);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->setItemDelegateForColumn(StateColumn, new BadgeDelegate(badgeTextRole, badgeStateRole, this));
+    m_table->setItemDelegateForColumn(RevisionColumn::State,
+                                      new BadgeDelegate(stateTextRole, stateBadgeRole, this));
     m_choose->setToolTip(tr("Puts the chosen revision in force for what is measured from now on; trials keep theirs"));
     m_register->setToolTip(tr("Computes the registration in force anew from the same markers, with the lens in force"));
     showAsWords(*m_words);
@@ -112,7 +117,8 @@ void RevisionsDialog::refresh()
         for (int i = 0; i < m_table->rowCount(); ++i)
             showRow(i);
         m_table->resizeColumnsToContents();
-        m_table->setColumnWidth(TrialsColumn, std::min(190, m_table->columnWidth(TrialsColumn)));
+        m_table->setColumnWidth(RevisionColumn::Trials,
+                                std::min(190, m_table->columnWidth(RevisionColumn::Trials)));
         m_table->selectRow(std::clamp(row, 0, std::max(0, m_table->rowCount() - 1)));
     }
     showCurrent();
@@ -134,11 +140,11 @@ void RevisionsDialog::showRow(int row)
                              rms,
                              namesText(revision.trials),
                              revision.isCurrent ? tr("in force") : QString()};
-    for (int column = 0; column < ColumnCount; ++column)
+    for (int column = 0; column < RevisionColumn::Count; ++column)
         m_table->setItem(row, column, new QTableWidgetItem(texts[column]));
-    m_table->item(row, TrialsColumn)->setToolTip(texts[TrialsColumn].toHtmlEscaped());
-    m_table->item(row, StateColumn)->setData(badgeTextRole, texts[StateColumn]);
-    m_table->item(row, StateColumn)->setData(badgeStateRole, int(BadgeState::Good));
+    m_table->item(row, RevisionColumn::Trials)->setToolTip(texts[RevisionColumn::Trials].toHtmlEscaped());
+    m_table->item(row, RevisionColumn::State)->setData(stateTextRole, texts[RevisionColumn::State]);
+    m_table->item(row, RevisionColumn::State)->setData(stateBadgeRole, int(BadgeState::Good));
 }
 
 void RevisionsDialog::showCurrent()
@@ -167,7 +173,7 @@ void RevisionsDialog::choose()
     const auto chosen = chooseRevision(m_project, m_camera->currentText().toStdString(), revision.kind, revision.id);
     m_hasChanged = m_hasChanged || chosen.has_value();
     refresh();
-    const QString name = m_table->item(row, KindColumn)->text();
+    const QString name = m_table->item(row, RevisionColumn::Kind)->text();
     if (!chosen)
         tell(errorLine(chosen.error()));
     else if (revision.kind == Revision::Kind::Calibration)

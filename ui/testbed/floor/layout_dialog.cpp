@@ -28,7 +28,10 @@
 namespace odo {
 namespace {
 
-enum Column { LabelColumn, XColumn, YColumn, ColumnCount };
+struct LayoutColumn
+{
+    enum { Label, X, Y, Count };
+};
 constexpr double flatterThan = 0.05; // of the extent: such markers say little across
 
 QString csvFilter() { return LayoutDialog::tr("Tables (*.csv *.txt);;All files (*)"); }
@@ -51,8 +54,8 @@ double millimetresOf(const QString &text)
 } // namespace
 
 LayoutDialog::LayoutDialog(const MarkerLayout &start, const QStringList &taken, QWidget *parent)
-    : QDialog(parent), m_layout(start), m_taken(taken), m_name(new QLineEdit), m_table(new QTableWidget(0, ColumnCount)),
-      m_drawing(new LayoutDrawing), m_message(new QLabel)
+    : QDialog(parent), m_layout(start), m_taken(taken), m_name(new QLineEdit),
+      m_table(new QTableWidget(0, LayoutColumn::Count)), m_drawing(new LayoutDrawing), m_message(new QLabel)
 {
     setWindowTitle(tr("Marker layout"));
     m_name->setText(freeName(start.name.empty() ? tr("Floor") : QString::fromStdString(start.name), taken));
@@ -166,7 +169,7 @@ void LayoutDialog::showMarkers()
         locale.setNumberOptions(QLocale::OmitGroupSeparator);
         const auto number = [&](double metres) { return std::isfinite(metres) ? locale.toString(toMillimetres(metres), 'g', 9) : QString(); };
         const QString texts[] = {QString::fromStdString(marker.label), number(marker.pointInWorld.x()), number(marker.pointInWorld.y())};
-        for (int column = 0; column < ColumnCount; ++column)
+        for (int column = 0; column < LayoutColumn::Count; ++column)
             m_table->setItem(i, column, new QTableWidgetItem(texts[column]));
     }
     m_table->setCurrentCell(std::min(row, m_table->rowCount() - 1), std::max(0, m_table->currentColumn()));
@@ -180,9 +183,9 @@ void LayoutDialog::readRow(int row)
     if (m_showing)
         return;
     Marker &marker = m_layout.markers[std::size_t(row)];
-    marker.label = m_table->item(row, LabelColumn)->text().trimmed().toStdString();
-    marker.pointInWorld = {fromMillimetres(millimetresOf(m_table->item(row, XColumn)->text())),
-                           fromMillimetres(millimetresOf(m_table->item(row, YColumn)->text()))};
+    marker.label = m_table->item(row, LayoutColumn::Label)->text().trimmed().toStdString();
+    marker.pointInWorld = {fromMillimetres(millimetresOf(m_table->item(row, LayoutColumn::X)->text())),
+                           fromMillimetres(millimetresOf(m_table->item(row, LayoutColumn::Y)->text()))};
     m_drawing->setLayout(m_layout, row);
     check();
 }
@@ -195,7 +198,7 @@ void LayoutDialog::addMarker()
         label = QStringLiteral("P%1").arg(number);
     m_layout.markers.push_back({label.toStdString(), {1, 1}});
     showMarkers();
-    m_table->setCurrentCell(m_table->rowCount() - 1, XColumn);
+    m_table->setCurrentCell(m_table->rowCount() - 1, LayoutColumn::X);
 }
 
 void LayoutDialog::removeMarker()

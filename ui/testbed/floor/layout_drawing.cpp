@@ -12,7 +12,7 @@
 namespace odo {
 namespace {
 
-constexpr double grabPx = 12, dragStepM = 0.01, gridStepM = 0.5;
+constexpr double markerGrabPx = 12, dragStepM = 0.01, layoutGridStepM = 0.5;
 constexpr double leastExtentM = 1, filledPart = 0.7;
 
 } // namespace
@@ -66,7 +66,7 @@ void LayoutDrawing::paintEvent(QPaintEvent *)
     painter.setPen(colours.mapGrid);
     const Eigen::Vector2d lower = toWorld({0, double(height())}), upper = toWorld({double(width()), 0});
     // Of a layout in a wrong unit the grid would be all there is to see.
-    const double step = gridStepM * m_pixelsPerMetre < 4 ? 0 : gridStepM;
+    const double step = layoutGridStepM * m_pixelsPerMetre < 4 ? 0 : layoutGridStepM;
     for (double x = step > 0 ? step * std::ceil(lower.x() / step) : upper.x() + 1; x <= upper.x(); x += step)
         painter.drawLine(QPointF(toScreen({x, 0}).x(), 0), QPointF(toScreen({x, 0}).x(), height()));
     for (double y = step > 0 ? step * std::ceil(lower.y() / step) : upper.y() + 1; y <= upper.y(); y += step)
@@ -96,7 +96,8 @@ void LayoutDrawing::paintEvent(QPaintEvent *)
 void LayoutDrawing::mousePressEvent(QMouseEvent *event)
 {
     for (int i = 0; i < int(m_layout.markers.size()); ++i) {
-        if (QLineF(toScreen(m_layout.markers[std::size_t(i)].pointInWorld), event->position()).length() > grabPx)
+        if (QLineF(toScreen(m_layout.markers[std::size_t(i)].pointInWorld), event->position()).length() >
+            markerGrabPx)
             continue;
         m_current = i;
         m_dragging = true;

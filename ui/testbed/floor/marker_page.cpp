@@ -25,12 +25,15 @@ namespace odo {
 namespace {
 
 constexpr int sideWidth = 380;
-enum Column { LabelColumn, PlaceColumn, SeenColumn, ErrorColumn, ColumnCount };
+struct MarkerColumn
+{
+    enum { Label, Place, Seen, Error, Count };
+};
 
 } // namespace
 
 MarkerPage::MarkerPage(QWidget *parent)
-    : QWidget(parent), m_canvas(new MarkerCanvas), m_table(new QTableWidget(0, ColumnCount)),
+    : QWidget(parent), m_canvas(new MarkerCanvas), m_table(new QTableWidget(0, MarkerColumn::Count)),
       m_verdict(new RegistrationVerdict), m_remove(new QAction(tr("&Take out"), this)),
       m_undo(new QAction(tr("&Undo"), this))
 {
@@ -46,7 +49,7 @@ MarkerPage::MarkerPage(QWidget *parent)
     connect(m_canvas, &MarkerCanvas::placed, this, &MarkerPage::place);
     connect(m_canvas, &MarkerCanvas::picked, this, [this](const QString &label) {
         for (int row = 0; row < m_table->rowCount(); ++row)
-            if (m_table->item(row, LabelColumn)->text() == label)
+            if (m_table->item(row, MarkerColumn::Label)->text() == label)
                 m_table->selectRow(row);
     });
     connect(m_table, &QTableWidget::currentCellChanged, this, [this] {
@@ -123,7 +126,8 @@ void MarkerPage::begin(std::shared_ptr<const StillPicture> picture, const Marker
 
 QString MarkerPage::currentLabel() const
 {
-    const QTableWidgetItem *item = m_table->currentRow() < 0 ? nullptr : m_table->item(m_table->currentRow(), LabelColumn);
+    const QTableWidgetItem *item =
+        m_table->currentRow() < 0 ? nullptr : m_table->item(m_table->currentRow(), MarkerColumn::Label);
     return item ? item->text() : QString();
 }
 
@@ -141,7 +145,7 @@ void MarkerPage::place(const QString &label, const Eigen::Vector2d &pixel, bool 
     evaluate();
     // The next one that is nowhere yet, so that a person clicks them one after the other.
     for (int row = 0; snap && row < m_table->rowCount(); ++row) {
-        const std::string next = m_table->item(row, LabelColumn)->text().toStdString();
+        const std::string next = m_table->item(row, MarkerColumn::Label)->text().toStdString();
         if (std::ranges::find(m_pixels, next, &MarkerPixel::label) == m_pixels.end()) {
             m_table->selectRow(row);
             break;
@@ -214,10 +218,10 @@ void MarkerPage::showTable()
                                  tr("%1, %2").arg(locale.toString(toMillimetres(marker.pointInWorld.x()), 'f', 0),
                                                   locale.toString(toMillimetres(marker.pointInWorld.y()), 'f', 0)),
                                  !seen ? tr("not seen") : kind == m_kinds.end() ? tr("found") : kind->second, error};
-        for (int column = 0; column < ColumnCount; ++column)
+        for (int column = 0; column < MarkerColumn::Count; ++column)
             m_table->setItem(i, column, new QTableWidgetItem(texts[column]));
     }
-    for (int column = 0; column + 1 < ColumnCount; ++column) // the last takes what is left
+    for (int column = 0; column + 1 < MarkerColumn::Count; ++column) // the last takes what is left
         m_table->resizeColumnToContents(column);
     if (row >= 0 && row < m_table->rowCount())
         m_table->selectRow(row);

@@ -14,18 +14,21 @@
 namespace odo {
 namespace {
 
-enum Column { NameColumn, RoleColumn, FromXColumn, FromYColumn, ToXColumn, ToYColumn, ColumnCount };
+struct GateColumn
+{
+    enum { Name, Role, FromX, FromY, ToX, ToY, Count };
+};
 constexpr int leastColumn = 50;
 constexpr GateRole roles[] = {GateRole::Start, GateRole::Split, GateRole::Finish, GateRole::StartFinish};
 
 double &numberOf(Gate &gate, int column)
 {
     switch (column) {
-    case FromXColumn:
+    case GateColumn::FromX:
         return gate.from.x();
-    case FromYColumn:
+    case GateColumn::FromY:
         return gate.from.y();
-    case ToXColumn:
+    case GateColumn::ToX:
         return gate.to.x();
     default:
         return gate.to.y();
@@ -56,7 +59,7 @@ GateTable::GateTable(QWidget *parent)
 {
     // Numbers are shown whole, however long they are; a long name is cut.
     table().horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table().horizontalHeader()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
+    table().horizontalHeader()->setSectionResizeMode(GateColumn::Name, QHeaderView::Stretch);
     table().horizontalHeader()->setMinimumSectionSize(leastColumn);
     table().setMinimumHeight(120);
     auto *add = plainButton(tr("&Add gate"));
@@ -80,25 +83,25 @@ void GateTable::setGates(const std::vector<Gate> &gates)
 void GateTable::showRow(int row)
 {
     Gate &gate = m_gates[static_cast<std::size_t>(row)];
-    table().setItem(row, NameColumn, new QTableWidgetItem(QString::fromStdString(gate.name)));
-    for (int column = FromXColumn; column < ColumnCount; ++column) {
+    table().setItem(row, GateColumn::Name, new QTableWidgetItem(QString::fromStdString(gate.name)));
+    for (int column = GateColumn::FromX; column < GateColumn::Count; ++column) {
         table().setItem(row, column, new QTableWidgetItem(placeText(numberOf(gate, column))));
         table().item(row, column)->setToolTip(placeText(numberOf(gate, column)));
     }
     std::vector<std::pair<QString, int>> choices;
     for (const GateRole role : roles)
         choices.emplace_back(roleName(role), static_cast<int>(role));
-    QComboBox *role = choiceIn(row, RoleColumn, tr("Role of the gate"), choices);
+    QComboBox *role = choiceIn(row, GateColumn::Role, tr("Role of the gate"), choices);
     role->setCurrentIndex(role->findData(static_cast<int>(gate.role)));
 }
 
 void GateTable::readRow(int row)
 {
     Gate &gate = m_gates[static_cast<std::size_t>(row)];
-    gate.name = table().item(row, NameColumn)->text().trimmed().toStdString();
+    gate.name = table().item(row, GateColumn::Name)->text().trimmed().toStdString();
     gate.role = static_cast<GateRole>(
-        qobject_cast<QComboBox *>(table().cellWidget(row, RoleColumn))->currentData().toInt());
-    for (int column = FromXColumn; column < ColumnCount; ++column) {
+        qobject_cast<QComboBox *>(table().cellWidget(row, GateColumn::Role))->currentData().toInt());
+    for (int column = GateColumn::FromX; column < GateColumn::Count; ++column) {
         const QString text = table().item(row, column)->text();
         if (text != placeText(numberOf(gate, column))) // what was not touched keeps its last bit
             numberOf(gate, column) = placeOf(text);

@@ -20,7 +20,10 @@
 namespace odo {
 namespace {
 
-enum Column { FigureColumn, FullColumn, NoneColumn, PointsColumn, ColumnCount };
+struct ScoringColumn
+{
+    enum { Figure, Full, None, Points, Count };
+};
 
 double numberOf(const QString &text)
 {
@@ -43,7 +46,7 @@ QString figureWords(const std::string &metric)
 } // namespace
 
 ScoringTable::ScoringTable(const std::vector<std::string> &metrics, QWidget *parent)
-    : QWidget(parent), m_metrics(metrics), m_table(new QTableWidget(0, ColumnCount)),
+    : QWidget(parent), m_metrics(metrics), m_table(new QTableWidget(0, ScoringColumn::Count)),
       m_remove(plainButton(tr("Remo&ve line"))), m_words(new QLabel)
 {
     auto *intro = new QLabel(tr("Each line gives all of its points where the figure is at the one bound or "
@@ -58,7 +61,7 @@ ScoringTable::ScoringTable(const std::vector<std::string> &metrics, QWidget *par
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(FigureColumn, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(ScoringColumn::Figure, QHeaderView::Stretch);
     m_words->setWordWrap(true);
     m_words->setTextFormat(Qt::PlainText);
     m_words->setObjectName(QStringLiteral("quiet"));
@@ -102,16 +105,16 @@ void ScoringTable::show(int row)
 {
     const Criterion &line = m_criteria[static_cast<std::size_t>(row)];
     const double factor = boundUnit(line.metric).factor;
-    m_table->setItem(row, FullColumn, new QTableWidgetItem(textOfNumber(factor * line.fullAt)));
-    m_table->setItem(row, NoneColumn, new QTableWidgetItem(textOfNumber(factor * line.noneAt)));
-    m_table->setItem(row, PointsColumn, new QTableWidgetItem(textOfNumber(line.points)));
-    auto *figure = qobject_cast<QComboBox *>(m_table->cellWidget(row, FigureColumn));
+    m_table->setItem(row, ScoringColumn::Full, new QTableWidgetItem(textOfNumber(factor * line.fullAt)));
+    m_table->setItem(row, ScoringColumn::None, new QTableWidgetItem(textOfNumber(factor * line.noneAt)));
+    m_table->setItem(row, ScoringColumn::Points, new QTableWidgetItem(textOfNumber(line.points)));
+    auto *figure = qobject_cast<QComboBox *>(m_table->cellWidget(row, ScoringColumn::Figure));
     if (!figure) {
         figure = new QComboBox;
         figure->setAccessibleName(tr("Figure that counts"));
         for (const std::string &metric : m_metrics)
             figure->addItem(figureWords(metric), QString::fromStdString(metric));
-        m_table->setCellWidget(row, FigureColumn, figure);
+        m_table->setCellWidget(row, ScoringColumn::Figure, figure);
         connect(figure, &QComboBox::activated, this, [this, row] { readRow(row); });
     }
     if (figure->findData(QString::fromStdString(line.metric)) < 0)
@@ -124,14 +127,14 @@ void ScoringTable::readRow(int row)
     if (m_isShowing)
         return;
     Criterion &line = m_criteria[static_cast<std::size_t>(row)];
-    line.metric = qobject_cast<QComboBox *>(m_table->cellWidget(row, FigureColumn))
+    line.metric = qobject_cast<QComboBox *>(m_table->cellWidget(row, ScoringColumn::Figure))
                       ->currentData()
                       .toString()
                       .toStdString();
     const double factor = boundUnit(line.metric).factor;
-    line.fullAt = numberOf(m_table->item(row, FullColumn)->text()) / factor;
-    line.noneAt = numberOf(m_table->item(row, NoneColumn)->text()) / factor;
-    line.points = numberOf(m_table->item(row, PointsColumn)->text());
+    line.fullAt = numberOf(m_table->item(row, ScoringColumn::Full)->text()) / factor;
+    line.noneAt = numberOf(m_table->item(row, ScoringColumn::None)->text()) / factor;
+    line.points = numberOf(m_table->item(row, ScoringColumn::Points)->text());
     showWords();
     Q_EMIT changed();
 }
@@ -159,7 +162,7 @@ void ScoringTable::add()
     m_criteria.push_back(isTimed ? Criterion{"gate_time", 5, 20, 10}
                                  : Criterion{m_metrics.front(), 1, 0, 10});
     showAll();
-    m_table->setCurrentCell(m_table->rowCount() - 1, FullColumn);
+    m_table->setCurrentCell(m_table->rowCount() - 1, ScoringColumn::Full);
     Q_EMIT changed();
 }
 

@@ -28,17 +28,21 @@
 namespace odo {
 namespace {
 
-enum Column { NameColumn, TemplateColumn, UseColumn, ColumnCount };
+struct TaskColumn
+{
+    enum { Name, Template, Use, Count };
+};
 constexpr int listWidth = 430;
 
 } // namespace
 
 TasksDialog::TasksDialog(Project &project, bool readOnly, QWidget *parent)
     : QDialog(parent), m_project(project), m_changes(project), m_readOnly(readOnly),
-      m_table(new QTableWidget(0, ColumnCount)), m_canvas(new TaskCanvas), m_words(new QLabel),
+      m_table(new QTableWidget(0, TaskColumn::Count)), m_canvas(new TaskCanvas), m_words(new QLabel),
       m_message(new QLabel), m_new(plainButton(tr("&New"))), m_edit(plainButton(tr("&Edit…"))),
       m_copy(plainButton(tr("&Copy…"))), m_rename(plainButton(tr("&Rename…"))),
-      m_archive(plainButton(tr("&Archive"))), m_remove(plainButton(tr("&Delete"))), m_measure(plainButton(tr("&Measure them again"))), m_showArchived(new QCheckBox)
+      m_archive(plainButton(tr("&Archive"))), m_remove(plainButton(tr("&Delete"))),
+      m_measure(plainButton(tr("&Measure them again"))), m_showArchived(new QCheckBox)
 {
     setWindowTitle(tr("Tasks"));
     for (QLabel *label : {m_words, m_message}) {
@@ -72,7 +76,7 @@ QWidget *TasksDialog::makeList()
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setWordWrap(false);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(TaskColumn::Name, QHeaderView::Stretch);
     auto *templates = new QMenu(m_new);
     for (const TaskTemplate kind : {TaskTemplate::StraightLine, TaskTemplate::Circle,
                                     TaskTemplate::FigureEight, TaskTemplate::Slalom, TaskTemplate::Free})
@@ -167,10 +171,10 @@ void TasksDialog::refresh(const QString &choose)
                              : use.analyses > 0 ? tr("earlier results")
                                                 : tr("nothing");
         const QString words = task.archived ? tr("%1, archived").arg(used) : used;
-        m_table->setItem(i, NameColumn, new QTableWidgetItem(name));
-        m_table->item(i, NameColumn)->setToolTip(name.toHtmlEscaped());
-        m_table->setItem(i, TemplateColumn, new QTableWidgetItem(templateName(task.task.kind)));
-        m_table->setItem(i, UseColumn, new QTableWidgetItem(words));
+        m_table->setItem(i, TaskColumn::Name, new QTableWidgetItem(name));
+        m_table->item(i, TaskColumn::Name)->setToolTip(name.toHtmlEscaped());
+        m_table->setItem(i, TaskColumn::Template, new QTableWidgetItem(templateName(task.task.kind)));
+        m_table->setItem(i, TaskColumn::Use, new QTableWidgetItem(words));
         if (name == choose)
             row = i;
     }

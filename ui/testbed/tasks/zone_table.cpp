@@ -17,7 +17,10 @@
 namespace odo {
 namespace {
 
-enum Column { NameColumn, RuleColumn, CornersColumn, ColumnCount };
+struct ZoneColumn
+{
+    enum { Name, Rule, Corners, Count };
+};
 constexpr ZoneRule rules[] = {ZoneRule::StayInside, ZoneRule::StayOutside};
 constexpr double newHalfM = 0.25, roomyHalfM = 1; ///< of a new zone to keep out of, and of one to stay in
 
@@ -57,8 +60,8 @@ ZoneTable::ZoneTable(const Eigen::Vector2d &middle, QWidget *parent)
       m_middle(middle)
 {
     table().setWordWrap(false);
-    table().horizontalHeader()->setSectionResizeMode(RuleColumn, QHeaderView::ResizeToContents);
-    table().horizontalHeader()->setSectionResizeMode(CornersColumn, QHeaderView::Stretch);
+    table().horizontalHeader()->setSectionResizeMode(ZoneColumn::Rule, QHeaderView::ResizeToContents);
+    table().horizontalHeader()->setSectionResizeMode(ZoneColumn::Corners, QHeaderView::Stretch);
     auto *inside = plainButton(tr("Add zone to sta&y in")), *outside = plainButton(tr("Add zone to &keep out of"));
     auto *words = new QLabel(tr("The robot's centre must stay in a zone, or keep out of it. Each is judged by itself; how often, how long "
                                 "and how far it was broken can be scored. Drag corners and edges on the map."));
@@ -81,23 +84,24 @@ void ZoneTable::setZones(const std::vector<Zone> &zones)
 void ZoneTable::showRow(int row)
 {
     const Zone &zone = m_zones[static_cast<std::size_t>(row)];
-    table().setItem(row, NameColumn, new QTableWidgetItem(QString::fromStdString(zone.name)));
-    table().item(row, NameColumn)->setToolTip(QString::fromStdString(zone.name).toHtmlEscaped());
-    table().setItem(row, CornersColumn, new QTableWidgetItem(cornersText(zone.corners)));
-    table().item(row, CornersColumn)->setToolTip(cornersText(zone.corners));
+    table().setItem(row, ZoneColumn::Name, new QTableWidgetItem(QString::fromStdString(zone.name)));
+    table().item(row, ZoneColumn::Name)->setToolTip(QString::fromStdString(zone.name).toHtmlEscaped());
+    table().setItem(row, ZoneColumn::Corners, new QTableWidgetItem(cornersText(zone.corners)));
+    table().item(row, ZoneColumn::Corners)->setToolTip(cornersText(zone.corners));
     std::vector<std::pair<QString, int>> choices;
     for (const ZoneRule rule : rules)
         choices.emplace_back(zoneRuleName(rule), static_cast<int>(rule));
-    QComboBox *rule = choiceIn(row, RuleColumn, tr("Rule of the zone"), choices);
+    QComboBox *rule = choiceIn(row, ZoneColumn::Rule, tr("Rule of the zone"), choices);
     rule->setCurrentIndex(rule->findData(static_cast<int>(zone.rule)));
 }
 
 void ZoneTable::readRow(int row)
 {
     Zone &zone = m_zones[static_cast<std::size_t>(row)];
-    zone.name = table().item(row, NameColumn)->text().trimmed().toStdString();
-    zone.rule = static_cast<ZoneRule>(qobject_cast<QComboBox *>(table().cellWidget(row, RuleColumn))->currentData().toInt());
-    const QString corners = table().item(row, CornersColumn)->text();
+    zone.name = table().item(row, ZoneColumn::Name)->text().trimmed().toStdString();
+    zone.rule = static_cast<ZoneRule>(
+        qobject_cast<QComboBox *>(table().cellWidget(row, ZoneColumn::Rule))->currentData().toInt());
+    const QString corners = table().item(row, ZoneColumn::Corners)->text();
     if (corners != cornersText(zone.corners)) // what was not touched keeps its last bit
         zone.corners = cornersOf(corners);
 }
