@@ -2,6 +2,7 @@
 #include "app/language_option.h"
 
 #include "app/command_call.h"
+#include "app/option_names.h"
 #include "ui/main_window/language.h"
 
 #include <QCoreApplication>
@@ -10,8 +11,6 @@
 namespace odo {
 
 namespace {
-
-const QString language = QStringLiteral("language");
 
 QStringList codes()
 {
@@ -25,13 +24,13 @@ QStringList codes()
 
 QCommandLineOption languageOption()
 {
-    return {language, QStringLiteral("Of the words and numbers: %1.").arg(codes().join(QStringLiteral(", "))),
+    return {option::language, QStringLiteral("Of the words and numbers: %1.").arg(codes().join(QStringLiteral(", "))),
             QStringLiteral("CODE"), QStringLiteral("en")};
 }
 
 Result<void> applyLanguage(const CommandCall &call)
 {
-    const QString code = QString::fromStdString(call.value(language));
+    const QString code = QString::fromStdString(call.value(option::language));
     if (!codes().contains(code))
         return call.wrongCall(QStringLiteral("--language is one of %1").arg(codes().join(QStringLiteral(", "))));
     installLanguage(*qApp, code);

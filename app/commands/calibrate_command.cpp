@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "app/option_names.h"
 #include "core/base/units.h"
 #include "core/workflow/calibrate_job.h"
 
@@ -9,17 +10,14 @@ namespace odo {
 
 namespace {
 
-const QString board = QStringLiteral("board"), square = QStringLiteral("square"), pattern = QStringLiteral("pattern"),
-              model = QStringLiteral("model");
-
-Result<CalibrateSettings> settingsFrom(const CommandCall &call)
+Result<CalibrateSettings> calibrateSettings(const CommandCall &call)
 {
     CalibrateSettings settings;
     settings.camera = call.text(1);
     for (const QString &file : call.positionals().mid(2))
         settings.files.emplace_back(file.toStdString());
-    if (call.isSet(board)) {
-        const auto size = call.sizePair(board);
+    if (call.isSet(option::board)) {
+        const auto size = call.sizePair(option::board);
         if (!size)
             return tl::unexpected(size.error());
         settings.board.columns = int(size->first);
@@ -28,32 +26,32 @@ Result<CalibrateSettings> settingsFrom(const CommandCall &call)
             settings.board.rows > 100)
             return call.wrongCall(QStringLiteral("--board counts inner corners, 3x3 to 100x100"));
     }
-    if (call.isSet(square)) {
-        const auto side = call.lengthM(square);
+    if (call.isSet(option::square)) {
+        const auto side = call.lengthM(option::square);
         if (!side)
             return tl::unexpected(side.error());
         settings.board.squareM = *side;
     }
-    const std::string patternName = call.value(pattern);
+    const std::string patternName = call.value(option::pattern);
     if (patternName == "charuco")
         settings.board.pattern = BoardPattern::Charuco;
     else if (patternName == "checkerboard")
         settings.board.pattern = BoardPattern::Checkerboard;
-    else if (call.isSet(pattern))
+    else if (call.isSet(option::pattern))
         return call.wrongCall(QStringLiteral("--pattern is checkerboard or charuco"));
-    const std::string modelName = call.value(model);
+    const std::string modelName = call.value(option::model);
     if (modelName == "standard")
         settings.model = LensModel::Standard;
     else if (modelName == "rational")
         settings.model = LensModel::Rational;
     else if (modelName == "fisheye")
         settings.model = LensModel::Fisheye;
-    else if (call.isSet(model))
+    else if (call.isSet(option::model))
         return call.wrongCall(QStringLiteral("--model is standard, rational or fisheye"));
     return settings;
 }
 
-QJsonObject answerJson(const CalibrateJob &job)
+QJsonObject calibrationJson(const CalibrateJob &job)
 {
     const IntrinsicCalibration &calibration = job.calibration();
     QJsonArray rejected;
@@ -90,14 +88,14 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
                       QStringLiteral("P.odo CAMERA IMAGE|VIDEO... [--board 9x6] [--square 25mm] "
                                      "[--pattern checkerboard|charuco] [--model standard|rational|fisheye] [--json]"),
                       3, -1,
-                      {{board, QStringLiteral("Inner corners; found out when not given."), QStringLiteral("CxR")},
-                       {square, QStringLiteral("Side of a square."), QStringLiteral("LENGTH")},
-                       {pattern, QStringLiteral("What is printed on the board; found out when not given."), QStringLiteral("PATTERN")},
-                       {model, QStringLiteral("How the lens is modelled; the one that foretells best when not given."), QStringLiteral("MODEL")}}},
+                      {{option::board, QStringLiteral("Inner corners; found out when not given."), QStringLiteral("CxR")},
+                       {option::square, QStringLiteral("Side of a square."), QStringLiteral("LENGTH")},
+                       {option::pattern, QStringLiteral("What is printed on the board; found out when not given."), QStringLiteral("PATTERN")},
+                       {option::model, QStringLiteral("How the lens is modelled; the one that foretells best when not given."), QStringLiteral("MODEL")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    auto settings = settingsFrom(call);
+    auto settings = calibrateSettings(call);
     if (!settings)
         return tl::unexpected(settings.error());
     const auto project = call.openProject(0, Project::Access::ReadWrite);
@@ -106,7 +104,7 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
     CalibrateJob job(std::move(*settings));
     if (auto done = runToEnd(job, **project, call.control()); !done)
         return done;
-    call.answer(answerJson(job), QStringLiteral("%1\nRMS %2 px over %3 pictures; %4 not used.")
+    call.answer(calibrationJson(job), QStringLiteral("%1\nRMS %2 px over %3 pictures; %4 not used.")
                                      .arg(QString::fromStdString(job.calibration().verdict))
                                      .arg(job.calibration().rmsPx, 0, 'f', 3)
                                      .arg(job.calibration().picturesUsed())

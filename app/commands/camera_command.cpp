@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/option_names.h"
 #include "core/project/changing.h"
 #include "core/project/repositories.h"
 
@@ -8,9 +9,8 @@ namespace odo {
 
 Result<void> runCamera(const QStringList &arguments, const CancelToken &cancel)
 {
-    const QString device = QStringLiteral("device");
     CommandCall call({QStringLiteral("camera"), QStringLiteral("add P.odo CAMERA [--device URI]"), 3, 3,
-                      {{device, QStringLiteral("Where its pictures come from."), QStringLiteral("URI")}}},
+                      {{option::device, QStringLiteral("Where its pictures come from."), QStringLiteral("URI")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
@@ -20,7 +20,7 @@ Result<void> runCamera(const QStringList &arguments, const CancelToken &cancel)
     if (!project)
         return tl::unexpected(project.error());
     const auto added = changing(**project, "add camera " + call.text(2),
-                                [&] { return (*project)->cameras().add({0, call.text(2), call.value(device)}); });
+                                [&] { return (*project)->cameras().add({0, call.text(2), call.value(option::device)}); });
     if (!added)
         return tl::unexpected(added.error());
     call.answer({{QStringLiteral("camera"), call.positional(2)}}, QStringLiteral("Camera %1 added.").arg(call.positional(2)));

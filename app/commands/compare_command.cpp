@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/option_names.h"
 #include "app/report_options.h"
 #include "core/workflow/compare_trials.h"
 #include "core/workflow/track_warnings.h"
@@ -14,13 +15,10 @@ namespace odo {
 
 namespace {
 
-const QString output = QStringLiteral("output"), robot = QStringLiteral("robot"),
-              align = QStringLiteral("align");
-
 /// What --align tells: a word, or the seconds by which the second run's moment comes later in its recording.
 Result<void> readAlignment(const CommandCall &call, CompareSettings &settings, double &laterS)
 {
-    const std::string word = call.value(align);
+    const std::string word = call.value(option::align);
     if (word == "auto")
         return {};
     for (const AlignBy by : {AlignBy::StartGate, AlignBy::MotionOnset, AlignBy::Distance}) {
@@ -29,7 +27,7 @@ Result<void> readAlignment(const CommandCall &call, CompareSettings &settings, d
         settings.alignBy = by;
         return {};
     }
-    const auto seconds = call.number(align);
+    const auto seconds = call.number(option::align);
     if (!seconds)
         return call.wrongCall(
             QStringLiteral("--align is auto, start_gate, motion_onset, distance or a number of seconds"));
@@ -55,7 +53,7 @@ QJsonArray metricsJson(const std::vector<MetricDifference> &lines)
     return metrics;
 }
 
-QJsonObject answerJson(const TrialComparison &compared)
+QJsonObject comparisonJson(const TrialComparison &compared)
 {
     const std::string_view alignedBy = alignByWord(compared.comparison.alignedBy);
     QJsonArray distances, differences;
@@ -104,7 +102,7 @@ QString valueText(const std::optional<double> &value)
     return value ? QString::number(*value, 'f', 3) : QStringLiteral("-");
 }
 
-QString answerText(const ComparedTrials &trials, const TrialComparison &compared)
+QString comparisonText(const ComparedTrials &trials, const TrialComparison &compared)
 {
     const RunComparison &comparison = compared.comparison;
     const QString a = QString::fromStdString(runName(trials.runs[0])),
@@ -149,7 +147,7 @@ Result<void> writeReport(const CommandCall &call, Project &project, const Compar
     const auto options = readReportOptions(call);
     if (!options)
         return tl::unexpected(options.error());
-    ReportJob job(comparisonReport(settings, *options), std::make_unique<PdfFile>(call.value(output), QStringLiteral("Odograph comparison")));
+    ReportJob job(comparisonReport(settings, *options), std::make_unique<PdfFile>(call.value(option::output), QStringLiteral("Odograph comparison")));
     return runToEnd(job, project, call.control());
 }
 
@@ -164,9 +162,9 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
          3,
          3,
          QList<QCommandLineOption>{
-          {{QStringLiteral("o"), output}, QStringLiteral("The PDF report to write."), QStringLiteral("FILE")},
-          {robot, QStringLiteral("Where a trial has several: of both, or given twice."), QStringLiteral("R")},
-          {align,
+          {{QStringLiteral("o"), option::output}, QStringLiteral("The PDF report to write."), QStringLiteral("FILE")},
+          {option::robot, QStringLiteral("Where a trial has several: of both, or given twice."), QStringLiteral("R")},
+          {option::align,
            QStringLiteral("The moment that counts as the same; SECONDS: how much later TRIAL2's moment comes "
                           "in its recording."),
            QStringLiteral("HOW"), QStringLiteral("auto")}} +
@@ -174,7 +172,7 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    const std::vector<std::string> robots = call.texts(robot);
+    const std::vector<std::string> robots = call.texts(option::robot);
     if (robots.size() > 2)
         return call.wrongCall(QStringLiteral("--robot is given once for both trials, or once for each"));
     CompareSettings settings;
@@ -193,10 +191,10 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
     const auto compared = compareTrials(*trials, settings);
     if (!compared)
         return tl::unexpected(compared.error());
-    if (call.isSet(output))
+    if (call.isSet(option::output))
         if (auto written = writeReport(call, **project, settings); !written)
             return written;
-    call.answer(answerJson(*compared), answerText(*trials, *compared));
+    call.answer(comparisonJson(*compared), comparisonText(*trials, *compared));
     for (const ComparedTrial &run : trials->runs)
         for (const std::string &warning : analysisWarnings(run.analysis, run.trial.name))
             CommandCall::warn(warning);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/option_names.h"
 #include "app/workbench.h"
 #include "core/workflow/demo.h"
 
@@ -8,9 +9,8 @@ namespace odo {
 
 Result<void> runDemo(const QStringList &arguments, const CancelToken &cancel)
 {
-    const QString open = QStringLiteral("open");
     CommandCall call({QStringLiteral("demo"), QStringLiteral("DIR [--open]"), 1, 1,
-                      {{open, QStringLiteral("Open the workbench with it.")}}},
+                      {{option::open, QStringLiteral("Open the workbench with it.")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
@@ -19,7 +19,7 @@ Result<void> runDemo(const QStringList &arguments, const CancelToken &cancel)
         return tl::unexpected(file.error());
     const QString path = QString::fromStdString(file->string());
     call.answer({{QStringLiteral("project"), path}}, QStringLiteral("The demo lesson is in %1.").arg(path));
-    if (call.isSet(open))
+    if (call.isSet(option::open))
         runWorkbench(*file);
     return {};
 }

@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/commands/export_video.h"
+#include "app/option_names.h"
 #include "core/exchange/text_file.h"
 #include "core/exchange/track_csv.h"
 #include "core/exchange/track_text.h"
@@ -14,9 +15,6 @@
 namespace odo {
 
 namespace {
-
-const QString output = QStringLiteral("output"), robot = QStringLiteral("robot"), format = QStringLiteral("format"),
-              csvStyle = QStringLiteral("csv-style");
 
 /// The one robot whose track the file is to hold.
 Result<AnalysisRecord> chosenRobot(const std::vector<AnalysisRecord> &analyses, const std::string &trial,
@@ -41,8 +39,8 @@ Result<std::string> fileText(const CommandCall &call, const std::string &formatN
                              const std::vector<RecordingRecord> &recordings, const std::vector<AnalysisRecord> &analyses,
                              const std::vector<ImportedTrack> &imported)
 {
-    const auto chosen = chosenRobot(analyses, trial.name, call.value(robot));
-    if (formatName == "json" && !call.isSet(robot) && !analyses.empty())
+    const auto chosen = chosenRobot(analyses, trial.name, call.value(option::robot));
+    if (formatName == "json" && !call.isSet(option::robot) && !analyses.empty())
         return trialJson(trial, recordings, analyses, imported);
     if (!chosen)
         return tl::unexpected(chosen.error());
@@ -52,7 +50,7 @@ Result<std::string> fileText(const CommandCall &call, const std::string &formatN
         return trackTum(*chosen);
     if (formatName == "tracker")
         return trackTracker(*chosen);
-    const auto style = parseCsvStyle(call.value(csvStyle));
+    const auto style = parseCsvStyle(call.value(option::csvStyle));
     if (!style)
         return call.wrongCall(QStringLiteral("--csv-style is analysis, international or continental"));
     return trackCsv(*chosen, *style);
@@ -68,22 +66,22 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
                                      "[--speed 0.25] [--size 1920x1080] [--theme light|dark]"),
                       2, 2,
                       QList<QCommandLineOption>{
-                       {{QStringLiteral("o"), output}, QStringLiteral("The file to write."), QStringLiteral("FILE")},
-                       {robot, QStringLiteral("The robot, where there are several."), QStringLiteral("R")},
-                       {format, QStringLiteral("Of the file."), QStringLiteral("FORMAT"), QStringLiteral("csv")},
-                       {csvStyle, QStringLiteral("For which program."), QStringLiteral("STYLE"), QStringLiteral("analysis")}} +
+                       {{QStringLiteral("o"), option::output}, QStringLiteral("The file to write."), QStringLiteral("FILE")},
+                       {option::robot, QStringLiteral("The robot, where there are several."), QStringLiteral("R")},
+                       {option::format, QStringLiteral("Of the file."), QStringLiteral("FORMAT"), QStringLiteral("csv")},
+                       {option::csvStyle, QStringLiteral("For which program."), QStringLiteral("STYLE"), QStringLiteral("analysis")}} +
                           videoOptions()},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    if (!call.isSet(output))
+    if (!call.isSet(option::output))
         return call.wrongCall(QStringLiteral("-o is missing"));
     static const std::vector<std::string> formats = {"csv", "tum", "json", "tracker", "video"};
-    const std::string formatName = call.value(format);
+    const std::string formatName = call.value(option::format);
     if (std::find(formats.begin(), formats.end(), formatName) == formats.end())
         return call.wrongCall(QStringLiteral("--format is csv, tum, json, tracker or video"));
     if (formatName == "video")
-        return exportVideo(call, call.value(output));
+        return exportVideo(call, call.value(option::output));
     const auto project = call.openProject(0, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
@@ -102,9 +100,9 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     const auto text = fileText(call, formatName, *trial, *recordings, *analyses, *imported);
     if (!text)
         return tl::unexpected(text.error());
-    if (auto written = writeTextFile(call.value(output), *text); !written)
+    if (auto written = writeTextFile(call.value(option::output), *text); !written)
         return written;
-    const QString file = QString::fromStdString(call.value(output));
+    const QString file = QString::fromStdString(call.value(option::output));
     call.answer({{QStringLiteral("file"), file}, {QStringLiteral("format"), QString::fromStdString(formatName)}},
                 QStringLiteral("Wrote %1.").arg(file));
     return {};

@@ -2,30 +2,29 @@
 #include "app/commands/export_video.h"
 
 #include "app/language_option.h"
+#include "app/option_names.h"
 #include "ui/report/annotated_video.h"
 
 namespace odo {
 namespace {
 
-const QString speed = QStringLiteral("speed"), size = QStringLiteral("size"), theme = QStringLiteral("theme");
-
 Result<AnnotatedVideoSettings> settingsOf(const CommandCall &call, const std::string &file)
 {
     AnnotatedVideoSettings settings;
     settings.file = file;
-    const auto wantedSize = call.sizePair(size);
+    const auto wantedSize = call.sizePair(option::size);
     if (!wantedSize)
         return tl::unexpected(wantedSize.error());
     settings.sizePx = QSize(static_cast<int>(wantedSize->first), static_cast<int>(wantedSize->second));
     if (!AnnotatedVideoSettings::isSize(settings.sizePx))
         return call.wrongCall(QStringLiteral("--size has even numbers, from 320x180 to 3840x2160"));
-    const auto wantedSpeed = call.number(speed);
+    const auto wantedSpeed = call.number(option::speed);
     if (!wantedSpeed)
         return tl::unexpected(wantedSpeed.error());
     if (!AnnotatedVideoSettings::isSpeed(*wantedSpeed))
         return call.wrongCall(QStringLiteral("--speed is from 0.1 to 1"));
     settings.speed = *wantedSpeed;
-    const std::string themeName = call.value(theme);
+    const std::string themeName = call.value(option::theme);
     if (themeName != "light" && themeName != "dark")
         return call.wrongCall(QStringLiteral("--theme is light or dark"));
     settings.isDark = themeName == "dark";
@@ -36,9 +35,9 @@ Result<AnnotatedVideoSettings> settingsOf(const CommandCall &call, const std::st
 
 QList<QCommandLineOption> videoOptions()
 {
-    return {{speed, QStringLiteral("Of a video, times that of the run: 0.1 to 1."), QStringLiteral("S"), QStringLiteral("1")},
-            {size, QStringLiteral("Of a video, in pixels."), QStringLiteral("WxH"), QStringLiteral("1920x1080")},
-            {theme, QStringLiteral("Of a video: light or dark."), QStringLiteral("THEME"), QStringLiteral("light")},
+    return {{option::speed, QStringLiteral("Of a video, times that of the run: 0.1 to 1."), QStringLiteral("S"), QStringLiteral("1")},
+            {option::size, QStringLiteral("Of a video, in pixels."), QStringLiteral("WxH"), QStringLiteral("1920x1080")},
+            {option::theme, QStringLiteral("Of a video: light or dark."), QStringLiteral("THEME"), QStringLiteral("light")},
             languageOption()};
 }
 

@@ -2,31 +2,29 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "app/option_names.h"
 #include "core/workflow/overrule_job.h"
 
 namespace odo {
 
 namespace {
 
-const QString robot = QStringLiteral("robot"), time = QStringLiteral("time"), frame = QStringLiteral("frame"),
-              spike = QStringLiteral("spike"), valid = QStringLiteral("valid"), clear = QStringLiteral("clear");
-
 Result<OverruleRequest> requestOf(const CommandCall &call)
 {
-    if (int(call.isSet(spike)) + int(call.isSet(valid)) + int(call.isSet(clear)) != 1)
+    if (int(call.isSet(option::spike)) + int(call.isSet(option::valid)) + int(call.isSet(option::clear)) != 1)
         return call.wrongCall(QStringLiteral("one of --spike, --valid and --clear is needed"));
-    if (call.isSet(time) == call.isSet(frame))
+    if (call.isSet(option::time) == call.isSet(option::frame))
         return call.wrongCall(QStringLiteral("one of --time and --frame is needed"));
     OverruleRequest request;
     request.trial = call.text(1);
-    request.robot = call.value(robot);
-    request.word = call.isSet(spike)   ? OverruleRequest::Word::Spike
-                   : call.isSet(valid) ? OverruleRequest::Word::Valid
-                                       : OverruleRequest::Word::Clear;
-    const auto number = call.number(call.isSet(time) ? time : frame);
+    request.robot = call.value(option::robot);
+    request.word = call.isSet(option::spike)   ? OverruleRequest::Word::Spike
+                   : call.isSet(option::valid) ? OverruleRequest::Word::Valid
+                                               : OverruleRequest::Word::Clear;
+    const auto number = call.number(call.isSet(option::time) ? option::time : option::frame);
     if (!number)
         return tl::unexpected(number.error());
-    if (call.isSet(time))
+    if (call.isSet(option::time))
         request.timeS = *number;
     else if (*number != std::floor(*number) || std::abs(*number) > 1e9)
         return call.wrongCall(QStringLiteral("--frame is a whole number"));
@@ -54,12 +52,12 @@ Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("flag"),
                       QStringLiteral("P.odo TRIAL [--robot R] --time SECONDS|--frame N (--spike|--valid|--clear) [--json]"), 2, 2,
-                      {{robot, QStringLiteral("The robot, where there are several."), QStringLiteral("R")},
-                       {time, QStringLiteral("The sample nearest to this time."), QStringLiteral("SECONDS")},
-                       {frame, QStringLiteral("The sample of this frame of the first view."), QStringLiteral("N")},
-                       {spike, QStringLiteral("It is not to be used.")},
-                       {valid, QStringLiteral("It is to be used.")},
-                       {clear, QStringLiteral("Take back what was said by hand.")}}},
+                      {{option::robot, QStringLiteral("The robot, where there are several."), QStringLiteral("R")},
+                       {option::time, QStringLiteral("The sample nearest to this time."), QStringLiteral("SECONDS")},
+                       {option::frame, QStringLiteral("The sample of this frame of the first view."), QStringLiteral("N")},
+                       {option::spike, QStringLiteral("It is not to be used.")},
+                       {option::valid, QStringLiteral("It is to be used.")},
+                       {option::clear, QStringLiteral("Take back what was said by hand.")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});

@@ -3,6 +3,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/import_tracks.h"
 #include "app/json_answers.h"
+#include "app/option_names.h"
 #include "app/step_words.h"
 #include "core/project/repositories.h"
 #include "core/workflow/import_trial_job.h"
@@ -11,22 +12,18 @@ namespace odo {
 
 namespace {
 
-const QString trial = QStringLiteral("trial"), video = QStringLiteral("video"), sync = QStringLiteral("sync"),
-              team = QStringLiteral("team"), robot = QStringLiteral("robot"), rate = QStringLiteral("rate"), task = QStringLiteral("task"),
-              track = QStringLiteral("track");
-
-Result<ImportSettings> settingsFrom(const CommandCall &call)
+Result<ImportSettings> importSettings(const CommandCall &call)
 {
     ImportSettings settings;
-    if (!call.isSet(trial) || !call.isSet(video))
+    if (!call.isSet(option::trial) || !call.isSet(option::video))
         return call.wrongCall(QStringLiteral("--trial and --video, or --trial and --track, are needed"));
-    settings.trial = call.value(trial);
-    const auto videos = call.pairs(video);
+    settings.trial = call.value(option::trial);
+    const auto videos = call.pairs(option::video);
     if (!videos)
         return tl::unexpected(videos.error());
     for (const auto &[camera, file] : *videos)
         settings.videos.emplace_back(camera, file);
-    for (const QString &text : QString::fromStdString(call.value(sync)).split(u',', Qt::SkipEmptyParts)) {
+    for (const QString &text : QString::fromStdString(call.value(option::sync)).split(u',', Qt::SkipEmptyParts)) {
         const std::string how = text.trimmed().toStdString();
         if (how == "auto" || how == "none") {
             settings.steps.push_back({how == "auto" ? ImportSettings::Sync::Automatic : ImportSettings::Sync::None, 0});
@@ -38,11 +35,11 @@ Result<ImportSettings> settingsFrom(const CommandCall &call)
                 QStringLiteral("--sync is auto, none or seconds, one of them for each view but the first"));
         settings.steps.push_back({ImportSettings::Sync::Told, *offset});
     }
-    settings.team = call.value(team);
-    settings.task = call.value(task);
-    settings.robots = call.texts(robot);
-    if (call.isSet(rate)) {
-        const auto framesPerSecond = call.number(rate);
+    settings.team = call.value(option::team);
+    settings.task = call.value(option::task);
+    settings.robots = call.texts(option::robot);
+    if (call.isSet(option::rate)) {
+        const auto framesPerSecond = call.number(option::rate);
         if (!framesPerSecond || *framesPerSecond <= 0)
             return call.wrongCall(QStringLiteral("--rate is a number of frames a second above zero"));
         settings.rate = *framesPerSecond;
@@ -52,13 +49,13 @@ Result<ImportSettings> settingsFrom(const CommandCall &call)
 
 Result<void> importTracksOf(const CommandCall &call)
 {
-    if (!call.isSet(trial))
+    if (!call.isSet(option::trial))
         return call.wrongCall(QStringLiteral("--trial and --track are needed"));
-    for (const QString &other : {video, robot, rate, sync}) {
+    for (const QString &other : {option::video, option::robot, option::rate, option::sync}) {
         if (call.isSet(other))
             return call.wrongCall(QStringLiteral("--track goes with --trial, --team and --task, not with --%1").arg(other));
     }
-    const auto tracks = call.pairs(track);
+    const auto tracks = call.pairs(option::track);
     if (!tracks)
         return tl::unexpected(tracks.error());
     return importTracks(call, *tracks);
@@ -84,22 +81,22 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
                                      "[--team T] [--task NAME] [--robot R]... [--rate 240] [--json]\n"
                                      "       odograph import P.odo --trial NAME --track R=FILE... [--team T] [--task NAME] [--json]"),
                       1, 1,
-                      {{trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
-                       {video, QStringLiteral("A view: the camera's name and the file."), QStringLiteral("CAMERA=FILE")},
-                       {track, QStringLiteral("A robot's finished track in place of videos: TUM, CSV with t_s,x_mm,y_mm, or Tracker text."),
+                      {{option::trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
+                       {option::video, QStringLiteral("A view: the camera's name and the file."), QStringLiteral("CAMERA=FILE")},
+                       {option::track, QStringLiteral("A robot's finished track in place of videos: TUM, CSV with t_s,x_mm,y_mm, or Tracker text."),
                         QStringLiteral("ROBOT=FILE")},
-                       {sync, QStringLiteral("How much later each other view's first frame was taken than the first view's; auto: found from the motion or a flash of light."),
+                       {option::sync, QStringLiteral("How much later each other view's first frame was taken than the first view's; auto: found from the motion or a flash of light."),
                         QStringLiteral("auto|none|SECONDS[,...]")},
-                       {team, QStringLiteral("The team that ran."), QStringLiteral("T")},
-                       {task, QStringLiteral("The task that was driven; see odograph task add."), QStringLiteral("NAME")},
-                       {robot, QStringLiteral("A robot that is seen; else those that belong to the team."), QStringLiteral("R")},
-                       {rate, QStringLiteral("The camera's frame rate where the file has another."), QStringLiteral("FPS")}}},
+                       {option::team, QStringLiteral("The team that ran."), QStringLiteral("T")},
+                       {option::task, QStringLiteral("The task that was driven; see odograph task add."), QStringLiteral("NAME")},
+                       {option::robot, QStringLiteral("A robot that is seen; else those that belong to the team."), QStringLiteral("R")},
+                       {option::rate, QStringLiteral("The camera's frame rate where the file has another."), QStringLiteral("FPS")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    if (call.isSet(track))
+    if (call.isSet(option::track))
         return importTracksOf(call);
-    auto settings = settingsFrom(call);
+    auto settings = importSettings(call);
     if (!settings)
         return tl::unexpected(settings.error());
     const auto project = call.openProject(0, Project::Access::ReadWrite);

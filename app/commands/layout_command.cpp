@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "app/option_names.h"
 #include "core/exchange/layout_csv.h"
 #include "core/project/changing.h"
 #include "core/project/repositories.h"
@@ -11,9 +12,6 @@
 namespace odo {
 
 namespace {
-
-const QString origin = QStringLiteral("origin"), originAt = QStringLiteral("origin-at"), turn = QStringLiteral("turn"),
-              xAxis = QStringLiteral("x-axis"), reverse = QStringLiteral("reverse"), unit = QStringLiteral("unit");
 
 QJsonArray markersJson(const MarkerLayout &layout)
 {
@@ -138,36 +136,36 @@ Result<std::pair<std::string, std::string>> commaPair(const CommandCall &call, c
 Result<AxesChange> changeOf(const CommandCall &call)
 {
     AxesChange change;
-    change.originMarker = call.value(origin);
-    if (call.isSet(originAt)) {
-        const auto place = commaPair(call, originAt);
+    change.originMarker = call.value(option::origin);
+    if (call.isSet(option::originAt)) {
+        const auto place = commaPair(call, option::originAt);
         const auto x = place ? parseLengthM(place->first) : Result<double>(tl::unexpected(place.error()));
         const auto y = place ? parseLengthM(place->second) : x;
         if (!x || !y)
             return tl::unexpected(!x ? x.error() : y.error());
         change.originM = Eigen::Vector2d(*x, *y);
     }
-    if (call.isSet(turn)) {
-        const auto degrees = call.number(turn);
+    if (call.isSet(option::turn)) {
+        const auto degrees = call.number(option::turn);
         if (!degrees)
             return tl::unexpected(degrees.error());
         change.turnDegrees = *degrees;
     }
-    if (call.isSet(xAxis)) {
-        auto pair = commaPair(call, xAxis);
+    if (call.isSet(option::xAxis)) {
+        auto pair = commaPair(call, option::xAxis);
         if (!pair)
             return tl::unexpected(pair.error());
         change.xAlong = std::move(*pair);
     }
-    if (call.isSet(reverse)) {
-        const std::string axes = call.value(reverse);
+    if (call.isSet(option::reverse)) {
+        const std::string axes = call.value(option::reverse);
         if (axes != "x" && axes != "y" && axes != "xy")
             return call.wrongCall(QStringLiteral("--reverse takes x, y or xy"));
         change.reverseX = axes != "y";
         change.reverseY = axes != "x";
     }
-    if (call.isSet(unit)) {
-        const auto factor = lengthFactorFrom(call.value(unit));
+    if (call.isSet(option::unit)) {
+        const auto factor = lengthFactorFrom(call.value(option::unit));
         if (!factor)
             return tl::unexpected(factor.error());
         change.lengthFactor = *factor;
@@ -215,12 +213,12 @@ Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel)
                         "transform P.odo NAME [--origin LABEL | --origin-at X,Y] [--turn DEGREES | --x-axis LABEL,LABEL] "
                         "[--reverse x|y|xy] [--unit mm|cm|m|inch] [--json]"),
          2, 4,
-         {{origin, QStringLiteral("The marker that becomes the origin."), QStringLiteral("LABEL")},
-          {originAt, QStringLiteral("The point that becomes the origin."), QStringLiteral("X,Y")},
-          {turn, QStringLiteral("The angle of the new X in the old axes, counter-clockwise."), QStringLiteral("DEGREES")},
-          {xAxis, QStringLiteral("X runs from the first marker to the second."), QStringLiteral("LABEL,LABEL")},
-          {reverse, QStringLiteral("Reverses both axes: xy."), QStringLiteral("AXES")},
-          {unit, QStringLiteral("What the layout's numbers were, where they were read as mm."), QStringLiteral("UNIT")}}},
+         {{option::origin, QStringLiteral("The marker that becomes the origin."), QStringLiteral("LABEL")},
+          {option::originAt, QStringLiteral("The point that becomes the origin."), QStringLiteral("X,Y")},
+          {option::turn, QStringLiteral("The angle of the new X in the old axes, counter-clockwise."), QStringLiteral("DEGREES")},
+          {option::xAxis, QStringLiteral("X runs from the first marker to the second."), QStringLiteral("LABEL,LABEL")},
+          {option::reverse, QStringLiteral("Reverses both axes: xy."), QStringLiteral("AXES")},
+          {option::unit, QStringLiteral("What the layout's numbers were, where they were read as mm."), QStringLiteral("UNIT")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});

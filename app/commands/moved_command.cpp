@@ -2,13 +2,12 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "app/option_names.h"
 #include "core/workflow/moved_job.h"
 
 namespace odo {
 
 namespace {
-
-const QString camera = QStringLiteral("camera"), image = QStringLiteral("image");
 
 QString verdictName(MovedCheck::Verdict verdict)
 {
@@ -23,7 +22,7 @@ QString verdictName(MovedCheck::Verdict verdict)
     return QStringLiteral("nothing");
 }
 
-QJsonObject answerJson(const QString &cameraName, const MovedCheck &check)
+QJsonObject movedJson(const QString &cameraName, const MovedCheck &check)
 {
     QJsonArray markers;
     for (const MarkerShift &marker : check.markers)
@@ -46,12 +45,12 @@ QJsonObject answerJson(const QString &cameraName, const MovedCheck &check)
 Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("moved"), QStringLiteral("P.odo --camera CAMERA --image F.png [--json]"), 1, 1,
-                      {{camera, QStringLiteral("The registered camera."), QStringLiteral("CAMERA")},
-                       {image, QStringLiteral("A picture of it as it stands now."), QStringLiteral("FILE")}}},
+                      {{option::camera, QStringLiteral("The registered camera."), QStringLiteral("CAMERA")},
+                       {option::image, QStringLiteral("A picture of it as it stands now."), QStringLiteral("FILE")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    if (!call.isSet(camera) || !call.isSet(image))
+    if (!call.isSet(option::camera) || !call.isSet(option::image))
         return call.wrongCall(QStringLiteral("--camera and --image are needed"));
     // What was found is kept where it can be; where it cannot, it is told all the same.
     auto project = call.openProject(0, Project::Access::ReadWrite);
@@ -60,22 +59,22 @@ Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
         project = call.openProject(0, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
-    MovedJob job({call.value(camera), call.value(image), {}});
+    MovedJob job({call.value(option::camera), call.value(option::image), {}});
     auto done = job.prepare(**project);
     if (done)
         done = job.run(call.control());
     if (canKeep && done)
         done = job.commit(**project);
     else if (canKeep && done.error().code == ErrorCode::Undetermined)
-        if (const auto kept = keepNotTold(**project, call.value(camera), done.error()); !kept)
+        if (const auto kept = keepNotTold(**project, call.value(option::camera), done.error()); !kept)
             return kept;
     if (!done)
         return done;
     const MovedCheck &check = job.check();
-    call.answer(answerJson(QString::fromStdString(call.value(camera)), check), QString::fromStdString(check.words));
+    call.answer(movedJson(QString::fromStdString(call.value(option::camera)), check), QString::fromStdString(check.words));
     if (check.verdict == MovedCheck::Verdict::Still)
         return {};
-    return fail(ErrorCode::InvalidInput, "camera '" + call.value(camera) + "'",
+    return fail(ErrorCode::InvalidInput, "camera '" + call.value(option::camera) + "'",
                 check.verdict == MovedCheck::Verdict::CameraMoved ? "it has moved since it was registered"
                                                                   : "a marker has moved since it was registered",
                 "see the answer for what to do");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/option_names.h"
 #include "core/base/percentile.h"
 #include "core/workflow/record_trial.h"
 
@@ -9,10 +10,6 @@
 namespace odo {
 
 namespace {
-
-const QString trial = QStringLiteral("trial"), camera = QStringLiteral("camera"),
-              seconds = QStringLiteral("seconds"), robot = QStringLiteral("robot"),
-              recover = QStringLiteral("recover"), preRoll = QStringLiteral("pre-roll"), sslVision = QStringLiteral("ssl-vision");
 
 /// Opening has completed what was cut off, and said so.
 Result<void> answerRecover(const CommandCall &call)
@@ -25,33 +22,33 @@ Result<void> answerRecover(const CommandCall &call)
     return {};
 }
 
-Result<RecordSettings> settingsFrom(const CommandCall &call)
+Result<RecordSettings> recordSettings(const CommandCall &call)
 {
-    if (!call.isSet(trial))
+    if (!call.isSet(option::trial))
         return call.wrongCall(QStringLiteral("--trial is missing"));
-    if (!call.isSet(camera))
+    if (!call.isSet(option::camera))
         return call.wrongCall(QStringLiteral("--camera is missing"));
-    auto cameras = call.pairs(camera);
+    auto cameras = call.pairs(option::camera);
     if (!cameras)
         return tl::unexpected(cameras.error());
     RecordSettings settings;
-    settings.trial = call.value(trial);
+    settings.trial = call.value(option::trial);
     settings.cameras = std::move(*cameras);
-    settings.robots = call.texts(robot);
-    if (call.isSet(seconds)) {
-        const auto number = call.number(seconds);
+    settings.robots = call.texts(option::robot);
+    if (call.isSet(option::seconds)) {
+        const auto number = call.number(option::seconds);
         if (!number || *number <= 0)
             return call.wrongCall(QStringLiteral("--seconds is a number above zero"));
         settings.seconds = *number;
     }
-    if (call.isSet(sslVision)) {
-        auto target = parseBroadcastTarget(call.value(sslVision));
+    if (call.isSet(option::sslVision)) {
+        auto target = parseBroadcastTarget(call.value(option::sslVision));
         if (!target)
             return tl::unexpected(target.error());
         settings.broadcast = std::move(*target);
     }
-    if (call.isSet(preRoll)) {
-        const auto number = call.number(preRoll);
+    if (call.isSet(option::preRoll)) {
+        const auto number = call.number(option::preRoll);
         if (!number || *number < 0)
             return call.wrongCall(QStringLiteral("--pre-roll is a number of seconds"));
         settings.preRollS = *number;
@@ -96,7 +93,7 @@ QJsonObject viewsJson(const LiveTrial &recorded, const RecordSettings &settings)
 /// an option or the project.
 QStringList withTarget(QStringList arguments)
 {
-    const QString option = QStringLiteral("--") + sslVision;
+    const QString option = QStringLiteral("--") + option::sslVision;
     for (qsizetype i = arguments.indexOf(option); i >= 0; i = arguments.indexOf(option, i + 1)) {
         const QString next = arguments.value(i + 1, QStringLiteral("-"));
         const bool isValue = !next.startsWith(u'-') && !next.endsWith(QStringLiteral(".odo"), Qt::CaseInsensitive);
@@ -117,28 +114,28 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
                         "[--robot R]... [--ssl-vision [ADDRESS:PORT]] [--json], or P.odo --recover"),
          1,
          1,
-         {{trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
-          {camera, QStringLiteral("A view: the camera's name and its address; see odograph cameras."),
+         {{option::trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
+          {option::camera, QStringLiteral("A view: the camera's name and its address; see odograph cameras."),
            QStringLiteral("CAMERA=URI")},
-          {seconds, QStringLiteral("How long, from when all cameras deliver."), QStringLiteral("SECONDS")},
-          {preRoll,
+          {option::seconds, QStringLiteral("How long, from when all cameras deliver."), QStringLiteral("SECONDS")},
+          {option::preRoll,
            QStringLiteral(
                "What is recorded from before that, 10 seconds at most: the cameras run so long first."),
            QStringLiteral("SECONDS")},
-          {robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
-          {sslVision,
+          {option::robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
+          {option::sslVision,
            QStringLiteral("Sends the robots' live positions as SSL-Vision packets, on this machine's loopback only; "
                           "224.5.23.2:10006 unless another address is told."),
            QStringLiteral("[ADDRESS:PORT]")},
-          {recover,
+          {option::recover,
            QStringLiteral(
                "Records nothing: completes recordings that were cut off, as every writing command does.")}}},
         cancel);
     if (const auto parsed = call.parse(withTarget(arguments)); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    if (call.isSet(recover))
+    if (call.isSet(option::recover))
         return answerRecover(call);
-    auto settings = settingsFrom(call);
+    auto settings = recordSettings(call);
     if (!settings)
         return tl::unexpected(settings.error());
     const auto project = call.openProject(0, Project::Access::ReadWrite);

@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "app/option_names.h"
 #include "core/exchange/shared_points_csv.h"
 #include "core/project/repositories.h"
 #include "core/workflow/register_job.h"
@@ -12,10 +13,7 @@ namespace odo {
 
 namespace {
 
-const QString again = QStringLiteral("again"), joint = QStringLiteral("joint"), tape = QStringLiteral("tape"), hint = QStringLiteral("hint"), camera = QStringLiteral("camera"), layout = QStringLiteral("layout"), pixels = QStringLiteral("pixels"),
-              through = QStringLiteral("through"), image = QStringLiteral("image"), video = QStringLiteral("video");
-
-QJsonObject answerJson(const std::string &cameraName, const std::string &layoutName, const FloorRegistration &registration)
+QJsonObject registrationJson(const std::string &cameraName, const std::string &layoutName, const FloorRegistration &registration)
 {
     QJsonArray markers;
     for (const MarkerError &marker : registration.markers)
@@ -35,7 +33,7 @@ QJsonObject answerJson(const std::string &cameraName, const std::string &layoutN
 /// "LABEL=U,V" of each --hint.
 Result<std::vector<MarkerPixel>> hintsOf(const CommandCall &call)
 {
-    const auto pairs = call.pairs(hint);
+    const auto pairs = call.pairs(option::hint);
     if (!pairs)
         return tl::unexpected(pairs.error());
     std::vector<MarkerPixel> hints;
@@ -55,8 +53,8 @@ Result<void> registerByMarkers(CommandCall &call)
     auto hints = hintsOf(call);
     if (!hints)
         return tl::unexpected(hints.error());
-    const RegisterSettings settings{call.value(camera), call.value(layout), call.value(pixels),
-                                    call.isSet(image) ? call.value(image) : call.value(video), {}, {}, std::move(*hints)};
+    const RegisterSettings settings{call.value(option::camera), call.value(option::layout), call.value(option::pixels),
+                                    call.isSet(option::image) ? call.value(option::image) : call.value(option::video), {}, {}, std::move(*hints)};
     const auto project = call.openProject(0, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
@@ -64,16 +62,16 @@ Result<void> registerByMarkers(CommandCall &call)
     if (auto done = runToEnd(job, **project, call.control()); !done)
         return done;
     const FloorRegistration &registration = job.record().registration;
-    call.answer(answerJson(settings.camera, settings.layout, registration), QString::fromStdString(registration.verdict));
+    call.answer(registrationJson(settings.camera, settings.layout, registration), QString::fromStdString(registration.verdict));
     return {};
 }
 
 Result<void> registerThroughCamera(CommandCall &call)
 {
-    const auto points = readSharedPointsCsv(call.value(pixels));
+    const auto points = readSharedPointsCsv(call.value(option::pixels));
     if (!points)
         return tl::unexpected(points.error());
-    const RegisterThroughSettings settings{call.value(camera), call.value(through), *points};
+    const RegisterThroughSettings settings{call.value(option::camera), call.value(option::through), *points};
     const auto project = call.openProject(0, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
@@ -81,8 +79,8 @@ Result<void> registerThroughCamera(CommandCall &call)
     if (auto done = runToEnd(job, **project, call.control()); !done)
         return done;
     const FloorRegistration &registration = job.record().registration;
-    QJsonObject answer = answerJson(settings.camera, job.layoutName(), registration);
-    answer.insert(through, QString::fromStdString(settings.through));
+    QJsonObject answer = registrationJson(settings.camera, job.layoutName(), registration);
+    answer.insert(QStringLiteral("through"), QString::fromStdString(settings.through));
     call.answer(answer, QString::fromStdString(registration.verdict));
     return {};
 }
@@ -92,21 +90,21 @@ Result<void> registerAgain(CommandCall &call)
     const auto project = call.openProject(0, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
-    const auto record = registerWithLensInForce(**project, call.value(camera));
+    const auto record = registerWithLensInForce(**project, call.value(option::camera));
     if (!record)
         return tl::unexpected(record.error());
     const auto used = (*project)->layouts().get(record->layout);
     if (!used)
         return tl::unexpected(used.error());
-    call.answer(answerJson(call.value(camera), used->layout.name, record->registration), QString::fromStdString(record->registration.verdict));
+    call.answer(registrationJson(call.value(option::camera), used->layout.name, record->registration), QString::fromStdString(record->registration.verdict));
     return {};
 }
 
 Result<void> registerTogether(CommandCall &call)
 {
-    RegisterJointSettings settings{call.value(layout)};
-    if (call.isSet(tape)) {
-        const auto sigma = call.lengthM(tape);
+    RegisterJointSettings settings{call.value(option::layout)};
+    if (call.isSet(option::tape)) {
+        const auto sigma = call.lengthM(option::tape);
         if (!sigma)
             return tl::unexpected(sigma.error());
         settings.tapeSigmaM = *sigma;
@@ -122,7 +120,7 @@ Result<void> registerTogether(CommandCall &call)
     QStringList lines;
     for (std::size_t i = 0; i < outcome.registrations.size(); ++i) {
         const FloorRegistration &registration = outcome.registrations[i];
-        cameras.append(answerJson(job.cameras()[i], settings.layout, registration));
+        cameras.append(registrationJson(job.cameras()[i], settings.layout, registration));
         lines << QString::fromStdString(job.cameras()[i] + ": ±" + formatNumber(toMillimetres(registration.floorSigmaM), 1) +
                                         " mm among the markers, which fit to " +
                                         formatNumber(toMillimetres(registration.rmsM), 1) + " mm RMS.");
@@ -136,7 +134,7 @@ Result<void> registerTogether(CommandCall &call)
                                    {QStringLiteral("sigma_y_mm"), toMillimetres(std::sqrt(marker.covariance(1, 1)))},
                                    {QStringLiteral("suspicious"), marker.isSuspicious}});
     lines << QString::fromStdString(outcome.verdict);
-    call.answer({{layout, QString::fromStdString(settings.layout)},
+    call.answer({{QStringLiteral("layout"), QString::fromStdString(settings.layout)},
                  {QStringLiteral("cameras"), cameras},
                  {QStringLiteral("markers"), markers},
                  {QStringLiteral("rms_px"), outcome.rmsPx},
@@ -154,51 +152,51 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
          QStringLiteral("P.odo --camera CAMERA (--layout NAME [--pixels pixels.csv | --image F.png | --video F.mp4 [--hint LABEL=U,V]...] | "
                         "--through CAMERA --pixels pairs.csv | --again) [--json], or P.odo --joint --layout NAME [--tape 2mm] [--json]"),
          1, 1,
-         {{camera, QStringLiteral("The camera to register."), QStringLiteral("CAMERA")},
-          {layout, QStringLiteral("The marker layout it sees."), QStringLiteral("NAME")},
-          {through, QStringLiteral("A registered camera that sees the same points of the floor."), QStringLiteral("CAMERA")},
-          {pixels, QStringLiteral("Where the markers are: label,u,v; with --through: label,u,v,through_u,through_v."),
+         {{option::camera, QStringLiteral("The camera to register."), QStringLiteral("CAMERA")},
+          {option::layout, QStringLiteral("The marker layout it sees."), QStringLiteral("NAME")},
+          {option::through, QStringLiteral("A registered camera that sees the same points of the floor."), QStringLiteral("CAMERA")},
+          {option::pixels, QStringLiteral("Where the markers are: label,u,v; with --through: label,u,v,through_u,through_v."),
            QStringLiteral("FILE")},
-          {image, QStringLiteral("A picture to find them in."), QStringLiteral("FILE")},
-          {video, QStringLiteral("A video to find them in."), QStringLiteral("FILE")},
-          {again, QStringLiteral("By the markers it was registered with before, with the lens in force now.")},
-          {joint, QStringLiteral("Registers all cameras of the layout together, by the pixels they were registered with.")},
-          {tape, QStringLiteral("With --joint: how well the markers' places were measured (2mm)."), QStringLiteral("LENGTH")},
-          {hint, QStringLiteral("A marker told by hand, where rings look the same from several sides."),
+          {option::image, QStringLiteral("A picture to find them in."), QStringLiteral("FILE")},
+          {option::video, QStringLiteral("A video to find them in."), QStringLiteral("FILE")},
+          {option::again, QStringLiteral("By the markers it was registered with before, with the lens in force now.")},
+          {option::joint, QStringLiteral("Registers all cameras of the layout together, by the pixels they were registered with.")},
+          {option::tape, QStringLiteral("With --joint: how well the markers' places were measured (2mm)."), QStringLiteral("LENGTH")},
+          {option::hint, QStringLiteral("A marker told by hand, where rings look the same from several sides."),
            QStringLiteral("LABEL=U,V")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    if (call.isSet(joint)) {
-        for (const QString &other : {again, camera, through, pixels, image, video, hint}) {
+    if (call.isSet(option::joint)) {
+        for (const QString &other : {option::again, option::camera, option::through, option::pixels, option::image, option::video, option::hint}) {
             if (call.isSet(other))
                 return call.wrongCall(QStringLiteral("--joint and --%1 exclude each other").arg(other));
         }
-        if (!call.isSet(layout))
+        if (!call.isSet(option::layout))
             return call.wrongCall(QStringLiteral("--joint needs --layout"));
         return registerTogether(call);
     }
-    if (!call.isSet(camera))
+    if (!call.isSet(option::camera))
         return call.wrongCall(QStringLiteral("--camera is missing"));
-    if (call.isSet(again)) {
-        for (const QString &other : {layout, through, pixels, image, video, hint}) {
+    if (call.isSet(option::again)) {
+        for (const QString &other : {option::layout, option::through, option::pixels, option::image, option::video, option::hint}) {
             if (call.isSet(other))
                 return call.wrongCall(QStringLiteral("--again and --%1 exclude each other").arg(other));
         }
         return registerAgain(call);
     }
-    if (call.isSet(through)) {
-        for (const QString &other : {layout, image, video}) {
+    if (call.isSet(option::through)) {
+        for (const QString &other : {option::layout, option::image, option::video}) {
             if (call.isSet(other))
                 return call.wrongCall(QStringLiteral("--through and --%1 exclude each other").arg(other));
         }
-        if (!call.isSet(pixels))
+        if (!call.isSet(option::pixels))
             return call.wrongCall(QStringLiteral("--through needs --pixels"));
         return registerThroughCamera(call);
     }
-    if (!call.isSet(layout))
+    if (!call.isSet(option::layout))
         return call.wrongCall(QStringLiteral("--layout is missing"));
-    if (call.isSet(image) && call.isSet(video))
+    if (call.isSet(option::image) && call.isSet(option::video))
         return call.wrongCall(QStringLiteral("--image and --video exclude each other"));
     return registerByMarkers(call);
 }

@@ -2,13 +2,12 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "app/option_names.h"
 #include "core/workflow/reprocess_job.h"
 
 namespace odo {
 
 namespace {
-
-const QString keep = QStringLiteral("keep");
 
 QJsonValue optionalJson(const std::optional<double> &value) { return value ? QJsonValue(*value) : QJsonValue(); }
 
@@ -35,17 +34,17 @@ QJsonObject changeJson(const ProfileChange &change)
 Result<void> runReprocess(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("reprocess"), QStringLiteral("P.odo TRIAL [--keep] [--json]"), 2, 2,
-                      {{keep, QStringLiteral("Store the new analyses; without it only what would change is told.")}}},
+                      {{option::keep, QStringLiteral("Store the new analyses; without it only what would change is told.")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    const auto project = call.openProject(0, call.isSet(keep) ? Project::Access::ReadWrite : Project::Access::ReadOnly);
+    const auto project = call.openProject(0, call.isSet(option::keep) ? Project::Access::ReadWrite : Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
     ReprocessJob job(call.text(1));
     if (auto done = runToEnd(job, **project, call.control()); !done)
         return done;
-    if (call.isSet(keep))
+    if (call.isSet(option::keep))
         if (auto kept = job.keep(**project); !kept)
             return kept;
     QJsonObject robots;
@@ -54,9 +53,9 @@ Result<void> runReprocess(const QStringList &arguments, const CancelToken &cance
         robots.insert(QString::fromStdString(robot.name), changeJson(robot.change));
         lines << QStringLiteral("%1: %2").arg(QString::fromStdString(robot.name), QString::fromStdString(robot.change.words));
     }
-    if (!call.isSet(keep))
+    if (!call.isSet(option::keep))
         lines << QStringLiteral("Nothing was stored; --keep stores it.");
-    call.answer({{QStringLiteral("trial"), call.positional(1)}, {QStringLiteral("robots"), robots}, {QStringLiteral("kept"), call.isSet(keep)}},
+    call.answer({{QStringLiteral("trial"), call.positional(1)}, {QStringLiteral("robots"), robots}, {QStringLiteral("kept"), call.isSet(option::keep)}},
                 lines.join(u'\n'));
     return {};
 }

@@ -2,13 +2,13 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "app/option_names.h"
 #include "core/workflow/revisions.h"
 
 namespace odo {
 
 namespace {
 
-const QString use = QStringLiteral("use");
 const std::pair<Revision::Kind, const char *> kinds[] = {{Revision::Kind::Calibration, "calibration"},
                                                          {Revision::Kind::Registration, "registration"}};
 
@@ -43,7 +43,7 @@ QString revisionText(const Revision &revision)
 /// "registration:7" into its kind and number.
 Result<std::pair<Revision::Kind, RecordId>> chosenOf(const CommandCall &call)
 {
-    const QString text = QString::fromStdString(call.value(use));
+    const QString text = QString::fromStdString(call.value(option::use));
     bool isNumber = false;
     const RecordId id = text.section(u':', 1).toLongLong(&isNumber);
     for (const auto &[kind, name] : kinds)
@@ -57,17 +57,17 @@ Result<std::pair<Revision::Kind, RecordId>> chosenOf(const CommandCall &call)
 Result<void> runRevisions(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("revisions"), QStringLiteral("P.odo CAMERA [--use calibration:N|registration:N] [--json]"), 2, 2,
-                      {{use, QStringLiteral("Put this revision in force until the next one is made."), QStringLiteral("KIND:N")}}},
+                      {{option::use, QStringLiteral("Put this revision in force until the next one is made."), QStringLiteral("KIND:N")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    const auto chosen = call.isSet(use) ? chosenOf(call) : std::pair<Revision::Kind, RecordId>();
+    const auto chosen = call.isSet(option::use) ? chosenOf(call) : std::pair<Revision::Kind, RecordId>();
     if (!chosen)
         return tl::unexpected(chosen.error());
-    const auto project = call.openProject(0, call.isSet(use) ? Project::Access::ReadWrite : Project::Access::ReadOnly);
+    const auto project = call.openProject(0, call.isSet(option::use) ? Project::Access::ReadWrite : Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
-    if (call.isSet(use))
+    if (call.isSet(option::use))
         if (const auto done = chooseRevision(**project, call.text(1), chosen->first, chosen->second); !done)
             return done;
     const auto revisions = revisionsOf(**project, call.text(1));

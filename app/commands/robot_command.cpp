@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/option_names.h"
 #include "core/project/changing.h"
 #include "core/project/repositories.h"
 #include "core/tracking/picked_colour.h"
@@ -13,14 +14,10 @@ namespace odo {
 
 namespace {
 
-const QString colourOption = QStringLiteral("colour"), heightOption = QStringLiteral("height"),
-              sizeOption = QStringLiteral("size"), pickOption = QStringLiteral("pick"),
-              boxOption = QStringLiteral("box"), frameOption = QStringLiteral("frame");
-
 /// "x,y,w,h" in whole pixels.
 Result<PixelRect> boxFrom(const CommandCall &call)
 {
-    const QStringList texts = QString::fromStdString(call.value(boxOption)).split(u',');
+    const QStringList texts = QString::fromStdString(call.value(option::box)).split(u',');
     std::array<int, 4> numbers{};
     bool good = texts.size() == qsizetype(numbers.size());
     for (std::size_t i = 0; good && i < numbers.size(); ++i)
@@ -29,25 +26,25 @@ Result<PixelRect> boxFrom(const CommandCall &call)
     constexpr int most = 1 << 20; // wider than any picture, and far from overflowing
     if (!good || width <= 0 || height <= 0 || std::max({std::abs(x), std::abs(y), width, height}) > most)
         return call.wrongCall(QStringLiteral("--box '%1' is not of the form x,y,w,h in pixels")
-                                  .arg(QString::fromStdString(call.value(boxOption))));
+                                  .arg(QString::fromStdString(call.value(option::box))));
     return PixelRect{x, y, x + width, y + height};
 }
 
 /// The colour of what is in a box of a picture.
 Result<RgbColour> pickedColour(const CommandCall &call)
 {
-    if (!call.isSet(boxOption))
+    if (!call.isSet(option::box))
         return call.wrongCall(QStringLiteral("--pick needs --box x,y,w,h round the robot"));
     const auto box = boxFrom(call);
     if (!box)
         return tl::unexpected(box.error());
     bool isWhole = true;
     const qint64 frame =
-        call.isSet(frameOption) ? QString::fromStdString(call.value(frameOption)).toLongLong(&isWhole) : 0;
+        call.isSet(option::frame) ? QString::fromStdString(call.value(option::frame)).toLongLong(&isWhole) : 0;
     if (!isWhole || frame < 0)
         return call.wrongCall(QStringLiteral("--frame '%1' is not a whole number")
-                                  .arg(QString::fromStdString(call.value(frameOption))));
-    const auto picture = pictureOf(call.value(pickOption), frame);
+                                  .arg(QString::fromStdString(call.value(option::frame))));
+    const auto picture = pictureOf(call.value(option::pick), frame);
     if (!picture)
         return tl::unexpected(picture.error());
     const auto picked = pickColour(*picture, *box);
@@ -56,13 +53,13 @@ Result<RgbColour> pickedColour(const CommandCall &call)
 
 Result<RgbColour> colourFrom(const CommandCall &call)
 {
-    if (call.isSet(colourOption) && call.isSet(pickOption))
+    if (call.isSet(option::colour) && call.isSet(option::pick))
         return call.wrongCall(QStringLiteral("--colour and --pick are two colours"));
-    if (call.isSet(pickOption))
+    if (call.isSet(option::pick))
         return pickedColour(call);
-    if (!call.isSet(colourOption))
+    if (!call.isSet(option::colour))
         return call.wrongCall(QStringLiteral("--colour is missing, or --pick and --box in its place"));
-    const auto colour = parseColour(call.value(colourOption));
+    const auto colour = parseColour(call.value(option::colour));
     if (!colour)
         return call.wrongCall(QString::fromStdString(colour.error().what + " is " + colour.error().why));
     return *colour;
@@ -76,18 +73,18 @@ Result<RobotRecord> robotFrom(const CommandCall &call)
     if (!colour)
         return tl::unexpected(colour.error());
     robot.colour = *colour;
-    const std::string height = call.isSet(heightOption) ? call.value(heightOption) : "auto";
+    const std::string height = call.isSet(option::height) ? call.value(option::height) : "auto";
     if (height == "free") {
         robot.heightMode = RobotRecord::Height::Free;
     } else if (height != "auto") {
-        const auto heightM = call.lengthM(heightOption);
+        const auto heightM = call.lengthM(option::height);
         if (!heightM)
             return tl::unexpected(heightM.error());
         robot.heightMode = RobotRecord::Height::Told;
         robot.heightM = *heightM;
     }
-    if (call.isSet(sizeOption)) {
-        const auto size = call.sizePair(sizeOption);
+    if (call.isSet(option::size)) {
+        const auto size = call.sizePair(option::size);
         if (!size)
             return tl::unexpected(size.error());
         robot.lengthM = fromMillimetres(size->first);
@@ -107,16 +104,16 @@ Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
                         "[--size 260x190]"),
          3,
          3,
-         {{colourOption, QStringLiteral("The robot's colour."), QStringLiteral("#rrggbb")},
-          {pickOption, QStringLiteral("A video or picture to take the colour from."), QStringLiteral("FILE")},
-          {boxOption, QStringLiteral("A box closely round the robot in it, in pixels from the top left."),
+         {{option::colour, QStringLiteral("The robot's colour."), QStringLiteral("#rrggbb")},
+          {option::pick, QStringLiteral("A video or picture to take the colour from."), QStringLiteral("FILE")},
+          {option::box, QStringLiteral("A box closely round the robot in it, in pixels from the top left."),
            QStringLiteral("x,y,w,h")},
-          {frameOption, QStringLiteral("Which frame of the video; the first is 0."), QStringLiteral("N")},
-          {heightOption,
+          {option::frame, QStringLiteral("Which frame of the video; the first is 0."), QStringLiteral("N")},
+          {option::height,
            QStringLiteral(
                "Height of its top; auto estimates it from the views; free triangulates every frame."),
            QStringLiteral("LENGTH")},
-          {sizeOption, QStringLiteral("Length and width in mm."), QStringLiteral("LxW")}}},
+          {option::size, QStringLiteral("Length and width in mm."), QStringLiteral("LxW")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});

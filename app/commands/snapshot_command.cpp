@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/language_option.h"
+#include "app/option_names.h"
 #include "app/workbench.h"
 
 namespace odo {
@@ -14,34 +15,33 @@ constexpr double smallestPx = 200, largestPx = 8000;
 
 Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel)
 {
-    const QString output = QStringLiteral("output"), mode = QStringLiteral("mode"), size = QStringLiteral("size");
     CommandCall call({QStringLiteral("snapshot"),
                       QStringLiteral("P.odo TRIAL -o picture.png [--mode review|compare|history|testbed] [--size 1600x1000] [--language en]"), 2, 2,
-                      {{{QStringLiteral("o"), output}, QStringLiteral("The picture to write."), QStringLiteral("FILE")},
-                       {mode, QStringLiteral("What the window shows."), QStringLiteral("MODE"), QStringLiteral("review")},
-                       {size, QStringLiteral("Of the window, in pixels."), QStringLiteral("WxH"), QStringLiteral("1600x1000")},
+                      {{{QStringLiteral("o"), option::output}, QStringLiteral("The picture to write."), QStringLiteral("FILE")},
+                       {option::mode, QStringLiteral("What the window shows."), QStringLiteral("MODE"), QStringLiteral("review")},
+                       {option::size, QStringLiteral("Of the window, in pixels."), QStringLiteral("WxH"), QStringLiteral("1600x1000")},
                        languageOption()}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    if (!call.isSet(output))
+    if (!call.isSet(option::output))
         return call.wrongCall(QStringLiteral("-o is missing"));
-    const auto wanted = call.sizePair(size);
+    const auto wanted = call.sizePair(option::size);
     if (!wanted)
         return tl::unexpected(wanted.error());
     const auto inRange = [](double px) { return px >= smallestPx && px <= largestPx; };
     if (!inRange(wanted->first) || !inRange(wanted->second))
         return call.wrongCall(QStringLiteral("--size is from 200x200 to 8000x8000"));
-    const auto shown = modeFromWord(QString::fromStdString(call.value(mode)));
+    const auto shown = modeFromWord(QString::fromStdString(call.value(option::mode)));
     if (!shown || *shown == WindowMode::Record) // which shows no trial
         return call.wrongCall(QStringLiteral("--mode is review, compare, history or testbed"));
     if (auto applied = applyLanguage(call); !applied)
         return applied;
     const auto painted = paintWorkbench(call.text(0), call.text(1), *shown,
-                                        QSize(int(wanted->first), int(wanted->second)), call.value(output));
+                                        QSize(int(wanted->first), int(wanted->second)), call.value(option::output));
     if (!painted)
         return painted;
-    const QString file = QString::fromStdString(call.value(output));
+    const QString file = QString::fromStdString(call.value(option::output));
     call.answer({{QStringLiteral("picture"), file}}, QStringLiteral("Wrote %1.").arg(file));
     return {};
 }

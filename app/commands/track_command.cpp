@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "app/option_names.h"
 #include "app/task_answers.h"
 #include "core/workflow/track_job.h"
 
@@ -43,20 +44,19 @@ QString robotText(const TrackedRobot &robot)
 
 Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
 {
-    const QString robot = QStringLiteral("robot"), smoother = QStringLiteral("smoother"), again = QStringLiteral("again");
     CommandCall call({QStringLiteral("track"),
                       QStringLiteral("P.odo TRIAL [--robot R]... [--smoother rts|savgol|tracker|none] [--again] [--json]"), 2, 2,
-                      {{robot, QStringLiteral("A robot to look for."), QStringLiteral("R")},
-                       {smoother, QStringLiteral("How the curves are made."), QStringLiteral("NAME")},
-                       {again, QStringLiteral("Analyse the stored observations anew, without decoding the videos.")}}},
+                      {{option::robot, QStringLiteral("A robot to look for."), QStringLiteral("R")},
+                       {option::smoother, QStringLiteral("How the curves are made."), QStringLiteral("NAME")},
+                       {option::again, QStringLiteral("Analyse the stored observations anew, without decoding the videos.")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     TrackSettings settings;
-    settings.robots = call.texts(robot);
-    settings.again = call.isSet(again);
-    if (call.isSet(smoother)) {
-        const auto known = parseSmoother(call.value(smoother));
+    settings.robots = call.texts(option::robot);
+    settings.again = call.isSet(option::again);
+    if (call.isSet(option::smoother)) {
+        const auto known = parseSmoother(call.value(option::smoother));
         if (!known)
             return call.wrongCall(QStringLiteral("--smoother is rts, savgol, tracker or none"));
         settings.smoother = *known;
