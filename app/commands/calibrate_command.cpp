@@ -105,10 +105,10 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
     if (auto done = runToEnd(job, **project, call.control()); !done)
         return done;
     call.answer(calibrationJson(job), QStringLiteral("%1\nRMS %2 px over %3 pictures; %4 not used.")
-                                     .arg(QString::fromStdString(job.calibration().verdict))
-                                     .arg(job.calibration().rmsPx, 0, 'f', 3)
-                                     .arg(job.calibration().picturesUsed())
-                                     .arg(job.calibration().rejected.size()));
+                                          .arg(QString::fromStdString(job.calibration().verdict))
+                                          .arg(job.calibration().rmsPx, 0, 'f', 3)
+                                          .arg(job.calibration().picturesUsed())
+                                          .arg(job.calibration().rejected.size()));
     return {};
 }
 

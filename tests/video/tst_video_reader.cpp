@@ -160,7 +160,7 @@ void TestVideoReader::truncated()
     VideoWriterOptions options;
     options.codec = static_cast<VideoCodec>(codec);
     options.bitRate = 1'000'000;
-    constexpr int count = 90;
+    constexpr int count = 150; // of fewer the first picture is too large a part
     QCOMPARE(writeCoded(path(name.toStdString()), evenTimes(count, 30), options), QString());
     const std::string whole = load(name.toStdString());
     const std::string cutName = "cut_" + name.toStdString();
@@ -169,7 +169,7 @@ void TestVideoReader::truncated()
         store(cutName, whole.substr(0, whole.size() * static_cast<std::size_t>(part) / 100));
         const auto reader = VideoReader::open(path(cutName));
         if (!reader) {
-            QVERIFY(part < 25); // only where not even the header and one frame are there
+            QVERIFY(part < 15); // only where not even the header and one frame are there
             continue;
         }
         ++readable;
@@ -190,7 +190,7 @@ void TestVideoReader::truncated()
         framesBefore = frames;
     }
     QVERIFY(framesBefore >= count * 9 / 10);
-    QVERIFY(readable >= 75);
+    QVERIFY(readable >= 85);
 }
 
 void TestVideoReader::damagedInTheMiddle()
