@@ -2,6 +2,7 @@
 #include "ui/testbed/check/floor_sketch.h"
 
 #include "ui/models/figure_text.h"
+#include "ui/testbed/floor/floor_drawing.h"
 #include "ui/views/halo_text.h"
 #include "ui/views/theme.h"
 
@@ -13,7 +14,7 @@
 namespace odo {
 namespace {
 
-constexpr double gridM = 0.5, dragStepM = 0.01;
+constexpr double dragStepM = 0.01;
 constexpr double borderPx = 34, markerSidePx = 8, grabPx = 12;
 constexpr double axisM = 0.4;
 
@@ -91,9 +92,9 @@ void FloorSketch::paintGrid(QPainter &painter) const
     painter.setPen(QPen(ThemeColours::of(palette()).mapGrid, 1));
     const double left = -m_origin.x() / m_pixelsPerMetre, right = (width() - m_origin.x()) / m_pixelsPerMetre;
     const double bottom = (m_origin.y() - height()) / m_pixelsPerMetre, top = m_origin.y() / m_pixelsPerMetre;
-    for (double x = std::ceil(left / gridM) * gridM; x <= right; x += gridM)
+    for (double x = std::ceil(left / floorGridM) * floorGridM; x <= right; x += floorGridM)
         painter.drawLine(QPointF(fromWorld({x, 0}).x(), 0), QPointF(fromWorld({x, 0}).x(), height()));
-    for (double y = std::ceil(bottom / gridM) * gridM; y <= top; y += gridM)
+    for (double y = std::ceil(bottom / floorGridM) * floorGridM; y <= top; y += floorGridM)
         painter.drawLine(QPointF(0, fromWorld({0, y}).y()), QPointF(width(), fromWorld({0, y}).y()));
 }
 
@@ -176,7 +177,8 @@ void FloorSketch::paintEvent(QPaintEvent *)
     for (std::size_t i = 0; i < m_cameras.size(); ++i)
         paintCamera(painter, m_cameras[i], seriesColour(static_cast<int>(i), palette()));
     painter.setPen(colours.muted);
-    painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignRight | Qt::AlignBottom, tr("grid %1 m").arg(QLocale().toString(0.5)));
+    painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignRight | Qt::AlignBottom,
+                     tr("grid %1 m").arg(QLocale().toString(floorGridM)));
     if (m_accuracy)
         drawAccuracyKey(painter, *m_accuracy, rect(), palette());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/floor/layout_drawing.h"
 
+#include "ui/testbed/floor/floor_drawing.h"
 #include "ui/views/theme.h"
 
 #include <QMouseEvent>
@@ -12,7 +13,7 @@
 namespace odo {
 namespace {
 
-constexpr double markerGrabPx = 12, dragStepM = 0.01, layoutGridStepM = 0.5;
+constexpr double dragStepM = 0.01;
 constexpr double leastExtentM = 1, filledPart = 0.7;
 
 } // namespace
@@ -66,7 +67,7 @@ void LayoutDrawing::paintEvent(QPaintEvent *)
     painter.setPen(colours.mapGrid);
     const Eigen::Vector2d lower = toWorld({0, double(height())}), upper = toWorld({double(width()), 0});
     // Of a layout in a wrong unit the grid would be all there is to see.
-    const double step = layoutGridStepM * m_pixelsPerMetre < 4 ? 0 : layoutGridStepM;
+    const double step = floorGridM * m_pixelsPerMetre < 4 ? 0 : floorGridM;
     for (double x = step > 0 ? step * std::ceil(lower.x() / step) : upper.x() + 1; x <= upper.x(); x += step)
         painter.drawLine(QPointF(toScreen({x, 0}).x(), 0), QPointF(toScreen({x, 0}).x(), height()));
     for (double y = step > 0 ? step * std::ceil(lower.y() / step) : upper.y() + 1; y <= upper.y(); y += step)
@@ -90,7 +91,8 @@ void LayoutDrawing::paintEvent(QPaintEvent *)
         painter.drawText(at + QPointF(10, 16), QString::fromStdString(marker.label));
     }
     painter.setPen(colours.muted);
-    painter.drawText(rect().adjusted(8, 6, -8, -6), Qt::AlignRight | Qt::AlignBottom, step > 0 ? tr("grid %1 m").arg(QLocale().toString(0.5)) : QString());
+    painter.drawText(rect().adjusted(8, 6, -8, -6), Qt::AlignRight | Qt::AlignBottom,
+                     step > 0 ? tr("grid %1 m").arg(QLocale().toString(floorGridM)) : QString());
 }
 
 void LayoutDrawing::mousePressEvent(QMouseEvent *event)

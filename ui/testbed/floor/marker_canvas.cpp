@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/floor/marker_canvas.h"
 
+#include "ui/testbed/floor/floor_drawing.h"
 #include "ui/views/halo_text.h"
 #include "ui/views/theme.h"
 
@@ -15,9 +16,8 @@ namespace odo {
 namespace {
 
 const QColor markerColour(86, 180, 233), currentColour(240, 228, 66), gridColour(255, 255, 255, 90), axisColour(255, 255, 255, 220);
-constexpr double crossGrabPx = 12, keyStepPx = 0.1, largeKeyStepPx = 1, leapPx = 20;
+constexpr double keyStepPx = 0.1, largeKeyStepPx = 1, leapPx = 20;
 constexpr double magnifierPx = 132, magnification = 5;
-constexpr double drawnGridStepM = 0.5;
 constexpr int piecesOfALine = 24; // a straight line of the floor is bent by the lens
 
 } // namespace
@@ -92,7 +92,7 @@ Eigen::Vector2d MarkerCanvas::toPixel(const QPointF &place) const
 MarkerPixel *MarkerCanvas::markerAt(const QPointF &place)
 {
     MarkerPixel *nearest = nullptr;
-    double distance = crossGrabPx;
+    double distance = markerGrabPx;
     for (MarkerPixel &marker : m_markers) {
         const double away = QLineF(fromPixel(marker.pixel), place).length();
         if (away < distance) {
@@ -154,11 +154,9 @@ void MarkerCanvas::paintFloor(QPainter &painter) const
         painter.setPen(pen);
         painter.drawPolyline(points);
     };
-    for (double x = drawnGridStepM * std::ceil(lower.x() / drawnGridStepM); x <= upper.x() + 1e-9;
-         x += drawnGridStepM)
+    for (double x = floorGridM * std::ceil(lower.x() / floorGridM); x <= upper.x() + 1e-9; x += floorGridM)
         line({x, lower.y()}, {x, upper.y()}, QPen(gridColour, 1));
-    for (double y = drawnGridStepM * std::ceil(lower.y() / drawnGridStepM); y <= upper.y() + 1e-9;
-         y += drawnGridStepM)
+    for (double y = floorGridM * std::ceil(lower.y() / floorGridM); y <= upper.y() + 1e-9; y += floorGridM)
         line({lower.x(), y}, {upper.x(), y}, QPen(gridColour, 1));
     const double reach = 0.35 * (upper - lower).maxCoeff();
     for (const auto &[axis, name] : {std::pair(Eigen::Vector2d(reach, 0), QStringLiteral("X")), std::pair(Eigen::Vector2d(0, reach), QStringLiteral("Y"))}) {
