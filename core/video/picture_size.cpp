@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/picture_size.h"
 
+#include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <string_view>
 
 namespace odo {
@@ -26,13 +28,14 @@ bool startsWith(Bytes file, std::string_view magic)
     return std::string_view(reinterpret_cast<const char *>(file.data()), file.size()).starts_with(magic);
 }
 
-/// Walks the segments up to the first start of frame (ITU-T T.81 §B.1).
+/// Walks the segments up to the first start of frame (ITU-T T.81 §B.1). A stuffed zero (ff 00) is no marker:
+/// a decoder would look for the next one among the bytes that it would cover as a segment.
 PictureSize jpegSize(Bytes file)
 {
     std::size_t at = 2;
     while (at + 9 < file.size()) {
         const std::uint8_t marker = file[at + 1];
-        if (file[at] != 0xff)
+        if (file[at] != 0xff || marker == 0x00)
             return {};
         if (marker == 0xff || marker == 0x01 ||
             (marker >= 0xd0 && marker <= 0xd7)) { // fill byte or bare marker
@@ -48,38 +51,49 @@ PictureSize jpegSize(Bytes file)
     return {};
 }
 
-/// The first image file directory (TIFF 6.0 §2): tags 256 width, 257 height.
+/// The first image file directory (TIFF 6.0 §2): ImageWidth 256, ImageLength 257, TileWidth 322, TileLength
+/// 323, each of them once and SHORT or LONG. What is stated otherwise is refused: which size a decoder takes
+/// then is its choice.
 PictureSize tiffSize(Bytes file, bool bigEndian)
 {
+    constexpr std::uint32_t tags[] = {256, 257, 322, 323}, shortNumber = 3, longNumber = 4;
     const std::size_t directory = number(file, 4, 4, bigEndian);
     const std::uint32_t entries = number(file, directory, 2, bigEndian);
-    PictureSize size;
+    std::uint32_t values[std::size(tags)] = {};
     for (std::uint32_t i = 0; i < entries; ++i) {
         const std::size_t entry = directory + 2 + std::size_t(12) * i;
-        const std::uint32_t tag = number(file, entry, 2, bigEndian);
-        const std::size_t bytes = number(file, entry + 2, 2, bigEndian) == 3 ? 2 : 4;
-        if (tag == 256)
-            size.width = number(file, entry + 8, bytes, bigEndian);
-        if (tag == 257)
-            size.height = number(file, entry + 8, bytes, bigEndian);
+        const auto tag = std::ranges::find(tags, number(file, entry, 2, bigEndian));
+        if (tag == std::end(tags))
+            continue;
+        const std::uint32_t type = number(file, entry + 2, 2, bigEndian);
+        std::uint32_t &value = values[tag - std::begin(tags)];
+        if ((type != shortNumber && type != longNumber) || value != 0)
+            return {};
+        value = number(file, entry + 8, type == shortNumber ? 2 : 4, bigEndian);
     }
-    return size;
+    if (values[0] == 0 || values[1] == 0)
+        return {};
+    return {std::max(values[0], values[2]), std::max(values[1], values[3])}; // tiles are decoded whole
 }
 
-/// "P5 640 480 255", with comments from # to the end of a line.
+/// "P5 640 480 255", with comments from # to the end of a line. The magic and each number end with white
+/// space (the Netpbm formats' own rule): where they do not, decoders disagree on what is a comment.
 PictureSize pnmSize(Bytes file)
 {
     std::uint32_t numbers[2] = {};
     std::size_t at = 2;
+    const auto isSpace = [&] { return at < file.size() && std::isspace(file[at]) != 0; };
     for (std::uint32_t &value : numbers) {
-        while (at < file.size() && (std::isspace(file[at]) != 0 || file[at] == '#'))
+        if (!isSpace())
+            return {};
+        while (isSpace() || (at < file.size() && file[at] == '#'))
             if (file[at++] == '#')
-                while (at < file.size() && file[at] != '\n')
+                while (at < file.size() && file[at] != '\n' && file[at] != '\r')
                     ++at;
         for (int digits = 0; at < file.size() && std::isdigit(file[at]) != 0 && digits < 9; ++at, ++digits)
             value = value * 10 + (file[at] - '0');
     }
-    return {numbers[0], numbers[1]};
+    return isSpace() ? PictureSize{numbers[0], numbers[1]} : PictureSize{};
 }
 
 PictureSize statedSize(Bytes file)

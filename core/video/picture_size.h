@@ -13,7 +13,9 @@ struct PictureSize
 };
 
 /// Width and height that the header of a still picture states, without decoding it: PNG, JPEG, BMP, TIFF and
-/// PNM. nullopt for anything else and for headers that end early. Never reads outside `file`.
+/// PNM; of a TIFF in tiles at least those of a tile. Strict, so that no decoder finds a larger picture than is stated
+/// here: nullopt for anything else, for headers that end early, and for those that can be read in two ways. Never reads
+/// outside `file`.
 std::optional<PictureSize> pictureSize(std::span<const std::uint8_t> file);
 
 } // namespace odo

@@ -214,6 +214,27 @@ void TestPicture::refusals_data()
     row("tiff pointing outside", "II*\0\xff\xff\xff\xff"s, noPicture);
     row("pnm", "P6 # much\n 99999 99999 255\n"s, tooLarge);
     row("a playlist", "#EXTM3U\n", noPicture);
+
+    // What a decoder could read as another size, or as another format, than we do.
+    row("pnm that can be taken for DICOM", "P6256#\n623" + std::string(118, '#') + "DICM", noPicture);
+    row("pnm with a comment behind a number", "P6 30000#30000\n1 255\n", noPicture);
+    row("pnm with a comment up to a carriage return", "P6 #\r30000 30000\n1 1 255\n", tooLarge);
+    row("pnm of ten digits", "P6 1000000001 1 255\n", noPicture);
+    const auto jpegFrame = [](char high, char low) {
+        return "\xff\xc0\0\x11\x08"s + high + low + high + low + "\x03\x01\x22\0\x02\x11\x01\x03\x11\x01"s;
+    };
+    const std::string jpegScan = "\xff\xda\0\x0c\x03\x01\0\x02\x11\x03\x11\0\x3f\0"s;
+    row("jpeg with a stuffed zero", "\xff\xd8\xff\0\0\x23"s + jpegFrame('\x75', '\x30') + jpegScan + jpegFrame(0, 8), noPicture);
+    const auto tiffEntry = [](char tag, char type, char low, char high) {
+        return std::string{tag, 1, type, 0, 1, 0, 0, 0, low, high, 0, 0};
+    };
+    const auto tiff = [&tiffEntry](const std::string &more, char count) {
+        return "II*\0\x08\0\0\0"s + count + '\0' + tiffEntry(0, 4, 8, 0) + more + tiffEntry(1, 4, 8, 0);
+    };
+    row("tiff without pixels", tiff({}, 2), "damaged or cut short");
+    row("tiff with two widths", tiff(tiffEntry(0, 4, 9, 0), 3), noPicture);
+    row("tiff with a width of eight bytes", tiff(tiffEntry(0, 16, 9, 0), 3), noPicture);
+    row("tiff with huge tiles", tiff(tiffEntry(0x42, 4, 0, 0x7d) + tiffEntry(0x43, 4, 0, 0x7d), 4), tooLarge);
 }
 
 void TestPicture::refusals()
