@@ -10,4 +10,4 @@ export ODOGRAPH_VM_CACHE="${ODOGRAPH_VM_CACHE:-${XDG_CACHE_HOME:-${HOME:-/nonexi
 tests/vm/vm_prepare || true
 
 source packaging/headless.sh
-ctest --preset release --parallel "$(nproc)" "$@"
+ctest --preset release --parallel "$test_slots" "$@"

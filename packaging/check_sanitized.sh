@@ -38,7 +38,7 @@ export LSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/lsan.supp:print_suppress
 export TSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/tsan.supp:print_suppressions=0:die_after_fork=0:log_path=$reports/report"
 # A test that was begun in time may take a few minutes more.
 timeout $((until - $(date +%s) + 300)) \
-    ctest --test-dir "build/$preset" --label-exclude 'long|vm' --parallel "$(nproc)" --stop-time "$(date --date="@$until" +%T)" \
+    ctest --test-dir "build/$preset" --label-exclude 'long|vm' --parallel "$test_slots" --stop-time "$(date --date="@$until" +%T)" \
     "${parts[@]}" "$@" ||
     echo "check_sanitized.sh: the tests named above failed or did not run, most likely for want of time; check.sh judges them"
 

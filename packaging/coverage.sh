@@ -11,6 +11,6 @@ cmake --preset coverage >/dev/null
 cmake --build --preset coverage
 find build/coverage -name '*.gcda' -delete
 source packaging/headless.sh
-ctest --preset coverage --parallel "$(nproc)" "$@" || echo "coverage.sh: some tests failed" >&2
+ctest --preset coverage --parallel "$test_slots" "$@" || echo "coverage.sh: some tests failed" >&2
 gcovr --root . --filter core/ --object-directory build/coverage build/coverage/core --exclude-throw-branches \
     --sort-uncovered --txt build/coverage/coverage.txt --print-summary --fail-under-line 90

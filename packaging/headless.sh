@@ -8,3 +8,5 @@ unset DISPLAY WAYLAND_DISPLAY
 export QT_QPA_PLATFORM=offscreen LC_ALL=C.UTF-8
 export XDG_CONFIG_HOME="$scratch/config" XDG_DATA_HOME="$scratch/data" XDG_CACHE_HOME="$scratch/cache" \
     XDG_STATE_HOME="$scratch/state" XDG_RUNTIME_DIR="$scratch/runtime"
+# What ctest runs at a time: a test that computes takes two of them, one that waits takes one.
+test_slots=$((2 * $(nproc)))

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/demo_lesson.h"
 #include "tests/support/program.h"
 
 #include <QDir>
@@ -12,7 +13,7 @@
 
 using namespace odo::test;
 
-/// The demo lesson through the command line: made, tracked, and compared with its known truth.
+/// The demo lesson through the command line: tracked, and compared with its known truth.
 class TestDemo : public QObject
 {
     Q_OBJECT
@@ -70,11 +71,9 @@ class TestDemo : public QObject
 private Q_SLOTS:
     void initTestCase()
     {
-        const ProgramRun run = runProgram({QStringLiteral("demo"), m_folder.path(), QStringLiteral("--json")});
-        QVERIFY2(run.exitStatus == 0, run.err);
-        m_project = run.json().value(QStringLiteral("project")).toString();
-        QVERIFY(QFile::exists(m_project));
-        QCOMPARE(QDir(m_folder.path()).entryList({QStringLiteral("*.odo*")}), QStringList(QStringLiteral("demo.odo")));
+        const QString problem = provideDemoLesson(m_folder.path());
+        QVERIFY2(problem.isEmpty(), qPrintable(problem));
+        m_project = m_folder.filePath(QStringLiteral("demo.odo"));
         const ProgramRun list = runProgram({QStringLiteral("list"), m_project, QStringLiteral("--json")});
         QCOMPARE(list.exitStatus, 0);
         for (const QJsonValue &trial : list.json().value(QStringLiteral("trials")).toArray())

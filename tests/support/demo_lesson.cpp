@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/demo_lesson.h"
+
+#include "tests/support/program.h"
+
+#include <QDir>
+
+namespace odo::test {
+
+QString provideDemoLesson(const QString &folder)
+{
+    const QString made = qEnvironmentVariable("ODOGRAPH_DEMO_LESSON");
+    // The times of the files stay: a project knows its videos by them.
+    const ProgramRun run = QDir(made).exists() && !made.isEmpty()
+                               ? runCommand(QStringLiteral("cp"), {QStringLiteral("--archive"), made + QStringLiteral("/."), folder})
+                               : runProgram({QStringLiteral("demo"), folder});
+    return run.exitStatus == 0 ? QString() : QString::fromUtf8(run.err);
+}
+
+} // namespace odo::test
