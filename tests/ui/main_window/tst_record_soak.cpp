@@ -11,8 +11,8 @@
 #include "ui/record/camera_choice.h"
 #include "ui/record/record_page.h"
 
-#include <QElapsedTimer>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -20,17 +20,20 @@
 #include <QTextStream>
 #include <algorithm>
 #include <filesystem>
+#include <malloc.h>
 
 using namespace odo;
 
 namespace {
 
 constexpr int startMs = 60'000, measuredMs = 300'000; // longest waits, on a busy machine
+constexpr double pictureMb = 2.5; // one picture of the two cameras may still be held, or not
 
 /// What this process holds.
 struct Held
 {
-    double memoryMb = 0; ///< resident, without what is a file's (which the system takes back when it likes)
+    double usedMb = 0;     ///< asked of the C library and not given back yet
+    double residentMb = 0; ///< of the system, without what is a file's (which it takes back when it likes)
     qsizetype files = 0;
     qsizetype threads = 0;
 };
@@ -49,8 +52,10 @@ Held held()
     const auto lines = status.readAll().split('\n');
     for (const QByteArray &line : lines) {
         if (line.startsWith("RssAnon:"))
-            now.memoryMb = line.mid(8).trimmed().split(' ').front().toDouble() / 1024;
+            now.residentMb = line.mid(8).trimmed().split(' ').front().toDouble() / 1024;
     }
+    const struct mallinfo2 used = mallinfo2();
+    now.usedMb = double(used.uordblks + used.hblkhd) / (1 << 20);
     now.files = entries(QStringLiteral("/proc/self/fd"));
     now.threads = entries(QStringLiteral("/proc/self/task"));
     return now;
@@ -142,12 +147,13 @@ void TestRecordSoak::whatIsHeldStaysAsItIs()
         recordTrial(number, seconds);
         if (QTest::currentTestFailed())
             return;
+        after.push_back(held()); // in Review, where no picture is under way
         m_window->showMode(WindowMode::Record);
         QTRY_VERIFY_WITH_TIMEOUT(turn.elapsed() >= qint64(1000 * turnS), int(1000 * turnS) + startMs);
-        after.push_back(held());
-        QTextStream(stdout) << QStringLiteral("trial %1: %2 MB, %3 files, %4 threads\n")
+        QTextStream(stdout) << QStringLiteral("trial %1: %2 MB used of %3, %4 files, %5 threads\n")
                                    .arg(number)
-                                   .arg(after.back().memoryMb, 0, 'f', 1)
+                                   .arg(after.back().usedMb, 0, 'f', 1)
+                                   .arg(after.back().residentMb, 0, 'f', 1)
                                    .arg(after.back().files)
                                    .arg(after.back().threads);
     }
@@ -164,7 +170,11 @@ void TestRecordSoak::whatIsHeldStaysAsItIs()
     const std::size_t middle = third, last = after.size() - third;
     QCOMPARE_LE(least(last, &Held::files), least(middle, &Held::files));
     QCOMPARE_LE(least(last, &Held::threads), least(middle, &Held::threads));
-    QCOMPARE_LT(least(last, &Held::memoryMb), 1.05 * least(middle, &Held::memoryMb)); // what is asked of a long session
+    QCOMPARE_LE(least(last, &Held::usedMb), least(middle, &Held::usedMb) + pictureMb);
+    // What lies between the blocks in use comes to rest after some ten trials only: 5 % is what is asked of a
+    // long session.
+    if (trials >= 30)
+        QCOMPARE_LE(least(last, &Held::residentMb), 1.05 * least(middle, &Held::residentMb));
 }
 
 QTEST_MAIN(TestRecordSoak)
