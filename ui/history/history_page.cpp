@@ -330,6 +330,7 @@ void HistoryPage::filter()
 
 void HistoryPage::reload(const QList<qint64> &trials)
 {
+    m_detail->saveNotes(); // now: a row that goes moves the selection, which would store them, and reload, in its midst
     bool isElsewhere = false;
     const int place = m_table->currentIndex().row();
     for (const qint64 trial : trials) {

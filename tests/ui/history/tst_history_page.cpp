@@ -14,6 +14,7 @@
 #include "ui/models/standings_model.h"
 #include "ui/models/trial_model.h"
 
+#include <QAbstractItemModelTester>
 #include <QAction>
 #include <QComboBox>
 #include <QLineEdit>
@@ -49,6 +50,7 @@ private Q_SLOTS:
     void savesNotesAtOnce();
     void comparesWhatIsSelected();
     void marksTakeEffectAndAreTakenBack();
+    void aTrialGoesWhileItsNotesAreBeingWritten();
     void tagsAreWrittenInPlace();
     void theBinIsEmptiedForGood();
     void showsHowTeamsStand();
@@ -179,6 +181,24 @@ void TestHistoryPage::marksTakeEffectAndAreTakenBack()
     QCOMPARE(contentOf(*project), before);
     page.refresh();
     QCOMPARE(table->model()->rowCount(), 3);
+}
+
+void TestHistoryPage::aTrialGoesWhileItsNotesAreBeingWritten()
+{
+    const auto project = copy(QStringLiteral("written.odo"));
+    HistoryPage page(*project);
+    page.refresh();
+    auto *table = page.findChild<QTableView *>(QStringLiteral("trials"));
+    const QAbstractItemModelTester tester(table->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+    page.selectTrial(QStringLiteral("Trial 2"));
+    page.findChild<QPlainTextEdit *>()->setPlainText(QStringLiteral("wheel lost"));
+    page.findChild<MarkActions *>()->bin()->trigger(); // before the pause after which notes are stored
+    const auto binned = project->trials().find("Trial 2");
+    QVERIFY(binned->binned);
+    QCOMPARE(binned->notes, std::string("wheel lost"));
+    QCOMPARE(table->model()->rowCount(), 2);
+    QCOMPARE(table->model()->index(0, 0).data(TrialModel::NameRole).toString(), QStringLiteral("Trial 1"));
+    QCOMPARE(table->model()->index(1, 0).data(TrialModel::NameRole).toString(), QStringLiteral("Trial 3"));
 }
 
 void TestHistoryPage::tagsAreWrittenInPlace()
