@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/error.h"
 #include "core/video/frame.h"
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 
 namespace odo {
@@ -24,9 +22,5 @@ ScreenPicture toScreen(const Frame &frame, int width, int height);
 /// The way back, for what was painted to be encoded: pixels as in ScreenPicture, rows `strideBytes` apart, to 4:2:0 at limited
 /// range by BT.601, chroma centred. Width and height are even. Any thread.
 Frame fromScreen(const std::uint32_t *pixels, int width, int height, std::ptrdiff_t strideBytes, Nanoseconds time);
-
-/// Reads a still picture (PNG, JPEG, ...) as a full-range 4:4:4 frame. Refuses more than 100 megapixels
-/// before decoding.
-Result<Frame> readPicture(const std::filesystem::path &file);
 
 } // namespace odo

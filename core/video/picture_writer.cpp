@@ -1,38 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/picture_writer.h"
 
+#include "core/video/jpeg_encoder.h"
+#include "core/video/libav.h"
 #include "core/video/picture.h"
 
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
+#include <libyuv/convert_from_argb.h>
 
 namespace odo {
 
 namespace {
 
-cv::Mat coloursOf(const Frame &frame)
+using PackedPicture = std::vector<unsigned char>;
+
+constexpr int jpegQuality = 95;
+
+tl::unexpected<Error> notPacked()
 {
-    const ScreenPicture picture = toScreen(frame, frame.format.width, frame.format.height);
-    cv::Mat colours(picture.height, picture.width, CV_8UC3);
-    for (int y = 0; y < picture.height; ++y) {
-        for (int x = 0; x < picture.width; ++x) {
-            const std::uint32_t pixel = picture.pixels[static_cast<std::size_t>(y) * picture.width + x];
-            colours.at<cv::Vec3b>(y, x) = {static_cast<std::uint8_t>(pixel), static_cast<std::uint8_t>(pixel >> 8),
-                                           static_cast<std::uint8_t>(pixel >> 16)};
-        }
-    }
-    return colours;
+    return fail(ErrorCode::Internal, "picture", "it could not be packed", "use another picture");
 }
 
-Result<std::vector<unsigned char>> packed(const cv::Mat &picture)
+/// Rows of grey or of red, green and blue, as a PNG: quickly, which makes it a tenth larger than it could be.
+Result<PackedPicture> packed(const PlaneView &rows, AVPixelFormat pixels)
 {
-    std::vector<unsigned char> bytes;
-    try {
-        if (!picture.empty() && cv::imencode(".png", picture, bytes))
-            return bytes;
-    } catch (const cv::Exception &) {
-    }
-    return fail(ErrorCode::Internal, "picture", "it could not be packed", "use another picture");
+    libav::quieten();
+    const AVCodec *codec = avcodec_find_encoder(AV_CODEC_ID_PNG);
+    const libav::CodecPtr encoder(libav::allocated(avcodec_alloc_context3(codec)));
+    encoder->width = rows.width;
+    encoder->height = rows.height;
+    encoder->pix_fmt = pixels;
+    encoder->time_base = {1, 1};
+    encoder->compression_level = 1;
+    libav::Options options;
+    options.set("pred", "sub");
+    const libav::FramePtr picture(libav::allocated(av_frame_alloc()));
+    picture->width = rows.width;
+    picture->height = rows.height;
+    picture->format = pixels;
+    picture->data[0] = const_cast<std::uint8_t *>(rows.data); // is only read
+    picture->linesize[0] = static_cast<int>(rows.stride);
+    const libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
+    if (!codec || libav::checked(avcodec_open2(encoder.get(), codec, options.get())) < 0 ||
+        libav::checked(avcodec_send_frame(encoder.get(), picture.get())) < 0 ||
+        libav::checked(avcodec_receive_packet(encoder.get(), packet.get())) < 0)
+        return notPacked();
+    return PackedPicture(packet->data, packet->data + packet->size);
+}
+
+Result<PackedPicture> packedAs(const std::filesystem::path &ending, const Frame &frame)
+{
+    if (ending == ".png")
+        return colourPng(frame);
+    if (ending == ".jpg" || ending == ".jpeg")
+        return JpegEncoder(jpegQuality).encode(frame);
+    return fail(ErrorCode::InvalidInput, "picture", "its format is not known", "use another picture");
 }
 
 } // namespace
@@ -43,15 +65,11 @@ Result<void> writePicture(const Frame &frame, const std::filesystem::path &file)
         return fail(ErrorCode::Io, "picture '" + file.string() + "'", why,
                     "check the folder, the free space, and that the name ends in .png or .jpg");
     };
-    std::vector<unsigned char> bytes;
-    try {
-        if (!cv::imencode(file.extension().string(), coloursOf(frame), bytes))
-            return failed("it could not be packed");
-    } catch (const cv::Exception &) {
-        return failed("its format is not known");
-    }
+    const auto bytes = packedAs(file.extension(), frame);
+    if (!bytes)
+        return failed(bytes.error().why);
     std::ofstream out(file, std::ios::binary);
-    out.write(reinterpret_cast<const char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    out.write(reinterpret_cast<const char *>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
     out.close(); // where the last bytes are written
     if (out)
         return {};
@@ -60,12 +78,21 @@ Result<void> writePicture(const Frame &frame, const std::filesystem::path &file)
     return failed("it could not be written");
 }
 
-Result<std::vector<unsigned char>> colourPng(const Frame &frame) { return packed(coloursOf(frame)); }
-
-Result<std::vector<unsigned char>> greyPng(const Frame &frame)
+Result<PackedPicture> colourPng(const Frame &frame)
 {
-    return packed(cv::Mat(frame.y.height, frame.y.width, CV_8UC1, const_cast<std::uint8_t *>(frame.y.data),
-                          static_cast<std::size_t>(frame.y.stride)));
+    const ScreenPicture picture = toScreen(frame, frame.format.width, frame.format.height);
+    if (!picture.pixels)
+        return notPacked();
+    const int stride = 3 * picture.width;
+    PackedPicture rgb(static_cast<std::size_t>(stride) * static_cast<std::size_t>(picture.height));
+    libyuv::ARGBToRAW(reinterpret_cast<const std::uint8_t *>(picture.pixels.get()), 4 * picture.width,
+                      rgb.data(), stride, picture.width, picture.height);
+    return packed({rgb.data(), picture.width, picture.height, stride}, AV_PIX_FMT_RGB24);
+}
+
+Result<PackedPicture> greyPng(const Frame &frame)
+{
+    return packed(frame.y, AV_PIX_FMT_GRAY8);
 }
 
 } // namespace odo

@@ -19,34 +19,6 @@ namespace {
 
 constexpr std::uint8_t neutralChroma = 128;
 
-bool setChromaShifts(AVPixelFormat pixelFormat, FrameFormat &format)
-{
-    switch (pixelFormat) {
-    case AV_PIX_FMT_YUV420P:
-    case AV_PIX_FMT_YUVJ420P:
-    case AV_PIX_FMT_NV12:
-    case AV_PIX_FMT_GRAY8:
-        format.chromaShiftX = format.chromaShiftY = 1;
-        return true;
-    case AV_PIX_FMT_YUV422P:
-    case AV_PIX_FMT_YUVJ422P:
-        format.chromaShiftX = 1;
-        format.chromaShiftY = 0;
-        return true;
-    case AV_PIX_FMT_YUV440P:
-    case AV_PIX_FMT_YUVJ440P:
-        format.chromaShiftX = 0;
-        format.chromaShiftY = 1;
-        return true;
-    case AV_PIX_FMT_YUV444P:
-    case AV_PIX_FMT_YUVJ444P:
-        format.chromaShiftX = format.chromaShiftY = 0;
-        return true;
-    default:
-        return false;
-    }
-}
-
 bool isFullRange(AVPixelFormat pixelFormat, const AVCodecParameters &parameters)
 {
     if (parameters.color_range != AVCOL_RANGE_UNSPECIFIED)
@@ -142,6 +114,34 @@ Frame withChromaTakenApart(libav::FramePtr picture, Frame frame, int width, int 
 }
 
 } // namespace
+
+bool setChromaShifts(AVPixelFormat pixelFormat, FrameFormat &format)
+{
+    switch (pixelFormat) {
+    case AV_PIX_FMT_YUV420P:
+    case AV_PIX_FMT_YUVJ420P:
+    case AV_PIX_FMT_NV12:
+    case AV_PIX_FMT_GRAY8:
+        format.chromaShiftX = format.chromaShiftY = 1;
+        return true;
+    case AV_PIX_FMT_YUV422P:
+    case AV_PIX_FMT_YUVJ422P:
+        format.chromaShiftX = 1;
+        format.chromaShiftY = 0;
+        return true;
+    case AV_PIX_FMT_YUV440P:
+    case AV_PIX_FMT_YUVJ440P:
+        format.chromaShiftX = 0;
+        format.chromaShiftY = 1;
+        return true;
+    case AV_PIX_FMT_YUV444P:
+    case AV_PIX_FMT_YUVJ444P:
+        format.chromaShiftX = format.chromaShiftY = 0;
+        return true;
+    default:
+        return false;
+    }
+}
 
 Result<FrameFormat> streamFormat(const VideoInput &input)
 {

@@ -11,6 +11,9 @@ namespace odo {
 /// grey, more than 100 megapixels. `videoName` is for the error's words.
 Result<FrameFormat> streamFormat(const VideoInput &input);
 
+/// How chroma is halved in a pixel format that frameOf takes; false for any other.
+bool setChromaShifts(AVPixelFormat pixelFormat, FrameFormat &format);
+
 /// Size and chroma of an MJPEG stream as most of these of its pictures have it by their headers, where they agree: libav
 /// judges a stream by one picture, which may be a damaged one.
 void judgeByMost(const std::vector<std::vector<std::uint8_t>> &jpegs, FrameFormat &format, AVPixelFormat &pixelFormat);

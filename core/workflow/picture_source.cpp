@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/picture_source.h"
 
-#include "core/video/picture.h"
+#include "core/video/picture_reader.h"
 #include "core/video/video_reader.h"
 
 #include <algorithm>

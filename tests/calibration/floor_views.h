@@ -4,10 +4,12 @@
 #include "core/calibration/marker_layout.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
+#include "core/video/jpeg_decoder.h"
+#include "core/video/jpeg_encoder.h"
+#include "core/video/jpeg_file.h"
 #include "tests/calibration/pictures.h"
 
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <random>
 #include <vector>
@@ -40,16 +42,18 @@ inline std::vector<MarkerPixel> markersIn(const FloorView &view, const MarkerLay
 /// The picture as a webcam gives it: blurred by its lens, with noise, and through JPEG of quality 85.
 inline Frame asByWebcam(const Frame &clean, double blurPx, double noiseSigma, std::uint32_t seed)
 {
-    cv::Mat picture(clean.y.height, clean.y.width, CV_32F), noise(picture.size(), CV_32F), coded;
+    cv::Mat picture(clean.y.height, clean.y.width, CV_32F), noise(picture.size(), CV_32F);
     for (int y = 0; y < picture.rows; ++y)
         std::copy_n(clean.y.row(y), picture.cols, picture.ptr<float>(y));
     cv::GaussianBlur(picture, picture, {0, 0}, blurPx);
     cv::RNG(seed).fill(noise, cv::RNG::NORMAL, 0, noiseSigma);
     picture += noise;
     picture.convertTo(picture, CV_8U);
-    std::vector<unsigned char> bytes;
-    cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 85});
-    return frameOf(cv::imdecode(bytes, cv::IMREAD_GRAYSCALE));
+    Frame frame = frameOf(picture);
+    frame.format.fullRange = true;
+    const std::vector<std::uint8_t> bytes = JpegEncoder(85).encode(frame).value();
+    JpegDecoder(jpegFormat(bytes).value()).decode(bytes, std::nullopt, frame);
+    return frame;
 }
 
 /// Some camera 1 to 3.5 m above the floor and up to some 6 m away, of three picture sizes and different

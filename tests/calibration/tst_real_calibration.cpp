@@ -2,14 +2,13 @@
 #include "core/calibration/board_detection.h"
 #include "core/calibration/floor_registration.h"
 #include "core/calibration/intrinsic_calibration.h"
+#include "core/video/picture_reader.h"
 #include "core/video/video_reader.h"
-#include "tests/calibration/pictures.h"
 #include "tests/support/real_material.h"
 
 #include <QTest>
 #include <algorithm>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
 using namespace odo;
@@ -66,8 +65,8 @@ std::vector<std::filesystem::path> picturesIn(const std::filesystem::path &folde
 
 Result<BoardView> boardIn(const std::filesystem::path &file, const BoardSpec &spec)
 {
-    return findBoard(frameOf(cv::imread(file.string(), cv::IMREAD_GRAYSCALE)), spec,
-                     file.filename().string());
+    const auto picture = readPicture(file);
+    return picture ? findBoard(*picture, spec, file.filename().string()) : tl::unexpected(picture.error());
 }
 
 /// The boards of all pictures; fails the test where one is not found.

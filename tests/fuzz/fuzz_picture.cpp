@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/picture.h"
-#include "core/video/picture_size.h"
+#include "core/video/picture_header.h"
+#include "core/video/picture_reader.h"
 #include "tests/fuzz/fuzz_file.h"
 
 /// A still picture: PNG, JPEG, BMP, TIFF or PNM. Those of a size that would only be slow are left out.
@@ -8,7 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t cou
 {
     using namespace odo;
     constexpr std::uint64_t mostPixels = 1 << 20;
-    const auto size = pictureSize({bytes, count});
+    const auto size = pictureHeader({bytes, count});
     if (size && std::uint64_t(size->width) * size->height > mostPixels)
         return 0;
     static fuzz::File file(".png");

@@ -6,11 +6,11 @@
 #include "core/video/video_writer.h"
 #include "tests/project/sample_records.h"
 #include "tests/video/foreign_files.h"
+#include "tests/video/jpeg_pictures.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
 #include <sqlite3.h>
 
 namespace {
@@ -84,30 +84,33 @@ void writeArchives(const Path &folder)
     std::filesystem::remove(content);
 }
 
-cv::Mat smallPicture()
-{
-    cv::Mat picture(24, 32, CV_8UC3);
-    for (int y = 0; y < picture.rows; ++y)
-        for (int x = 0; x < picture.cols; ++x)
-            picture.at<cv::Vec3b>(y, x) = cv::Vec3b(static_cast<uchar>(8 * x), static_cast<uchar>(10 * y), static_cast<uchar>(4 * (x + y)));
-    return picture;
-}
-
 void writePictures(const Path &folder)
 {
-    for (const char *name : {"a.png", "a.jpg", "a.bmp", "a.tiff", "a.ppm"})
-        require(cv::imwrite(folder / name, smallPicture()), name);
-    require(cv::imwrite(folder / "grey.pgm", cv::Mat(24, 32, CV_8UC1, cv::Scalar(90))), "grey.pgm");
+    const struct
+    {
+        const char *name, *encoder, *format;
+    } pictures[] = {{"plain.png", "png", "rgb24"},  {"plain.jpg", "mjpeg", "yuvj420p"},
+                    {"plain.bmp", "bmp", "bgr24"},  {"plain.tiff", "tiff", "rgb24"},
+                    {"plain.ppm", "ppm", "rgb24"},  {"plain.pgm", "pgm", "gray"},
+                    {"deep.png", "png", "rgb48be"}, {"clear.png", "png", "rgba"},
+                    {"palette.bmp", "bmp", "pal8"}, {"deep.tiff", "tiff", "rgb48le"}};
+    for (const auto &picture : pictures)
+        require(test::writeRaw(folder / picture.name, picture.encoder, picture.format, 1, 1, 32),
+                picture.name);
 }
 
 void writeJpegs(const Path &folder)
 {
-    require(cv::imwrite(folder / "baseline.jpg", smallPicture()), "baseline.jpg");
-    require(cv::imwrite(folder / "progressive.jpg", smallPicture(), {cv::IMWRITE_JPEG_PROGRESSIVE, 1}), "progressive.jpg");
-    require(cv::imwrite(folder / "restarts.jpg", smallPicture(), {cv::IMWRITE_JPEG_RST_INTERVAL, 1}), "restarts.jpg");
+    const std::pair<const char *, test::JpegWay> ways[] = {{"baseline.jpg", {}},
+                                                           {"progressive.jpg", {.progressive = true}},
+                                                           {"restarts.jpg", {.restartRows = 1}}};
     FrameFormat format;
     format.width = 32;
     format.height = 24;
+    for (const auto &[name, way] : ways) {
+        const auto bytes = test::jpegOf(format, way);
+        write(folder / name, {reinterpret_cast<const char *>(bytes.data()), bytes.size()});
+    }
     auto buffer = std::make_shared<FrameBuffer>(format);
     const auto encoded = JpegEncoder().encode(FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0)));
     require(encoded.has_value(), "recorded.jpg");

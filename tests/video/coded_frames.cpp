@@ -21,6 +21,23 @@ FrameFormat smallFormat()
     return format;
 }
 
+Frame rampFrame()
+{
+    FrameFormat format;
+    format.width = 256;
+    format.height = 64;
+    format.fullRange = true;
+    auto buffer = std::make_shared<FrameBuffer>(format);
+    for (int row = 0; row < format.height; ++row)
+        for (int x = 0; x < format.width; ++x)
+            buffer->yRow(row)[x] = static_cast<std::uint8_t>(x);
+    for (int row = 0; row < buffer->chromaHeight(); ++row) {
+        std::fill_n(buffer->uRow(row), buffer->chromaWidth(), std::uint8_t(128));
+        std::fill_n(buffer->vRow(row), buffer->chromaWidth(), std::uint8_t(128));
+    }
+    return FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0));
+}
+
 Frame codedFrame(const FrameFormat &format, int number, Nanoseconds time)
 {
     auto buffer = std::make_shared<FrameBuffer>(format);

@@ -12,6 +12,8 @@ constexpr int codedBits = 12;
 
 /// 192x96, 4:2:0, full range, centred chroma.
 FrameFormat smallFormat();
+/// Grey from left (0) to right (255), 256x64, 4:2:0, full range.
+Frame rampFrame();
 /// A frame over a soft pattern that carries its number as black and white blocks, so that it survives
 /// compression.
 Frame codedFrame(const FrameFormat &format, int number, Nanoseconds time);

@@ -99,15 +99,15 @@ bool remux(const std::filesystem::path &from, const std::filesystem::path &to)
 }
 
 bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, const std::string &pixelFormat,
-              int frames, std::int64_t interval)
+              int frames, std::int64_t interval, int width)
 {
     Output out(to);
     const AVCodec *codec = avcodec_find_encoder_by_name(encoderName.c_str());
     if (!out.container || !out.container->pb || !codec)
         return false;
     const libav::CodecPtr encoder(avcodec_alloc_context3(codec));
-    encoder->width = 64;
-    encoder->height = 48;
+    encoder->width = width;
+    encoder->height = width * 3 / 4;
     encoder->time_base = {1, 25};
     encoder->framerate = {25, 1};
     encoder->pix_fmt = av_get_pix_fmt(pixelFormat.c_str());

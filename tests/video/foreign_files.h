@@ -10,10 +10,10 @@ namespace odo::test {
 /// have written them. False when libav would not.
 bool remux(const std::filesystem::path &from, const std::filesystem::path &to);
 
-/// Writes `frames` pictures of 64x48 in a pixel format of libav's ("nv12", "gray", "yuv420p10le", ...) with
+/// Writes `frames` pictures of 4:3 in a pixel format of libav's ("nv12", "gray", "yuv420p10le", ...) with
 /// one of its encoders. Of every picture i, each byte of plane p is 40 + 20 p + i; in semi-planar chroma, odd
 /// bytes are 100 more. interval: between two pictures, in 25ths of a second.
 bool writeRaw(const std::filesystem::path &to, const std::string &encoder, const std::string &pixelFormat,
-              int frames, std::int64_t interval = 1);
+              int frames, std::int64_t interval = 1, int width = 64);
 
 } // namespace odo::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that say that they have enormous pictures: refused by what they say, without asking for the memory.
 #include "coded_frames.h"
-#include "core/video/picture.h"
+#include "core/video/picture_reader.h"
 #include "core/video/video_reader.h"
 
 #include <QTemporaryDir>

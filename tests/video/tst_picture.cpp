@@ -3,10 +3,7 @@
 
 #include "coded_frames.h"
 
-#include <QTemporaryDir>
 #include <QTest>
-#include <fstream>
-#include <opencv2/imgcodecs.hpp>
 
 using namespace odo;
 using namespace odo::test;
@@ -18,18 +15,6 @@ private Q_SLOTS:
     void screenColours_data();
     void screenColours();
     void screenSizes();
-    void readsPictures_data();
-    void readsPictures();
-    void readAndShownAgain();
-    void refusals_data();
-    void refusals();
-
-private:
-    std::filesystem::path path(const std::string &name) const
-    {
-        return std::filesystem::path(m_folder.path().toStdString()) / name;
-    }
-    QTemporaryDir m_folder;
 };
 
 namespace {
@@ -114,19 +99,7 @@ void TestPicture::screenColours()
 /// A horizontal ramp stays a ramp, at its place, in every size.
 void TestPicture::screenSizes()
 {
-    FrameFormat format;
-    format.width = 256;
-    format.height = 64;
-    format.fullRange = true;
-    auto buffer = std::make_shared<FrameBuffer>(format);
-    for (int row = 0; row < format.height; ++row)
-        for (int x = 0; x < format.width; ++x)
-            buffer->yRow(row)[x] = static_cast<std::uint8_t>(x);
-    for (int row = 0; row < buffer->chromaHeight(); ++row) {
-        std::fill_n(buffer->uRow(row), buffer->chromaWidth(), std::uint8_t(128));
-        std::fill_n(buffer->vRow(row), buffer->chromaWidth(), std::uint8_t(128));
-    }
-    const Frame frame = FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0));
+    const Frame frame = rampFrame();
     for (const int width : {64, 100, 128, 255, 256, 400, 512}) {
         const auto picture = toScreen(frame, width, width / 4);
         QCOMPARE(picture.width, width);
@@ -143,111 +116,6 @@ void TestPicture::screenSizes()
     }
     QVERIFY(!toScreen(frame, 0, 10).pixels);
     QVERIFY(!toScreen(Frame(), 10, 10).pixels);
-}
-
-void TestPicture::readsPictures_data()
-{
-    QTest::addColumn<QString>("ending");
-    QTest::addColumn<int>("tolerance");
-    for (const char *ending : {".png", ".bmp", ".tiff", ".ppm"})
-        QTest::newRow(ending) << QString::fromLatin1(ending) << 0;
-    QTest::newRow(".jpg") << QStringLiteral(".jpg") << 4;
-}
-
-void TestPicture::readsPictures()
-{
-    QFETCH(QString, ending);
-    QFETCH(int, tolerance);
-    const auto file = path("colours" + ending.toStdString());
-    for (const cv::Vec3b &bgr : {cv::Vec3b(0, 0, 255), cv::Vec3b(255, 0, 0), cv::Vec3b(0, 255, 0),
-                                 cv::Vec3b(255, 255, 255), cv::Vec3b(0, 0, 0), cv::Vec3b(40, 35, 215)}) {
-        QVERIFY(cv::imwrite(file.string(), cv::Mat(17, 33, CV_8UC3, cv::Scalar(bgr[0], bgr[1], bgr[2])),
-                            {cv::IMWRITE_JPEG_QUALITY, 95}));
-        const auto frame = readPicture(file);
-        QVERIFY2(frame.has_value(), frame ? "" : frame.error().message().c_str());
-        QCOMPARE(frame->format.width, 33);
-        QCOMPARE(frame->format.height, 17);
-        QCOMPARE(frame->format.chromaShiftX, 0);
-        QVERIFY(frame->format.fullRange);
-        const double y = 0.299 * bgr[2] + 0.587 * bgr[1] + 0.114 * bgr[0];
-        QVERIFY(std::abs(frame->y.at(32, 16) - y) <= tolerance + 0.51);
-        QVERIFY(std::abs(frame->u.at(32, 16) - std::min(128 + (bgr[0] - y) / 1.772, 255.0)) <=
-                tolerance + 0.51);
-        QVERIFY(std::abs(frame->v.at(32, 16) - std::min(128 + (bgr[2] - y) / 1.402, 255.0)) <=
-                tolerance + 0.51);
-    }
-}
-
-void TestPicture::readAndShownAgain()
-{
-    QVERIFY(cv::imwrite(path("again.png").string(), cv::Mat(20, 30, CV_8UC3, cv::Scalar(40, 35, 215))));
-    const auto picture = toScreen(readPicture(path("again.png")).value(), 30, 20);
-    const std::uint32_t pixel = picture.pixels[300];
-    QVERIFY(std::abs(int(pixel >> 16 & 0xff) - 215) <= 2);
-    QVERIFY(std::abs(int(pixel >> 8 & 0xff) - 35) <= 2);
-    QVERIFY(std::abs(int(pixel & 0xff) - 40) <= 2);
-}
-
-void TestPicture::refusals_data()
-{
-    using namespace std::string_literals;
-    QTest::addColumn<QByteArray>("content");
-    QTest::addColumn<QString>("words");
-    const auto row = [](const char *name, const std::string &content, const char *words) {
-        QTest::newRow(name) << QByteArray::fromStdString(content) << QString::fromLatin1(words);
-    };
-    const std::string png = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s;
-    const char *noPicture = "it is no PNG";
-    const char *tooLarge = "more than 100 megapixels";
-    row("empty", "", noPicture);
-    row("text", "a letter", noPicture);
-    row("png header alone", png, noPicture);
-    row("png 60000x60000", png + "\0\0\xea\x60\0\0\xea\x60\x08\x02\0\0\0"s, tooLarge);
-    row("png without content", png + "\0\0\0\x60\0\0\0\x60\x08\x02\0\0\0"s, "damaged or cut short");
-    row("jpeg 65000x65000", "\xff\xd8\xff\xe0\0\x04\0\0\xff\xc0\0\x11\x08\xfd\xe8\xfd\xe8\x03\0\0\0\0"s,
-        tooLarge);
-    row("jpeg cut", "\xff\xd8\xff\xe0\0\x10JFIF"s, noPicture);
-    row("bmp upside down", "BM"s + std::string(16, '\0') + "\xff\xff\xff\x7f\0\0\0\x80"s, tooLarge);
-    row("tiff 65535x65535",
-        "II*\0\x08\0\0\0\x02\0\0\x01\x03\0\x01\0\0\0\xff\xff\0\0\x01\x01\x03\0\x01\0\0\0\xff\xff\0\0"s,
-        tooLarge);
-    row("tiff pointing outside", "II*\0\xff\xff\xff\xff"s, noPicture);
-    row("pnm", "P6 # much\n 99999 99999 255\n"s, tooLarge);
-    row("a playlist", "#EXTM3U\n", noPicture);
-
-    // What a decoder could read as another size, or as another format, than we do.
-    row("pnm that can be taken for DICOM", "P6256#\n623" + std::string(118, '#') + "DICM", noPicture);
-    row("pnm with a comment behind a number", "P6 30000#30000\n1 255\n", noPicture);
-    row("pnm with a comment up to a carriage return", "P6 #\r30000 30000\n1 1 255\n", tooLarge);
-    row("pnm of ten digits", "P6 1000000001 1 255\n", noPicture);
-    const auto jpegFrame = [](char high, char low) {
-        return "\xff\xc0\0\x11\x08"s + high + low + high + low + "\x03\x01\x22\0\x02\x11\x01\x03\x11\x01"s;
-    };
-    const std::string jpegScan = "\xff\xda\0\x0c\x03\x01\0\x02\x11\x03\x11\0\x3f\0"s;
-    row("jpeg with a stuffed zero", "\xff\xd8\xff\0\0\x23"s + jpegFrame('\x75', '\x30') + jpegScan + jpegFrame(0, 8), noPicture);
-    const auto tiffEntry = [](char tag, char type, char low, char high) {
-        return std::string{tag, 1, type, 0, 1, 0, 0, 0, low, high, 0, 0};
-    };
-    const auto tiff = [&tiffEntry](const std::string &more, char count) {
-        return "II*\0\x08\0\0\0"s + count + '\0' + tiffEntry(0, 4, 8, 0) + more + tiffEntry(1, 4, 8, 0);
-    };
-    row("tiff without pixels", tiff({}, 2), "damaged or cut short");
-    row("tiff with two widths", tiff(tiffEntry(0, 4, 9, 0), 3), noPicture);
-    row("tiff with a width of eight bytes", tiff(tiffEntry(0, 16, 9, 0), 3), noPicture);
-    row("tiff with huge tiles", tiff(tiffEntry(0x42, 4, 0, 0x7d) + tiffEntry(0x43, 4, 0, 0x7d), 4), tooLarge);
-}
-
-void TestPicture::refusals()
-{
-    QFETCH(QByteArray, content);
-    QFETCH(QString, words);
-    std::ofstream(path("bad.png"), std::ios::binary) << content.toStdString();
-    const auto frame = readPicture(path("bad.png"));
-    QVERIFY(!frame.has_value());
-    QCOMPARE(frame.error().code, ErrorCode::InvalidInput);
-    QVERIFY2(frame.error().message().find(words.toStdString()) != std::string::npos,
-             frame.error().message().c_str());
-    QCOMPARE(readPicture(path("missing.png")).error().code, ErrorCode::NotFound);
 }
 
 QTEST_GUILESS_MAIN(TestPicture)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever a video file says, reading it opens that file and no other, and no connection.
 #include "coded_frames.h"
-#include "core/video/picture.h"
+#include "core/video/picture_reader.h"
 #include "core/video/video_reader.h"
 
 #include <QDir>

@@ -2,6 +2,7 @@
 #include "ui/testbed/check/revision_picture.h"
 
 #include "core/video/picture.h"
+#include "core/video/picture_reader.h"
 #include "ui/views/screen_image.h"
 
 namespace odo {

@@ -2,6 +2,7 @@
 #include "ui/testbed/lens/board_search_worker.h"
 
 #include "core/video/picture.h"
+#include "core/video/picture_reader.h"
 #include "core/video/picture_writer.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/call_later.h"

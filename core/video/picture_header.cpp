@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/video/picture_size.h"
+#include "core/video/picture_header.h"
 
 #include <algorithm>
 #include <cctype>
@@ -11,6 +11,11 @@ namespace odo {
 namespace {
 
 using Bytes = std::span<const std::uint8_t>;
+
+struct Size
+{
+    std::uint32_t width = 0, height = 0;
+};
 
 /// A number of `count` bytes at `at`; 0 where the file ends before it, which no size can be.
 std::uint32_t number(Bytes file, std::size_t at, std::size_t count, bool bigEndian)
@@ -30,7 +35,7 @@ bool startsWith(Bytes file, std::string_view magic)
 
 /// Walks the segments up to the first start of frame (ITU-T T.81 §B.1). A stuffed zero (ff 00) is no marker:
 /// a decoder would look for the next one among the bytes that it would cover as a segment.
-PictureSize jpegSize(Bytes file)
+Size jpegSize(Bytes file)
 {
     std::size_t at = 2;
     while (at + 9 < file.size()) {
@@ -54,7 +59,7 @@ PictureSize jpegSize(Bytes file)
 /// The first image file directory (TIFF 6.0 §2): ImageWidth 256, ImageLength 257, TileWidth 322, TileLength
 /// 323, each of them once and SHORT or LONG. What is stated otherwise is refused: which size a decoder takes
 /// then is its choice.
-PictureSize tiffSize(Bytes file, bool bigEndian)
+Size tiffSize(Bytes file, bool bigEndian)
 {
     constexpr std::uint32_t tags[] = {256, 257, 322, 323}, shortNumber = 3, longNumber = 4;
     const std::size_t directory = number(file, 4, 4, bigEndian);
@@ -78,7 +83,7 @@ PictureSize tiffSize(Bytes file, bool bigEndian)
 
 /// "P5 640 480 255", with comments from # to the end of a line. The magic and each number end with white
 /// space (the Netpbm formats' own rule): where they do not, decoders disagree on what is a comment.
-PictureSize pnmSize(Bytes file)
+Size pnmSize(Bytes file)
 {
     std::uint32_t numbers[2] = {};
     std::size_t at = 2;
@@ -93,35 +98,46 @@ PictureSize pnmSize(Bytes file)
         for (int digits = 0; at < file.size() && std::isdigit(file[at]) != 0 && digits < 9; ++at, ++digits)
             value = value * 10 + (file[at] - '0');
     }
-    return isSpace() ? PictureSize{numbers[0], numbers[1]} : PictureSize{};
+    return isSpace() ? Size{numbers[0], numbers[1]} : Size{};
 }
 
-PictureSize statedSize(Bytes file)
+/// Rows from the top have a negative height.
+Size bmpSize(Bytes file)
+{
+    const auto height = static_cast<std::int32_t>(number(file, 22, 4, false));
+    return {number(file, 18, 4, false),
+            static_cast<std::uint32_t>(height < 0 ? -std::int64_t(height) : height)};
+}
+
+PictureHeader header(PictureFormat format, Size size)
+{
+    return {format, size.width, size.height};
+}
+
+PictureHeader statedHeader(Bytes file)
 {
     using namespace std::string_view_literals;
     if (startsWith(file, "\x89PNG\r\n\x1a\n"sv))
-        return {number(file, 16, 4, true), number(file, 20, 4, true)};
+        return header(PictureFormat::Png, {number(file, 16, 4, true), number(file, 20, 4, true)});
     if (startsWith(file, "\xff\xd8\xff"sv))
-        return jpegSize(file);
-    if (startsWith(file, "BM"sv)) {
-        const auto height =
-            static_cast<std::int32_t>(number(file, 22, 4, false)); // negative: rows from the top
-        return {number(file, 18, 4, false),
-                static_cast<std::uint32_t>(height < 0 ? -std::int64_t(height) : height)};
-    }
+        return header(PictureFormat::Jpeg, jpegSize(file));
+    if (startsWith(file, "BM"sv))
+        return header(PictureFormat::Bmp, bmpSize(file));
     if (startsWith(file, "II*\0"sv) || startsWith(file, "MM\0*"sv))
-        return tiffSize(file, file[0] == 'M');
-    if (file.size() > 2 && file[0] == 'P' && file[1] >= '1' && file[1] <= '6')
-        return pnmSize(file);
+        return header(PictureFormat::Tiff, tiffSize(file, file[0] == 'M'));
+    if (file.size() > 2 && file[0] == 'P' && file[1] >= '1' && file[1] <= '6') {
+        constexpr PictureFormat formats[] = {PictureFormat::Pbm, PictureFormat::Pgm, PictureFormat::Ppm};
+        return header(formats[(file[1] - '1') % 3], pnmSize(file));
+    }
     return {};
 }
 
 } // namespace
 
-std::optional<PictureSize> pictureSize(Bytes file)
+std::optional<PictureHeader> pictureHeader(Bytes file)
 {
-    const PictureSize size = statedSize(file);
-    return size.width > 0 && size.height > 0 ? std::optional(size) : std::nullopt;
+    const PictureHeader stated = statedHeader(file);
+    return stated.width > 0 && stated.height > 0 ? std::optional(stated) : std::nullopt;
 }
 
 } // namespace odo

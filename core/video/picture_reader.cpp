@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/video/picture_reader.h"
+
+#include "core/base/shortage.h"
+#include "core/video/jpeg_decoder.h"
+#include "core/video/jpeg_file.h"
+#include "core/video/picture_header.h"
+#include "core/video/stream_format.h"
+
+extern "C" {
+#include <libswscale/swscale.h>
+}
+
+#include <cstring>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+namespace odo {
+
+namespace {
+
+using FileContent = std::vector<std::uint8_t>;
+
+constexpr std::uintmax_t maximumFileBytes = 1'000'000'000;
+
+std::string cannotRead(const std::filesystem::path &file)
+{
+    return "cannot read the picture " + file.string();
+}
+
+Result<FileContent> readFile(const std::filesystem::path &file)
+{
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (status.type() == std::filesystem::file_type::not_found)
+        return fail(ErrorCode::NotFound, cannotRead(file), "there is no such file",
+                    "check the name and the folder");
+    if (status.type() != std::filesystem::file_type::regular)
+        return fail(ErrorCode::InvalidInput, cannotRead(file), "it is not an ordinary file",
+                    "name a picture");
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error || size > maximumFileBytes)
+        return fail(ErrorCode::InvalidInput, cannotRead(file), "the file is larger than 1 GB",
+                    "name a picture");
+    FileContent bytes(size);
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream.read(reinterpret_cast<char *>(bytes.data()), static_cast<std::streamsize>(size)))
+        return fail(ErrorCode::Io, cannotRead(file), "the file could not be read",
+                    "check that you may read the file");
+    return bytes;
+}
+
+AVCodecID codecOf(PictureFormat format)
+{
+    switch (format) {
+    case PictureFormat::Png:
+        return AV_CODEC_ID_PNG;
+    case PictureFormat::Jpeg:
+        return AV_CODEC_ID_MJPEG;
+    case PictureFormat::Bmp:
+        return AV_CODEC_ID_BMP;
+    case PictureFormat::Tiff:
+        return AV_CODEC_ID_TIFF;
+    case PictureFormat::Pbm:
+        return AV_CODEC_ID_PBM;
+    case PictureFormat::Pgm:
+        return AV_CODEC_ID_PGM;
+    case PictureFormat::Ppm:
+        return AV_CODEC_ID_PPM;
+    }
+    return AV_CODEC_ID_NONE;
+}
+
+libav::PacketPtr packetOf(const FileContent &bytes)
+{
+    libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
+    if (libav::checked(av_new_packet(packet.get(), static_cast<int>(bytes.size()))) == 0)
+        std::memcpy(packet->data, bytes.data(), bytes.size());
+    return packet;
+}
+
+/// Null when libavcodec refuses it.
+libav::FramePtr decodedByLibav(const FileContent &bytes, PictureFormat format)
+{
+    libav::quieten();
+    const AVCodec *codec = avcodec_find_decoder(codecOf(format));
+    const libav::CodecPtr decoder(libav::allocated(avcodec_alloc_context3(codec)));
+    decoder->thread_count = 1;
+    decoder->max_pixels = libav::mostPixels;
+    if (format == PictureFormat::Png)
+        decoder->err_recognition |= AV_EF_CRCCHECK | AV_EF_EXPLODE;
+    libav::FramePtr picture(libav::allocated(av_frame_alloc()));
+    const bool isWhole = codec && libav::checked(avcodec_open2(decoder.get(), codec, nullptr)) == 0 &&
+                         libav::checked(avcodec_send_packet(decoder.get(), packetOf(bytes).get())) == 0 &&
+                         libav::checked(avcodec_receive_frame(decoder.get(), picture.get())) == 0 &&
+                         picture->decode_error_flags == 0 && (picture->flags & AV_FRAME_FLAG_CORRUPT) == 0;
+    return isWhole ? std::move(picture) : nullptr;
+}
+
+/// Null where libswscale does not know the picture's own format.
+libav::FramePtr withRgbPixels(const AVFrame &picture)
+{
+    libav::FramePtr rgb(libav::allocated(av_frame_alloc()));
+    rgb->format = AV_PIX_FMT_RGB24;
+    rgb->width = picture.width;
+    rgb->height = picture.height;
+    const std::unique_ptr<SwsContext, void (*)(SwsContext *)> scaler(
+        sws_getContext(picture.width, picture.height, static_cast<AVPixelFormat>(picture.format), rgb->width,
+                       rgb->height, AV_PIX_FMT_RGB24, SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT,
+                       nullptr, nullptr, nullptr),
+        &sws_freeContext);
+    const bool isDone = scaler && libav::checked(av_frame_get_buffer(rgb.get(), 0)) == 0 &&
+                        libav::checked(sws_scale(scaler.get(), picture.data, picture.linesize, 0,
+                                                 picture.height, rgb->data, rgb->linesize)) == picture.height;
+    return isDone ? std::move(rgb) : nullptr;
+}
+
+/// BT.601 at full range as JFIF 1.02 defines it, in 16-bit fixed point.
+void convertRow(const std::uint8_t *rgb, int width, std::uint8_t *y, std::uint8_t *u, std::uint8_t *v)
+{
+    constexpr int half = 1 << 15, middle = (128 << 16) + half - 1; // -1 keeps pure blue and red at 255
+    for (int x = 0; x < width; ++x, rgb += 3) {
+        const int r = rgb[0], g = rgb[1], b = rgb[2];
+        y[x] = static_cast<std::uint8_t>((19595 * r + 38470 * g + 7471 * b + half) >> 16);
+        u[x] = static_cast<std::uint8_t>((-11059 * r - 21709 * g + 32768 * b + middle) >> 16);
+        v[x] = static_cast<std::uint8_t>((32768 * r - 27439 * g - 5329 * b + middle) >> 16);
+    }
+}
+
+FrameFormat formatOf(const AVFrame &picture)
+{
+    FrameFormat format;
+    format.width = picture.width;
+    format.height = picture.height;
+    format.chromaShiftX = format.chromaShiftY = 0;
+    format.siting = ChromaSiting::Center;
+    format.fullRange = true;
+    return format;
+}
+
+std::optional<Frame> fromLibav(libav::FramePtr picture)
+{
+    if (!picture)
+        return std::nullopt;
+    FrameFormat format = formatOf(*picture);
+    if (setChromaShifts(static_cast<AVPixelFormat>(picture->format), format))
+        return frameOf(std::move(picture), format);
+    const libav::FramePtr rgb = withRgbPixels(*picture);
+    if (!rgb)
+        return std::nullopt;
+    auto buffer = std::make_shared<FrameBuffer>(format);
+    for (int y = 0; y < format.height; ++y)
+        convertRow(rgb->data[0] + std::ptrdiff_t(y) * rgb->linesize[0], format.width, buffer->yRow(y),
+                   buffer->uRow(y), buffer->vRow(y));
+    return FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0));
+}
+
+/// Whether the end of the picture follows its last scan (ITU-T T.81 §B.1.1): libavcodec fills what is missing
+/// with grey.
+bool hasItsEnd(const FileContent &jpeg)
+{
+    const std::string_view text(reinterpret_cast<const char *>(jpeg.data()), jpeg.size());
+    const std::size_t scan = text.rfind("\xff\xda"), end = text.rfind("\xff\xd9");
+    return scan != text.npos && end != text.npos && scan < end;
+}
+
+/// As the pictures of a video: what is suitable by libjpeg-turbo, which tells what is damaged.
+std::optional<Frame> decodeJpeg(const FileContent &bytes, const PictureHeader &header)
+{
+    const auto format = jpegFormat(bytes);
+    const bool isAsStated = format && std::uint32_t(format->width) == header.width &&
+                            std::uint32_t(format->height) == header.height;
+    if (isAsStated && format->chromaShiftX <= 1 && format->chromaShiftY <= 1) {
+        Frame frame;
+        const auto outcome = JpegDecoder(*format).decode(bytes, std::nullopt, frame);
+        if (outcome != JpegDecoder::Outcome::NotSuitable)
+            return outcome == JpegDecoder::Outcome::Decoded ? std::optional(std::move(frame)) : std::nullopt;
+    }
+    return hasItsEnd(bytes) ? fromLibav(decodedByLibav(bytes, header.format)) : std::nullopt;
+}
+
+Result<Frame> readPictureChecked(const std::filesystem::path &file)
+{
+    const auto bytes = readFile(file);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    const auto header = pictureHeader(*bytes);
+    if (!header)
+        return fail(ErrorCode::InvalidInput, cannotRead(file), "it is no PNG, JPEG, BMP, TIFF or PNM picture",
+                    "convert it to PNG or JPEG");
+    if (std::uint64_t(header->width) * header->height > std::uint64_t(libav::mostPixels))
+        return fail(ErrorCode::InvalidInput, cannotRead(file),
+                    "it says that it has " + std::to_string(header->width) + "x" +
+                        std::to_string(header->height) + " pixels; more than 100 megapixels are not read",
+                    "make it smaller");
+    auto frame = header->format == PictureFormat::Jpeg ? decodeJpeg(*bytes, *header)
+                                                       : fromLibav(decodedByLibav(*bytes, header->format));
+    if (!frame)
+        return fail(ErrorCode::InvalidInput, cannotRead(file), "its content is damaged or cut short",
+                    "copy it again");
+    return std::move(*frame);
+}
+
+} // namespace
+
+Result<Frame> readPicture(const std::filesystem::path &file)
+{
+    return orShortage(cannotRead(file), [&file] { return readPictureChecked(file); });
+}
+
+} // namespace odo
