@@ -173,7 +173,7 @@ void MainWindow::connectJobs()
     connect(m_workspace, &Workspace::jobStarted, &m_status->job(), &JobIndicator::begin);
     connect(m_workspace, &Workspace::jobProgressed, &m_status->job(), &JobIndicator::setProgress);
     connect(m_workspace, &Workspace::jobDone, &m_status->job(), &JobIndicator::end);
-    connect(m_workspace, &Workspace::jobDone, this, [this] {
+    connect(m_workspace, &Workspace::changed, this, [this] {
         if (!m_many->isRunning()) // of many trials, once at the end
             refreshPages();
     });

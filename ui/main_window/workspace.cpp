@@ -181,7 +181,11 @@ void Workspace::adopt(std::unique_ptr<Project> project, std::unique_ptr<WindowLo
     m_runner = std::make_unique<JobRunner>(*m_project);
     connect(m_runner.get(), &JobRunner::progressed, this, &Workspace::jobProgressed);
     connect(m_runner.get(), &JobRunner::finished, this,
-            [this](const std::shared_ptr<Job> &, const std::optional<Error> &error) { finishJob(error); });
+            [this](const std::shared_ptr<Job> &, const std::optional<Error> &error) {
+                if (!error)
+                    Q_EMIT changed();
+                finishJob(error);
+            });
     Q_EMIT opened();
 }
 

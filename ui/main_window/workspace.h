@@ -58,6 +58,7 @@ Q_SIGNALS:
     void told(const QString &words);
     void aboutToClose(); ///< project() is still the old one
     void opened();
+    void changed(); ///< by a job that ran on it
     void jobStarted(const QString &words);
     void jobProgressed(double fraction, const QString &text);
     /// Every job ends with one of these; a cancelled one fails with ErrorCode::Cancelled.
