@@ -69,8 +69,8 @@ public:
         const Int4 i = __builtin_convertvector(at, Int4);
         const auto two = reinterpret_cast<Int4>(Long2{sampleAt(0, i[0]), sampleAt(1, i[1])}),
                    more = reinterpret_cast<Int4>(Long2{sampleAt(2, i[2]), sampleAt(3, i[3])});
-        const Float4 sums = __builtin_convertvector(__builtin_shuffle(two, more, Int4{0, 2, 4, 6}), Float4),
-                     values = __builtin_convertvector(__builtin_shuffle(two, more, Int4{1, 3, 5, 7}), Float4);
+        const Float4 sums = __builtin_convertvector(__builtin_shufflevector(two, more, 0, 2, 4, 6), Float4),
+                     values = __builtin_convertvector(__builtin_shufflevector(two, more, 1, 3, 5, 7), Float4);
         return m_unit * (sums + (at - __builtin_convertvector(i, Float4)) * values);
     }
 
