@@ -14,8 +14,7 @@
 namespace odo {
 namespace {
 
-constexpr double dragStepM = 0.01;
-constexpr double borderPx = 34, markerSidePx = 8, grabPx = 12;
+constexpr double borderPx = 34, markerSidePx = 8;
 constexpr double axisM = 0.4;
 
 Eigen::AlignedBox2d boundsOf(const std::optional<MarkerLayout> &layout, const std::vector<SketchedCamera> &cameras,
@@ -190,7 +189,9 @@ void FloorSketch::mousePressEvent(QMouseEvent *event)
     for (std::size_t i = 0; i < m_cameras.size(); ++i) {
         if (!m_cameras[i].isPlanned)
             continue;
-        const auto isNear = [&](const Eigen::Vector2d &point) { return QLineF(fromWorld(point), event->position()).length() <= grabPx; };
+        const auto isNear = [&](const Eigen::Vector2d &point) {
+            return QLineF(fromWorld(point), event->position()).length() <= floorGrabPx;
+        };
         m_held = isNear(footOf(m_cameras[i])) ? Held::Camera : isNear(m_cameras[i].lookAtInWorld) ? Held::Aim : Held::Nothing;
         if (m_held == Held::Nothing)
             continue;
@@ -205,7 +206,7 @@ void FloorSketch::mouseMoveEvent(QMouseEvent *event)
     if (m_held == Held::Nothing)
         return;
     const QPointF from = (event->position() - m_origin) / m_pixelsPerMetre;
-    const Eigen::Vector2d place = dragStepM * (Eigen::Vector2d(from.x(), -from.y()) / dragStepM).array().round().matrix();
+    const Eigen::Vector2d place = onDragStep({from.x(), -from.y()});
     if (m_held == Held::Camera)
         Q_EMIT cameraDragged(m_heldCamera, place);
     else

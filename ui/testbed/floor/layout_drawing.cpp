@@ -13,7 +13,6 @@
 namespace odo {
 namespace {
 
-constexpr double dragStepM = 0.01;
 constexpr double leastExtentM = 1, filledPart = 0.7;
 
 } // namespace
@@ -99,7 +98,7 @@ void LayoutDrawing::mousePressEvent(QMouseEvent *event)
 {
     for (int i = 0; i < int(m_layout.markers.size()); ++i) {
         if (QLineF(toScreen(m_layout.markers[std::size_t(i)].pointInWorld), event->position()).length() >
-            markerGrabPx)
+            floorGrabPx)
             continue;
         m_current = i;
         m_dragging = true;
@@ -113,8 +112,7 @@ void LayoutDrawing::mouseMoveEvent(QMouseEvent *event)
 {
     if (!m_dragging)
         return;
-    const Eigen::Vector2d place = dragStepM * (toWorld(event->position()) / dragStepM).array().round().matrix();
-    Q_EMIT moved(m_current, place);
+    Q_EMIT moved(m_current, onDragStep(toWorld(event->position())));
 }
 
 void LayoutDrawing::mouseReleaseEvent(QMouseEvent *)

@@ -92,7 +92,7 @@ Eigen::Vector2d MarkerCanvas::toPixel(const QPointF &place) const
 MarkerPixel *MarkerCanvas::markerAt(const QPointF &place)
 {
     MarkerPixel *nearest = nullptr;
-    double distance = markerGrabPx;
+    double distance = floorGrabPx;
     for (MarkerPixel &marker : m_markers) {
         const double away = QLineF(fromPixel(marker.pixel), place).length();
         if (away < distance) {

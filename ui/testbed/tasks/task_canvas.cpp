@@ -3,6 +3,7 @@
 
 #include "core/base/units.h"
 #include "ui/models/figure_text.h"
+#include "ui/testbed/floor/floor_drawing.h"
 #include "ui/testbed/tasks/zone_table.h"
 #include "ui/views/task_overlay.h"
 #include "ui/views/theme.h"
@@ -17,13 +18,7 @@
 namespace odo {
 namespace {
 
-constexpr double grabPx = 10, dragStepM = 0.01;
 constexpr double turnStep = 5 * std::numbers::pi / 180, widthStepM = 0.02, leastWidthM = 0.02;
-
-Eigen::Vector2d rounded(const Eigen::Vector2d &point)
-{
-    return dragStepM * (point / dragStepM).array().round().matrix();
-}
 
 double distancePx(const QLineF &line, const QPointF &place)
 {
@@ -235,7 +230,7 @@ void TaskCanvas::mousePressEvent(QMouseEvent *event)
 
 bool TaskCanvas::grabGate(const QPointF &place)
 {
-    double nearest = grabPx;
+    double nearest = floorGrabPx;
     int found = -1;
     for (int i = 0; i < static_cast<int>(m_task.gates.size()); ++i) {
         const Gate &gate = m_task.gates[static_cast<std::size_t>(i)];
@@ -247,9 +242,9 @@ bool TaskCanvas::grabGate(const QPointF &place)
             continue;
         nearest = apart;
         found = i;
-        m_dragged = QLineF(line.p1(), place).length() < grabPx   ? Part::From
-                    : QLineF(line.p2(), place).length() < grabPx ? Part::To
-                                                                 : Part::Line;
+        m_dragged = QLineF(line.p1(), place).length() < floorGrabPx   ? Part::From
+                    : QLineF(line.p2(), place).length() < floorGrabPx ? Part::To
+                                                                      : Part::Line;
     }
     if (found < 0)
         return false;
@@ -260,7 +255,7 @@ bool TaskCanvas::grabGate(const QPointF &place)
 
 bool TaskCanvas::grabZone(const QPointF &place)
 {
-    double nearest = grabPx;
+    double nearest = floorGrabPx;
     int found = -1;
     for (int i = 0; i < static_cast<int>(m_task.zones.size()); ++i) {
         const Zone &zone = m_task.zones[static_cast<std::size_t>(i)];
@@ -273,7 +268,8 @@ bool TaskCanvas::grabZone(const QPointF &place)
                 continue;
             nearest = apart;
             found = i;
-            const bool isFirst = QLineF(edge.p1(), place).length() < grabPx, isSecond = QLineF(edge.p2(), place).length() < grabPx;
+            const bool isFirst = QLineF(edge.p1(), place).length() < floorGrabPx,
+                       isSecond = QLineF(edge.p2(), place).length() < floorGrabPx;
             m_dragged = isFirst || isSecond ? Part::Corner : Part::Zone;
             m_grabbedCorner = isSecond ? (k + 1) % zone.corners.size() : k;
         }
@@ -292,10 +288,10 @@ void TaskCanvas::mouseMoveEvent(QMouseEvent *event)
     if ((m_dragged == Part::Corner || m_dragged == Part::Zone) && m_zone >= 0) {
         std::vector<Eigen::Vector2d> corners = m_grabbedCorners;
         if (m_dragged == Part::Corner)
-            corners[m_grabbedCorner] = rounded(corners[m_grabbedCorner] + by);
+            corners[m_grabbedCorner] = onDragStep(corners[m_grabbedCorner] + by);
         else
             for (Eigen::Vector2d &corner : corners)
-                corner += rounded(by);
+                corner += onDragStep(by);
         Q_EMIT zoneMoved(m_zone, corners);
         return;
     }
@@ -303,11 +299,11 @@ void TaskCanvas::mouseMoveEvent(QMouseEvent *event)
         return;
     Eigen::Vector2d from = m_grabbed.from, to = m_grabbed.to;
     if (m_dragged == Part::Line) {
-        const Eigen::Vector2d step = rounded(by);
+        const Eigen::Vector2d step = onDragStep(by);
         from += step;
         to += step;
     } else {
-        (m_dragged == Part::From ? from : to) = rounded((m_dragged == Part::From ? from : to) + by);
+        (m_dragged == Part::From ? from : to) = onDragStep((m_dragged == Part::From ? from : to) + by);
     }
     if ((to - from).norm() >= leastWidthM)
         Q_EMIT gateMoved(m_current, from, to);
