@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/busy_watch.h"
 
+#include "tests/support/patience.h"
+
+#include <QtGlobal>
 #include <algorithm>
 #include <ctime>
 
@@ -15,6 +18,11 @@ double threadCpuMs()
 }
 
 } // namespace
+
+double longestAllowedMs()
+{
+    return 50 * test::slowness * (qEnvironmentVariableIsSet("ODOGRAPH_ALONE") ? 1 : 3);
+}
 
 BusyWatch::BusyWatch() : m_lastMs(threadCpuMs()) { startTimer(0); }
 
