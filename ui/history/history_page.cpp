@@ -220,6 +220,7 @@ void HistoryPage::connectMarks()
 
 void HistoryPage::refresh()
 {
+    m_table->storeEdited();
     m_reading = std::make_unique<TrialRows>(m_project);
     m_read.clear();
     m_readTimer->start();
@@ -328,21 +329,26 @@ void HistoryPage::filter()
     showCurrent();
 }
 
+/// Storing what is being written, which a row that goes from the list does, too, asks for more to be
+/// reloaded: that waits its turn, for the list is changing.
 void HistoryPage::reload(const QList<qint64> &trials)
 {
-    m_detail->saveNotes(); // now: a row that goes moves the selection, which would store them, and reload, in its midst
-    bool isElsewhere = false;
-    const int place = m_table->currentIndex().row();
-    for (const qint64 trial : trials) {
-        Result<TrialRow> row = loadTrialRow(m_project, trial);
+    const bool isReloading = !m_changed.isEmpty();
+    m_changed += trials;
+    if (isReloading)
+        return;
+    m_table->storeEdited();
+    const int place = m_table->currentIndex().row(), before = m_trials->rowCount();
+    for (; !m_changed.isEmpty(); m_changed.removeFirst()) {
+        Result<TrialRow> row = loadTrialRow(m_project, m_changed.front());
         if (!row) {
+            m_changed.clear();
             Q_EMIT failed(row.error());
             return;
         }
-        const int before = m_trials->rowCount();
         m_trials->updateRow(std::move(*row));
-        isElsewhere |= m_trials->rowCount() != before;
     }
+    const bool isElsewhere = m_trials->rowCount() != before;
     if (isElsewhere && m_trials->rowCount() > 0)
         m_table->setCurrentIndex(m_trials->index(std::clamp(place, 0, m_trials->rowCount() - 1), 0));
     showSelection();

@@ -111,6 +111,7 @@ private:
     std::set<std::string> m_archivedClasses;
     std::unique_ptr<TrialRows> m_reading; ///< null: all was read
     std::vector<TrialRow> m_read;         ///< so far
+    QList<qint64> m_changed;              ///< trials whose rows are being reloaded
     QString m_wanted;                     ///< to be selected once it was read; empty: none
 };
 

@@ -48,6 +48,15 @@ QStringList TrialTable::selectedTrials() const
     return trials;
 }
 
+void TrialTable::storeEdited()
+{
+    QWidget *editor = indexWidget(currentIndex());
+    if (!editor)
+        return;
+    commitData(editor);
+    closeEditor(editor, QAbstractItemDelegate::NoHint);
+}
+
 void TrialTable::fit()
 {
     fitColumns(*this, TrialModel::TaskColumn,

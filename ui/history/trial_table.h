@@ -19,6 +19,8 @@ public:
     /// Empty: none.
     QString currentTrial() const;
     QStringList selectedTrials() const; ///< from top to bottom
+    /// Stores what is being written into a cell: a row that goes would take it away.
+    void storeEdited();
     /// To be called after the rows have changed.
     void fit();
 

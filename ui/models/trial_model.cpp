@@ -154,6 +154,7 @@ void TrialModel::updateRow(TrialRow row)
         std::ranges::find(m_rows, row.trial.id, [](const TrialRow &each) { return each.trial.id; });
     if (known == m_rows.end())
         return;
+    const bool hasOtherTags = known->trial.tags != row.trial.tags;
     *known = std::move(row);
     const auto shown = std::ranges::find(m_shown, static_cast<std::size_t>(known - m_rows.begin()));
     if (shown == m_shown.end())
@@ -161,7 +162,8 @@ void TrialModel::updateRow(TrialRow row)
     const int place = static_cast<int>(shown - m_shown.begin());
     const QStringList words = m_filter.text.toLower().split(u' ', Qt::SkipEmptyParts);
     if (isShown(m_filter, words, known->trial, known->searchText)) {
-        Q_EMIT dataChanged(index(place, 0), index(place, ColumnCount - 1));
+        // What is being written into a cell is overwritten when that changes.
+        Q_EMIT dataChanged(index(place, 0), index(place, hasOtherTags ? TagsColumn : TagsColumn - 1));
         return;
     }
     beginRemoveRows({}, place, place);

@@ -50,7 +50,7 @@ private Q_SLOTS:
     void savesNotesAtOnce();
     void comparesWhatIsSelected();
     void marksTakeEffectAndAreTakenBack();
-    void aTrialGoesWhileItsNotesAreBeingWritten();
+    void aTrialGoesWhileItIsBeingWrittenAbout();
     void tagsAreWrittenInPlace();
     void theBinIsEmptiedForGood();
     void showsHowTeamsStand();
@@ -183,19 +183,26 @@ void TestHistoryPage::marksTakeEffectAndAreTakenBack()
     QCOMPARE(table->model()->rowCount(), 3);
 }
 
-void TestHistoryPage::aTrialGoesWhileItsNotesAreBeingWritten()
+void TestHistoryPage::aTrialGoesWhileItIsBeingWrittenAbout()
 {
     const auto project = copy(QStringLiteral("written.odo"));
     HistoryPage page(*project);
+    page.show();
     page.refresh();
     auto *table = page.findChild<QTableView *>(QStringLiteral("trials"));
     const QAbstractItemModelTester tester(table->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
     page.selectTrial(QStringLiteral("Trial 2"));
-    page.findChild<QPlainTextEdit *>()->setPlainText(QStringLiteral("wheel lost"));
-    page.findChild<MarkActions *>()->bin()->trigger(); // before the pause after which notes are stored
+    page.findChild<QPlainTextEdit *>()->setPlainText(QStringLiteral("wheel lost")); // is stored after a pause
+    table->setCurrentIndex(table->currentIndex().siblingAtColumn(TrialModel::TagsColumn));
+    table->edit(table->currentIndex());
+    auto *tags = table->viewport()->findChild<QLineEdit *>();
+    QVERIFY(tags);
+    tags->setText(QStringLiteral("wet floor")); // is stored when something else is chosen
+    page.findChild<MarkActions *>()->bin()->trigger();
     const auto binned = project->trials().find("Trial 2");
     QVERIFY(binned->binned);
     QCOMPARE(binned->notes, std::string("wheel lost"));
+    QCOMPARE(binned->tags, std::vector<std::string>{"wet floor"});
     QCOMPARE(table->model()->rowCount(), 2);
     QCOMPARE(table->model()->index(0, 0).data(TrialModel::NameRole).toString(), QStringLiteral("Trial 1"));
     QCOMPARE(table->model()->index(1, 0).data(TrialModel::NameRole).toString(), QStringLiteral("Trial 3"));

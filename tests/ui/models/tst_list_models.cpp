@@ -14,6 +14,7 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
+#include <QItemSelection>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTest>
@@ -241,7 +242,11 @@ private Q_SLOTS:
         QCOMPARE(tagged.value(0).value(1).toStringList(), (QStringList{QStringLiteral("wet"), QStringLiteral("final")}));
         TrialRow b = trialRow("b", 2, {});
         b.trial.starred = true;
+        QSignalSpy changed(&model, &TrialModel::dataChanged);
         model.updateRow(b);
+        const QItemSelectionRange told(changed.value(0).value(0).toModelIndex(),
+                                       changed.value(0).value(1).toModelIndex());
+        QVERIFY(told.contains(star) && !told.contains(tags)); // which may be being written
         QCOMPARE(star.data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
         b.trial.binned = b.trial.date;
         model.updateRow(b); // the filter does not let it through any more
