@@ -329,15 +329,14 @@ void HistoryPage::filter()
     showCurrent();
 }
 
-/// Storing what is being written, which a row that goes from the list does, too, asks for more to be
-/// reloaded: that waits its turn, for the list is changing.
+/// A row that goes has notes and tags stored that are being written, which asks for more to be reloaded: that
+/// waits its turn, for the list is changing.
 void HistoryPage::reload(const QList<qint64> &trials)
 {
     const bool isReloading = !m_changed.isEmpty();
     m_changed += trials;
     if (isReloading)
         return;
-    m_table->storeEdited();
     const int place = m_table->currentIndex().row(), before = m_trials->rowCount();
     for (; !m_changed.isEmpty(); m_changed.removeFirst()) {
         Result<TrialRow> row = loadTrialRow(m_project, m_changed.front());

@@ -57,6 +57,13 @@ void TrialTable::storeEdited()
     closeEditor(editor, QAbstractItemDelegate::NoHint);
 }
 
+void TrialTable::rowsAboutToBeRemoved(const QModelIndex &parent, int first, int last)
+{
+    if (currentIndex().row() >= first && currentIndex().row() <= last)
+        storeEdited();
+    QTableView::rowsAboutToBeRemoved(parent, first, last);
+}
+
 void TrialTable::fit()
 {
     fitColumns(*this, TrialModel::TaskColumn,
@@ -72,7 +79,8 @@ void TrialTable::resizeEvent(QResizeEvent *event)
 
 void TrialTable::keyPressEvent(QKeyEvent *event)
 {
-    if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
+    const bool endsWriting = state() == EditingState; // a cell passes on the key that it is left by
+    if (endsWriting || (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter))
         return QTableView::keyPressEvent(event);
     if (const QString trial = currentTrial(); !trial.isEmpty())
         Q_EMIT opened(trial);

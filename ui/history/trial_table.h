@@ -19,7 +19,7 @@ public:
     /// Empty: none.
     QString currentTrial() const;
     QStringList selectedTrials() const; ///< from top to bottom
-    /// Stores what is being written into a cell: a row that goes would take it away.
+    /// Stores what is being written into a cell, which ends with it. A row that goes does so itself.
     void storeEdited();
     /// To be called after the rows have changed.
     void fit();
@@ -28,6 +28,7 @@ Q_SIGNALS:
     void opened(const QString &trial);
 
 protected:
+    void rowsAboutToBeRemoved(const QModelIndex &parent, int first, int last) override;
     void resizeEvent(QResizeEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
 };
