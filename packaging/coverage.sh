@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs the tests on a build whose core counts the lines that run, and tells how many of them did: a table of the files,
-# the least covered first, in build/coverage/coverage.txt, and the whole at the end. Fails below nine lines in ten.
+# those with the most lines left last, in build/coverage/coverage.txt, and the whole at the end. Fails below nine lines in ten.
 # Arguments go to ctest; a test that fails is told, and what the others reached is counted all the same.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
