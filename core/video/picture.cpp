@@ -5,19 +5,38 @@
 #include <libyuv/convert_from_argb.h>
 #include <libyuv/scale.h>
 
+#include <vector>
+
 namespace odo {
 
 namespace {
 
+/// Every n-th sample of sides that are longer than libyuv's places of 16.16 bits can count.
+PlaneView thinned(const PlaneView &plane, std::vector<std::uint8_t> &samples)
+{
+    constexpr int longestSide = 32767;
+    const int stepX = 1 + (plane.width - 1) / longestSide, stepY = 1 + (plane.height - 1) / longestSide;
+    if (stepX == 1 && stepY == 1)
+        return plane;
+    const int width = plane.width / stepX, height = plane.height / stepY;
+    samples.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            samples.push_back(plane.at(x * stepX, y * stepY));
+    return {samples.data(), width, height, width};
+}
+
 /// A plane scaled to a size, or the plane itself where it has that size already.
 struct ScaledPlane
 {
-    ScaledPlane(const PlaneView &plane, int width, int height)
+    ScaledPlane(const PlaneView &whole, int width, int height)
     {
-        if (plane.width == width && plane.height == height) {
-            view = plane;
+        if (whole.width == width && whole.height == height) {
+            view = whole;
             return;
         }
+        std::vector<std::uint8_t> samples;
+        const PlaneView plane = thinned(whole, samples);
         memory = std::make_unique_for_overwrite<std::uint8_t[]>(static_cast<std::size_t>(width) *
                                                                 static_cast<std::size_t>(height));
         // Bilinear keeps things within half a pixel of their place; over more than two source pixels it would

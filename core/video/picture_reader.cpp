@@ -8,6 +8,7 @@
 #include "core/video/stream_format.h"
 
 extern "C" {
+#include <libavutil/intreadwrite.h>
 #include <libswscale/swscale.h>
 }
 
@@ -88,7 +89,7 @@ libav::FramePtr decodedByLibav(const FileContent &bytes, PictureFormat format)
     const libav::CodecPtr decoder(libav::allocated(avcodec_alloc_context3(codec)));
     decoder->thread_count = 1;
     decoder->max_pixels = libav::mostPixels;
-    if (format == PictureFormat::Png)
+    if (format != PictureFormat::Jpeg) // of which cameras write some that are not quite as they should be
         decoder->err_recognition |= AV_EF_CRCCHECK | AV_EF_EXPLODE;
     libav::FramePtr picture(libav::allocated(av_frame_alloc()));
     const bool isWhole = codec && libav::checked(avcodec_open2(decoder.get(), codec, nullptr)) == 0 &&
@@ -180,6 +181,26 @@ std::optional<Frame> decodeJpeg(const FileContent &bytes, const PictureHeader &h
     return hasItsEnd(bytes) ? fromLibav(decodedByLibav(bytes, header.format)) : std::nullopt;
 }
 
+/// What is shorter than its file header says is cut: libavcodec takes its rows for ones without padding.
+std::optional<Frame> decodeBmp(const FileContent &bytes)
+{
+    constexpr std::size_t fileSizeAt = 2;
+    const bool isCut = bytes.size() < AV_RL32(bytes.data() + fileSizeAt);
+    return isCut ? std::nullopt : fromLibav(decodedByLibav(bytes, PictureFormat::Bmp));
+}
+
+std::optional<Frame> decode(const FileContent &bytes, const PictureHeader &header)
+{
+    switch (header.format) {
+    case PictureFormat::Jpeg:
+        return decodeJpeg(bytes, header);
+    case PictureFormat::Bmp:
+        return decodeBmp(bytes);
+    default:
+        return fromLibav(decodedByLibav(bytes, header.format));
+    }
+}
+
 Result<Frame> readPictureChecked(const std::filesystem::path &file)
 {
     const auto bytes = readFile(file);
@@ -194,8 +215,7 @@ Result<Frame> readPictureChecked(const std::filesystem::path &file)
                     "it says that it has " + std::to_string(header->width) + "x" +
                         std::to_string(header->height) + " pixels; more than 100 megapixels are not read",
                     "make it smaller");
-    auto frame = header->format == PictureFormat::Jpeg ? decodeJpeg(*bytes, *header)
-                                                       : fromLibav(decodedByLibav(*bytes, header->format));
+    auto frame = decode(*bytes, *header);
     if (!frame)
         return fail(ErrorCode::InvalidInput, cannotRead(file), "its content is damaged or cut short",
                     "copy it again");

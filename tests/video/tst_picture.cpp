@@ -15,6 +15,8 @@ private Q_SLOTS:
     void screenColours_data();
     void screenColours();
     void screenSizes();
+    void sidesBeyondFixedPoint_data();
+    void sidesBeyondFixedPoint();
 };
 
 namespace {
@@ -116,6 +118,46 @@ void TestPicture::screenSizes()
     }
     QVERIFY(!toScreen(frame, 0, 10).pixels);
     QVERIFY(!toScreen(Frame(), 10, 10).pixels);
+}
+
+void TestPicture::sidesBeyondFixedPoint_data()
+{
+    QTest::addColumn<int>("width");
+    QTest::addColumn<int>("height");
+    QTest::newRow("tall") << 8 << 64259;
+    QTest::newRow("wide") << 100'000 << 8;
+    QTest::newRow("just too wide") << 32768 << 8;
+}
+
+/// A ramp along a side that has more than the 32,767 pixels that libyuv's scaling can count.
+void TestPicture::sidesBeyondFixedPoint()
+{
+    QFETCH(int, width);
+    QFETCH(int, height);
+    FrameFormat format;
+    format.width = width;
+    format.height = height;
+    format.fullRange = true;
+    const int longest = std::max(width, height);
+    auto buffer = std::make_shared<FrameBuffer>(format);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            buffer->yRow(y)[x] = static_cast<std::uint8_t>(256LL * std::max(x, y) / longest);
+    for (int y = 0; y < buffer->chromaHeight(); ++y) {
+        std::fill_n(buffer->uRow(y), buffer->chromaWidth(), std::uint8_t(128));
+        std::fill_n(buffer->vRow(y), buffer->chromaWidth(), std::uint8_t(128));
+    }
+    const Frame frame = FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0));
+    const bool isTall = height > width;
+    constexpr int shown = 500;
+    const auto picture = isTall ? toScreen(frame, 4, shown) : toScreen(frame, shown, 4);
+    for (int i = 0; i < shown; ++i) {
+        const std::size_t place = isTall ? 4 * std::size_t(i) : std::size_t(i);
+        const int grey = int(picture.pixels[place] & 0xff);
+        // Half a level for the mean within a pixel, one for the samples left out, two of the conversion.
+        QVERIFY2(std::abs(grey - 256.0 * (i + 0.5) / shown) <= 3.5,
+                 qPrintable(QStringLiteral("%1: %2").arg(i).arg(grey)));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestPicture)

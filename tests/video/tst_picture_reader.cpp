@@ -30,6 +30,7 @@ private Q_SLOTS:
     void cutAnywhere_data();
     void cutAnywhere();
     void aChangedByteOfAPng();
+    void aTiffThatDoesNotUnpack();
     void refusals_data();
     void refusals();
 
@@ -240,6 +241,13 @@ void TestPictureReader::cutAnywhere_data()
     row("jpeg", jpegOf(format, {}));
     row("jpeg, grey", jpegOf(format, {.grey = true}));
     row("jpeg, progressive", jpegOf(format, {.progressive = true}));
+    writeTiff(path("whole.tiff"), 33, 17, QColor(215, 35, 40));
+    row("tiff", contentOf(path("whole.tiff")));
+    for (const char *name : {"whole.bmp", "whole.ppm"}) {
+        QVERIFY(plainImage(QImage::Format_RGB888, QColor(215, 35, 40))
+                    .save(QString::fromStdString(path(name).string())));
+        row(name, contentOf(path(name)));
+    }
 }
 
 /// Either it is refused, or nothing that is seen is missing.
@@ -273,6 +281,22 @@ void TestPictureReader::aChangedByteOfAPng()
         const auto frame = readPicture(path("changed.png"));
         QVERIFY2(!frame || hasSameLuma(*frame, read), qPrintable(QStringLiteral("byte %1").arg(i)));
     }
+}
+
+/// Plain pixels that are said to be packed (TIFF 6.0 §9, PackBits).
+void TestPictureReader::aTiffThatDoesNotUnpack()
+{
+    writeTiff(path("packed.tiff"), 33, 17, QColor(215, 35, 40));
+    auto packed = contentOf(path("packed.tiff"));
+    constexpr std::size_t compressionAt = 10 + 3 * 12 + 8;
+    QCOMPARE(int(packed[compressionAt]), 1);
+    packed[compressionAt] = 0x05;
+    packed[compressionAt + 1] = 0x80;
+    store("packed.tiff", packed);
+    const auto frame = readPicture(path("packed.tiff"));
+    QVERIFY(!frame);
+    QVERIFY2(frame.error().message().find("damaged or cut short") != std::string::npos,
+             frame.error().message().c_str());
 }
 
 void TestPictureReader::refusals_data()
