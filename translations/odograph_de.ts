@@ -3396,10 +3396,6 @@
         <translation>das Schreiben ist schon vorher misslungen</translation>
     </message>
     <message>
-        <source>its pictures have more than 100 megapixels</source>
-        <translation>die Bilder haben mehr als 100 Megapixel</translation>
-    </message>
-    <message>
         <source>convert it to a smaller size</source>
         <translation>wandeln Sie es in eine kleinere Größe um</translation>
     </message>
@@ -5688,10 +5684,6 @@
         <translation>darin steht, dass es %1 Pixel sind</translation>
     </message>
     <message>
-        <source>more than 100 megapixels are not read</source>
-        <translation>mehr als 100 Megapixel werden nicht gelesen</translation>
-    </message>
-    <message>
         <source>picture</source>
         <translation>Bild</translation>
     </message>
@@ -6314,6 +6306,14 @@
     <message>
         <source>with %1 called %2 they fit to %3 px</source>
         <translation>mit %1 als %2 bezeichnet passen sie auf %3 px</translation>
+    </message>
+    <message>
+        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
+        <translation>die Bilder haben mehr als 100 Megapixel oder 32000 Pixel je Seite</translation>
+    </message>
+    <message>
+        <source>more than 100 megapixels or 32000 pixels a side are not read</source>
+        <translation>mehr als 100 Megapixel oder 32000 Pixel je Seite werden nicht gelesen</translation>
     </message>
 </context>
 <context>

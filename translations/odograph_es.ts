@@ -3396,10 +3396,6 @@
         <translation>la escritura ya había fallado antes</translation>
     </message>
     <message>
-        <source>its pictures have more than 100 megapixels</source>
-        <translation>sus imágenes tienen más de 100 megapíxeles</translation>
-    </message>
-    <message>
         <source>convert it to a smaller size</source>
         <translation>conviértalo a un tamaño menor</translation>
     </message>
@@ -5688,10 +5684,6 @@
         <translation>dice que tiene %1 píxeles</translation>
     </message>
     <message>
-        <source>more than 100 megapixels are not read</source>
-        <translation>no se leen más de 100 megapíxeles</translation>
-    </message>
-    <message>
         <source>picture</source>
         <translation>imagen</translation>
     </message>
@@ -6314,6 +6306,14 @@
     <message>
         <source>with %1 called %2 they fit to %3 px</source>
         <translation>llamando a %1 como %2 encajan a %3 px</translation>
+    </message>
+    <message>
+        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
+        <translation>sus imágenes tienen más de 100 megapíxeles o 32000 píxeles por lado</translation>
+    </message>
+    <message>
+        <source>more than 100 megapixels or 32000 pixels a side are not read</source>
+        <translation>no se leen más de 100 megapíxeles o 32000 píxeles por lado</translation>
     </message>
 </context>
 <context>

@@ -3396,10 +3396,6 @@
         <translation>l’écriture avait déjà échoué</translation>
     </message>
     <message>
-        <source>its pictures have more than 100 megapixels</source>
-        <translation>ses images ont plus de 100 mégapixels</translation>
-    </message>
-    <message>
         <source>convert it to a smaller size</source>
         <translation>convertissez-la à une taille plus petite</translation>
     </message>
@@ -5688,10 +5684,6 @@
         <translation>elle dit avoir %1 pixels</translation>
     </message>
     <message>
-        <source>more than 100 megapixels are not read</source>
-        <translation>plus de 100 mégapixels ne sont pas lus</translation>
-    </message>
-    <message>
         <source>picture</source>
         <translation>image</translation>
     </message>
@@ -6314,6 +6306,14 @@
     <message>
         <source>with %1 called %2 they fit to %3 px</source>
         <translation>avec %1 nommés %2, ils conviennent à %3 px</translation>
+    </message>
+    <message>
+        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
+        <translation>ses images ont plus de 100 mégapixels ou 32000 pixels de côté</translation>
+    </message>
+    <message>
+        <source>more than 100 megapixels or 32000 pixels a side are not read</source>
+        <translation>plus de 100 mégapixels ou 32000 pixels de côté ne sont pas lus</translation>
     </message>
 </context>
 <context>

@@ -3394,10 +3394,6 @@
         <translation>앞서 쓰기에 실패했습니다</translation>
     </message>
     <message>
-        <source>its pictures have more than 100 megapixels</source>
-        <translation>영상이 1억 화소를 넘습니다</translation>
-    </message>
-    <message>
         <source>convert it to a smaller size</source>
         <translation>더 작은 크기로 변환하십시오</translation>
     </message>
@@ -5686,10 +5682,6 @@
         <translation>%1픽셀이라고 되어 있습니다</translation>
     </message>
     <message>
-        <source>more than 100 megapixels are not read</source>
-        <translation>1억 화소를 넘으면 읽지 않습니다</translation>
-    </message>
-    <message>
         <source>picture</source>
         <translation>사진</translation>
     </message>
@@ -6312,6 +6304,14 @@
     <message>
         <source>with %1 called %2 they fit to %3 px</source>
         <translation>%1을(를) %2(으)로 부르면 %3 px로 맞습니다</translation>
+    </message>
+    <message>
+        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
+        <translation>영상이 1억 화소 또는 한 변 32000픽셀을 넘습니다</translation>
+    </message>
+    <message>
+        <source>more than 100 megapixels or 32000 pixels a side are not read</source>
+        <translation>1억 화소 또는 한 변 32000픽셀을 넘으면 읽지 않습니다</translation>
     </message>
 </context>
 <context>

@@ -3394,10 +3394,6 @@
         <translation>此前写入已失败</translation>
     </message>
     <message>
-        <source>its pictures have more than 100 megapixels</source>
-        <translation>其画面超过 1 亿像素</translation>
-    </message>
-    <message>
         <source>convert it to a smaller size</source>
         <translation>请转换为更小的尺寸</translation>
     </message>
@@ -5686,10 +5682,6 @@
         <translation>其声明有 %1 像素</translation>
     </message>
     <message>
-        <source>more than 100 megapixels are not read</source>
-        <translation>超过 1 亿像素则不读取</translation>
-    </message>
-    <message>
         <source>picture</source>
         <translation>图片</translation>
     </message>
@@ -6312,6 +6304,14 @@
     <message>
         <source>with %1 called %2 they fit to %3 px</source>
         <translation>若将 %1 称为 %2，则吻合到 %3 px</translation>
+    </message>
+    <message>
+        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
+        <translation>其画面超过 1 亿像素或单边 32000 像素</translation>
+    </message>
+    <message>
+        <source>more than 100 megapixels or 32000 pixels a side are not read</source>
+        <translation>超过 1 亿像素或单边 32000 像素则不读取</translation>
     </message>
 </context>
 <context>

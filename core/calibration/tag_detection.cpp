@@ -22,6 +22,7 @@ using Eigen::Matrix3d;
 
 constexpr int mostMendedBits = 1;
 constexpr int leastSidePx = 32;
+constexpr int longestSidePx = 32767; // that libapriltag counts; it ends the program at more
 constexpr double leastTagSigmaPx = 0.02; // what the lens bends within a tag and the fit's grid leave
 
 using Family = std::unique_ptr<apriltag_family_t, void (*)(apriltag_family_t *)>;
@@ -80,8 +81,11 @@ std::vector<SeenTag> readPart(const Frame &frame, std::optional<PixelRect> part,
     const PixelRect rect = part ? part->clipped(all) : all;
     if (frame.y.data == nullptr || rect.width() < leastSidePx || rect.height() < leastSidePx)
         return {};
-    const cv::Mat luma = lumaMatrix(frame)(cv::Rect(rect.x0, rect.y0, rect.width(), rect.height()));
     constexpr int scale = 2;
+    const int longest = (enlarged ? scale : 1) * std::max(rect.width(), rect.height());
+    if (longest > longestSidePx)
+        return {};
+    const cv::Mat luma = lumaMatrix(frame)(cv::Rect(rect.x0, rect.y0, rect.width(), rect.height()));
     cv::Mat picture = luma;
     if (enlarged)
         cv::resize(luma, picture, {}, scale, scale, cv::INTER_CUBIC);

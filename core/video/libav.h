@@ -17,8 +17,13 @@ extern "C" {
 /// Owners for the things of libav. Private to core/video: no public header includes this one.
 namespace odo::libav {
 
-/// Of a picture that is read.
-constexpr std::int64_t mostPixels = 100'000'000;
+/// Of a picture that is read. libapriltag ends the program at a side of 32,768 pixels, OpenCV remaps none of 32,767.
+constexpr std::int64_t mostPixels = 100'000'000, longestSide = 32'000;
+
+constexpr bool isTooLarge(std::int64_t width, std::int64_t height)
+{
+    return width > longestSide || height > longestSide || width * height > mostPixels;
+}
 
 struct Delete
 {

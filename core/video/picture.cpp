@@ -11,7 +11,8 @@ namespace odo {
 
 namespace {
 
-/// Every n-th sample of sides that are longer than libyuv's places of 16.16 bits can count.
+/// Every n-th sample of sides that are longer than libyuv's places of 16.16 bits can count. No file is read with such sides, but
+/// nothing keeps a camera from having them.
 PlaneView thinned(const PlaneView &plane, std::vector<std::uint8_t> &samples)
 {
     constexpr int longestSide = 32767;

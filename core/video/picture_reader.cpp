@@ -210,10 +210,10 @@ Result<Frame> readPictureChecked(const std::filesystem::path &file)
     if (!header)
         return fail(ErrorCode::InvalidInput, cannotRead(file), "it is no PNG, JPEG, BMP, TIFF or PNM picture",
                     "convert it to PNG or JPEG");
-    if (std::uint64_t(header->width) * header->height > std::uint64_t(libav::mostPixels))
+    if (libav::isTooLarge(header->width, header->height))
         return fail(ErrorCode::InvalidInput, cannotRead(file),
                     "it says that it has " + std::to_string(header->width) + "x" +
-                        std::to_string(header->height) + " pixels; more than 100 megapixels are not read",
+                        std::to_string(header->height) + " pixels; more than 100 megapixels or 32000 pixels a side are not read",
                     "make it smaller");
     auto frame = decode(*bytes, *header);
     if (!frame)

@@ -154,8 +154,8 @@ Result<FrameFormat> streamFormat(const VideoInput &input)
     if (format.width <= 0 || format.height <= 0)
         return fail(ErrorCode::InvalidInput, what, "the size of its pictures could not be found out",
                     "copy it from the camera again");
-    if (static_cast<std::int64_t>(format.width) * format.height > libav::mostPixels)
-        return fail(ErrorCode::InvalidInput, what, "its pictures have more than 100 megapixels",
+    if (libav::isTooLarge(format.width, format.height))
+        return fail(ErrorCode::InvalidInput, what, "its pictures have more than 100 megapixels or 32000 pixels a side",
                     "convert it to a smaller size");
     if (!setChromaShifts(pixelFormat, format) || parameters.color_space == AVCOL_SPC_RGB ||
         parameters.color_space == AVCOL_SPC_YCGCO) {
@@ -182,7 +182,7 @@ void judgeByMost(const std::vector<std::vector<std::uint8_t>> &jpegs, FrameForma
     if (most == votes.end() || 2 * most->second <= jpegs.size() || most->first == layoutOf(format))
         return;
     const auto [width, height, shiftX, shiftY] = most->first;
-    if (std::int64_t(width) * height > libav::mostPixels)
+    if (libav::isTooLarge(width, height))
         return;
     format.width = width;
     format.height = height;

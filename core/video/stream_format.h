@@ -8,7 +8,7 @@
 namespace odo {
 
 /// What the stream and its container say about the frames. Errors: pixel format that is not 8-bit YUV or
-/// grey, more than 100 megapixels. `videoName` is for the error's words.
+/// grey, more than 100 megapixels or 32000 pixels a side.
 Result<FrameFormat> streamFormat(const VideoInput &input);
 
 /// How chroma is halved in a pixel format that frameOf takes; false for any other.

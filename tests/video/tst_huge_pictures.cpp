@@ -68,6 +68,8 @@ private Q_SLOTS:
         row("PNG 60000x2000", "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xea\x60\0\0\x07\xd0\x08\x02\0\0\0"s);
         row("JPEG 65000x65000", "\xff\xd8\xff\xe0\0\x04\0\0\xff\xc0\0\x11\x08\xfd\xe8\xfd\xe8\x03\0\0\0\0"s);
         row("PNM 99999x99999", "P6\n99999 99999 255\n"s);
+        row("PNM 32001x8", "P5 32001 8 255\n" + std::string(32001 * 8, 'x'));
+        row("PNM 8x32001", "P5 8 32001 255\n" + std::string(32001 * 8, 'x'));
     }
     void picturesAreRefusedByTheirHeader()
     {
@@ -77,8 +79,39 @@ private Q_SLOTS:
         const auto frame = readPicture(path("huge.png"));
         QVERIFY(!frame);
         QCOMPARE(frame.error().code, ErrorCode::InvalidInput);
-        QVERIFY2(frame.error().message().find("more than 100 megapixels are not read; make it smaller") != std::string::npos,
+        QVERIFY2(frame.error().message().find("more than 100 megapixels or 32000 pixels a side are not read; make it smaller") != std::string::npos,
                  frame.error().message().c_str());
+    }
+
+    void theLongestSideIsRead()
+    {
+        store("long.pgm", "P5 32000 8 255\n" + std::string(32000 * 8, 'x'));
+        const auto frame = readPicture(path("long.pgm"));
+        QVERIFY2(frame, frame ? "" : frame.error().message().c_str());
+        QCOMPARE(frame->y.width, 32000);
+    }
+
+    void aVideoOfLongerSidesIsRefused_data()
+    {
+        QTest::addColumn<int>("width");
+        QTest::addColumn<bool>("isRead");
+        QTest::newRow("the longest") << 32000 << true;
+        QTest::newRow("longer") << 32016 << false;
+    }
+    void aVideoOfLongerSidesIsRefused()
+    {
+        QFETCH(int, width);
+        QFETCH(bool, isRead);
+        FrameFormat format{width, 16};
+        format.fullRange = true;
+        VideoWriterOptions options;
+        options.codec = VideoCodec::Mjpeg;
+        QCOMPARE(writeCoded(path("long.mkv"), evenTimes(2, 30), options, format), QString());
+        const auto reader = VideoReader::open(path("long.mkv"));
+        QCOMPARE(reader.has_value(), isRead);
+        if (!isRead)
+            QCOMPARE(reader.error().message(), "cannot open the video " + path("long.mkv").string() +
+                                                   ": its pictures have more than 100 megapixels or 32000 pixels a side; convert it to a smaller size");
     }
 
     /// The header of the file says 192x96, that of each picture something else.

@@ -163,7 +163,7 @@ std::span<const CorePattern> errorsRest()
         {QT_TRANSLATE_NOOP("CoreWords", "check that its folder may be written to and has room")},
         {QT_TRANSLATE_NOOP("CoreWords", "check that the folder may be written to and has room")},
         {QT_TRANSLATE_NOOP("CoreWords", "writing has failed before")},
-        {QT_TRANSLATE_NOOP("CoreWords", "its pictures have more than 100 megapixels")},
+        {QT_TRANSLATE_NOOP("CoreWords", "its pictures have more than 100 megapixels or 32000 pixels a side")},
         {QT_TRANSLATE_NOOP("CoreWords", "convert it to a smaller size")},
         {QT_TRANSLATE_NOOP("CoreWords", "H.264 needs an even width and height, not %1")},
         {QT_TRANSLATE_NOOP("CoreWords", "use MJPEG or FFV1, or another size")},
