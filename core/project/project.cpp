@@ -45,7 +45,7 @@ Result<void> makeDatabase(const std::filesystem::path &file, const std::string &
     const QString id = QStringLiteral("PRAGMA application_id=%1").arg(projectApplicationId);
     if (auto done = (*connection)->execute(id); !done)
         return done;
-    const Migrator migrator(projectMigrations());
+    const Migrator &migrator = projectMigrator();
     if (auto made = migrator.create(**connection, migrator.newestVersion()); !made)
         return made;
     return setProperty(**connection, "title", title);
@@ -102,7 +102,7 @@ Result<std::unique_ptr<Project>> Project::create(const std::filesystem::path &fi
 
 Result<void> Project::checkHeader(const std::filesystem::path &file)
 {
-    return checkFileHeader(file, Migrator(projectMigrations()).newestVersion());
+    return checkFileHeader(file, projectMigrator().newestVersion());
 }
 
 namespace {
@@ -125,7 +125,7 @@ Result<void> bringUpToDate(const std::filesystem::path &file, int version)
 
 Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file, Access access)
 {
-    const Migrator migrator(projectMigrations());
+    const Migrator &migrator = projectMigrator();
     if (auto sound = checkFileHeader(file, migrator.newestVersion()); !sound)
         return tl::unexpected(namingABackup(sound.error(), file));
     auto connection = ProjectConnection::open(file, databaseAccess(file, access));

@@ -315,4 +315,10 @@ std::vector<Migration> projectMigrations()
             sqlMigration("members and robots of teams, zones and the archive of tasks, and imported tracks", teamsAndZones())};
 }
 
+const Migrator &projectMigrator()
+{
+    static const Migrator migrator(projectMigrations());
+    return migrator;
+}
+
 } // namespace odo

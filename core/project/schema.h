@@ -15,4 +15,7 @@ constexpr std::uint32_t projectApplicationId = 0x4f646f67;
 /// All steps of the schema that docs/project_file.md describes.
 std::vector<Migration> projectMigrations();
 
+/// Runs them. Kept, because making the steps takes longer than to open a small project. Any thread.
+const Migrator &projectMigrator();
+
 } // namespace odo

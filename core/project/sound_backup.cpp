@@ -16,7 +16,7 @@ namespace {
 
 bool isSound(const std::filesystem::path &backup)
 {
-    if (!checkFileHeader(backup, Migrator(projectMigrations()).newestVersion()))
+    if (!checkFileHeader(backup, projectMigrator().newestVersion()))
         return false;
     const auto connection = ProjectConnection::open(backup, DatabaseAccess::Immutable);
     if (!connection)
@@ -45,7 +45,7 @@ std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &
 
 Result<void> worthOpening(const std::filesystem::path &project)
 {
-    auto header = checkFileHeader(project, Migrator(projectMigrations()).newestVersion());
+    auto header = checkFileHeader(project, projectMigrator().newestVersion());
     if (!header && header.error().code == ErrorCode::InvalidInput && soundBackupOf(project))
         return {};
     return header;

@@ -53,7 +53,7 @@ class TestOldProjects : public QObject
     static void formats()
     {
         QTest::addColumn<int>("format");
-        for (int format = 1; format < Migrator(projectMigrations()).newestVersion(); ++format)
+        for (int format = 1; format < projectMigrator().newestVersion(); ++format)
             QTest::addRow("format %d", format) << format;
     }
 
@@ -81,7 +81,7 @@ private Q_SLOTS:
         const auto backup = old.string() + ".bak-" + std::to_string(format);
         QCOMPARE(number(backup, "PRAGMA user_version"), std::int64_t(format));
         QCOMPARE(number(backup, "SELECT COUNT(*) FROM trial"), std::int64_t(2));
-        QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(Migrator(projectMigrations()).newestVersion()));
+        QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(projectMigrator().newestVersion()));
         // Once brought up it is an ordinary project: no second backup, and it may be read alone.
         QVERIFY(Project::open(old, Access::ReadWrite).has_value());
         QVERIFY(Project::open(old, Access::ReadOnly).has_value());
@@ -97,7 +97,7 @@ private Q_SLOTS:
         QVERIFY2(opened.has_value(), opened ? "" : opened.error().message().c_str());
         QCOMPARE((*opened)->title().value(), std::string("Year 9, autumn – Übung"));
         QCOMPARE((*opened)->setTitle("x").error().code, ErrorCode::ReadOnly);
-        QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(Migrator(projectMigrations()).newestVersion()));
+        QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(projectMigrator().newestVersion()));
         QCOMPARE(number(old.string() + ".bak-" + std::to_string(format), "PRAGMA user_version"), std::int64_t(format));
     }
 
