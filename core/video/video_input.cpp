@@ -49,11 +49,21 @@ Result<void> checkOrdinaryFile(const std::filesystem::path &file)
 
 Result<std::unique_ptr<VideoInput>> VideoInput::open(const std::filesystem::path &file)
 {
+    return open(file, nullptr);
+}
+
+Result<std::unique_ptr<VideoInput>> VideoInput::openedAgain() const
+{
+    return open(m_file, m_container->iformat);
+}
+
+Result<std::unique_ptr<VideoInput>> VideoInput::open(const std::filesystem::path &file, const AVInputFormat *known)
+{
     libav::quieten();
     if (auto ordinary = checkOrdinaryFile(file); !ordinary)
         return tl::unexpected(ordinary.error());
     std::unique_ptr<VideoInput> input(new VideoInput(file));
-    if (auto opened = input->openContainer(); !opened)
+    if (auto opened = input->openContainer(known); !opened)
         return tl::unexpected(opened.error());
     if (auto found = input->findStream(); !found)
         return tl::unexpected(found.error());
@@ -66,7 +76,7 @@ VideoInput::~VideoInput()
     avio_closep(&m_io);
 }
 
-Result<void> VideoInput::openContainer()
+Result<void> VideoInput::openContainer(const AVInputFormat *known)
 {
     libav::Options ioOptions;
     ioOptions.set("protocol_whitelist", "file");
@@ -85,7 +95,7 @@ Result<void> VideoInput::openContainer()
     options.set("format_whitelist", ordinaryContainers);
     options.set("protocol_whitelist", "file");
     // Frees the context when it fails. That there is no memory libav also says of damaged lengths.
-    error = avformat_open_input(&m_container, nullptr, nullptr, options.get());
+    error = avformat_open_input(&m_container, nullptr, known, options.get());
     if (error < 0)
         return fail(ErrorCode::InvalidInput, couldNotOpen(m_file),
                     "it is not a video of a kind that is read, or its header is damaged or missing (" +

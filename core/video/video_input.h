@@ -16,6 +16,8 @@ class VideoInput
 public:
     /// Errors: missing, a folder or device, unreadable, not a video, no video stream.
     static Result<std::unique_ptr<VideoInput>> open(const std::filesystem::path &file);
+    /// The same file from its beginning, taken for the container that it was found to be.
+    Result<std::unique_ptr<VideoInput>> openedAgain() const;
     ~VideoInput();
     VideoInput(const VideoInput &) = delete;
     VideoInput &operator=(const VideoInput &) = delete;
@@ -37,7 +39,8 @@ public:
 
 private:
     explicit VideoInput(std::filesystem::path file) : m_file(std::move(file)) {}
-    Result<void> openContainer();
+    static Result<std::unique_ptr<VideoInput>> open(const std::filesystem::path &file, const AVInputFormat *known);
+    Result<void> openContainer(const AVInputFormat *known);
     Result<void> findStream();
 
     std::filesystem::path m_file;

@@ -99,7 +99,7 @@ struct VideoReader::Impl
 /// From the very beginning, in a way that works with every container.
 Result<void> VideoReader::Impl::restart()
 {
-    auto reopened = VideoInput::open(file);
+    auto reopened = input->openedAgain();
     if (!reopened)
         return tl::unexpected(reopened.error());
     input = std::move(*reopened);
