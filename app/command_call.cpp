@@ -41,7 +41,7 @@ CommandCall::CommandCall(CommandSyntax syntax, CancelToken cancel) : m_syntax(st
     m_parser.addOptions(m_syntax.options);
     m_parser.addOption({QStringLiteral("json"), QStringLiteral("Print one JSON object and nothing else.")});
     m_parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")});
-    m_control.cancel = cancel;
+    m_control.cancel = std::move(cancel);
     if (isatty(STDERR_FILENO)) {
         m_control.progress = [terminal = std::make_shared<TerminalProgress>()](double fraction, const std::string &text) {
             terminal->show(fraction, text);
@@ -78,7 +78,7 @@ std::vector<std::string> CommandCall::texts(const QString &option) const
 
 Result<double> CommandCall::lengthM(const QString &option) const
 {
-    const auto length = parseLengthM(value(option));
+    auto length = parseLengthM(value(option));
     if (!length || *length <= 0)
         return wrongCall(QStringLiteral("--%1 '%2' is not a length above zero").arg(option, m_parser.value(option)));
     return length;
@@ -86,7 +86,7 @@ Result<double> CommandCall::lengthM(const QString &option) const
 
 Result<double> CommandCall::number(const QString &option) const
 {
-    const auto number = parseNumber(value(option));
+    auto number = parseNumber(value(option));
     if (!number)
         return wrongCall(QStringLiteral("--%1 '%2' is not a number").arg(option, m_parser.value(option)));
     return number;

@@ -9,7 +9,7 @@
 namespace odo {
 
 /// A task with the fields that a task file has (core/exchange/task_file.h), and its name.
-QJsonObject taskJson(const TaskRecord &task);
+QJsonObject taskJson(const TaskRecord &record);
 
 /// What a task adds to a robot's answer: gates, laps, and path where there is one.
 void insertTaskAnswers(QJsonObject &robot, const Profile &profile);

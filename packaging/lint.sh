@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Has clang-tidy (.clang-tidy) and clazy look through the sources and prints what they find; docs/testing.md says what for.
 # The status is 0 if nothing was found, 1 otherwise. Nothing is compiled but precompiled headers.
-#   packaging/lint.sh                     all of core, ui, app and tests: some two hours of one processor
-#   packaging/lint.sh FILE|FOLDER...      these alone
+#   packaging/lint.sh                     all of core, ui, app and tests: an hour of one processor
+#   packaging/lint.sh FILE|FOLDER...      these, with what is compiled in one go with them
 #   packaging/lint.sh --changed COMMIT    what differs from COMMIT; of a changed header, the source of its name
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
@@ -20,16 +20,27 @@ packaging/install_packages.sh
 packaging/install_packages.sh packages_quality.txt
 cmake --preset lint >/dev/null # anew, for files that have come since
 
-# The sources that are built, of those asked for.
+# A unit is what clang compiles in one go: a test, or a file of CMake's that includes up to sixteen sources, by which what all of them
+# include is looked through once. Lists the sources of ours in one.
+sources_of() {
+    if [[ $1 = */Unity/* ]]; then sed -n 's/^#include "\(.*\)"/\1/p' "$1"; else echo "$1"; fi | grep -E "^$PWD/(core|ui|app|tests)/" || true
+}
+
+# Those that hold something of what is asked for.
 mapfile -t paths < <(realpath -m "${paths[@]:-.}")
+units=()
 sources=()
-while read -r source; do
+while read -r unit; do
+    mapfile -t within < <(sources_of "$unit")
     for path in "${paths[@]}"; do
-        [[ $source = "$path" || $source = "$path"/* ]] && { sources+=("$source"); break; }
+        if printf '%s\n' "${within[@]}" | grep -qE "^$path(/|\$)"; then
+            units+=("$unit")
+            sources+=("${within[@]}")
+            break
+        fi
     done
-done < <(sed -n 's/^ *"file": "\(.*\)".*/\1/p' build/lint/compile_commands.json |
-    grep -E "^$PWD/(core|ui|app|tests)/" | sort -u)
-[ ${#sources[@]} -gt 0 ] || { echo "lint.sh: ${paths[*]}: no source that is built; name files or folders of the tree" >&2; exit 2; }
+done < <(sed -n 's/^ *"file": "\(.*\)".*/\1/p' build/lint/compile_commands.json | sort -u)
+[ ${#units[@]} -gt 0 ] || { echo "lint.sh: ${paths[*]}: no source that is built; name files or folders of the tree" >&2; exit 2; }
 
 # What they include beside themselves and headers: the precompiled headers, and what moc makes of a test.
 mapfile -t mocs < <(ninja -C build/lint -t targets all | sed -n 's/^\(tests\/.*\.moc\): .*/\1/p')
@@ -52,7 +63,7 @@ export CLAZY_LIST=level1,no-connect-non-signal,no-non-pod-global-static,containe
 heap-allocated-small-trivial-type,thread-with-slots,signal-with-return-value,tr-non-literal,missing-qobject-macro,\
 base-class-event,old-style-connect,assert-with-side-effects
 
-# Prints what both find in one source, in one go. clazy brings the warnings of the compiler with it.
+# Prints what both find in one unit, in one go. clazy brings the warnings of the compiler with it.
 look() {
     local found
     found=$({
@@ -65,7 +76,7 @@ export -f look
 
 findings=$(mktemp)
 trap 'rm -f "$findings"' EXIT
-printf '%s\0' "${sources[@]}" | xargs -0 -P "$(nproc)" -n 1 bash -c 'look "$1"' look | tee "$findings"
+printf '%s\0' "${units[@]}" | xargs -0 -P "$(nproc)" -n 1 bash -c 'look "$1"' look | tee "$findings"
 count=$({ grep -E ':[0-9]+:[0-9]+: (warning|error): ' "$findings" || true; } | sort -u | wc -l)
 echo "${#sources[@]} sources, $count findings."
 [ "$count" -eq 0 ]

@@ -23,7 +23,7 @@ Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &canc
         if (!record)
             return tl::unexpected(record.error());
         json.insert(QStringLiteral("intrinsics"), intrinsicsJson(record->calibration.intrinsics));
-    } else if (const auto written = exportIntrinsics(**project, call.text(2), call.text(3)); !written) {
+    } else if (auto written = exportIntrinsics(**project, call.text(2), call.text(3)); !written) {
         return written;
     }
     call.answer(json, importing ? QStringLiteral("Camera %1 has new intrinsics.").arg(call.positional(2))

@@ -66,7 +66,7 @@ Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
     if (canKeep && done)
         done = job.commit(**project);
     else if (canKeep && done.error().code == ErrorCode::Undetermined)
-        if (const auto kept = keepNotTold(**project, call.value(option::camera), done.error()); !kept)
+        if (auto kept = keepNotTold(**project, call.value(option::camera), done.error()); !kept)
             return kept;
     if (!done)
         return done;

@@ -68,7 +68,7 @@ Result<void> runRevisions(const QStringList &arguments, const CancelToken &cance
     if (!project)
         return tl::unexpected(project.error());
     if (call.isSet(option::use))
-        if (const auto done = chooseRevision(**project, call.text(1), chosen->first, chosen->second); !done)
+        if (auto done = chooseRevision(**project, call.text(1), chosen->first, chosen->second); !done)
             return done;
     const auto revisions = revisionsOf(**project, call.text(1));
     if (!revisions)

@@ -37,7 +37,7 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
         return call.wrongCall(QStringLiteral("--mode is review, compare, history or testbed"));
     if (auto applied = applyLanguage(call); !applied)
         return applied;
-    const auto painted = paintWorkbench(call.text(0), call.text(1), *shown,
+    auto painted = paintWorkbench(call.text(0), call.text(1), *shown,
                                         QSize(int(wanted->first), int(wanted->second)), call.value(option::output));
     if (!painted)
         return painted;

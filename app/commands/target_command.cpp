@@ -67,7 +67,7 @@ Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel)
     if (!spec)
         return tl::unexpected(spec.error());
     const QString file = QString::fromStdString(call.value(option::output));
-    if (const auto written = writeTargetPdf(*spec, file); !written)
+    if (auto written = writeTargetPdf(*spec, file); !written)
         return written;
     call.answer({{QStringLiteral("file"), file}, {QStringLiteral("sheets"), isBoard(spec->kind) ? 1 : int(spec->labels.size())}},
                 QStringLiteral("Wrote %1. Print it at 100 % and check its ruler.").arg(file));

@@ -39,7 +39,8 @@ public:
     void tryAbout(const Vector2d &middle, const Vector2d &halfSize, int across)
     {
         for (int i = 0; i < across * across; ++i) {
-            const Vector2d share(2.0 * (i % across) / (across - 1) - 1, 2.0 * (i / across) / (across - 1) - 1);
+            const int row = i / across;
+            const Vector2d share(2.0 * (i % across) / (across - 1) - 1, 2.0 * row / (across - 1) - 1);
             tryPlace(middle + halfSize.cwiseProduct(share));
         }
     }

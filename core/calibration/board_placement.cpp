@@ -48,7 +48,7 @@ Vector2d slopeAt(const Eigen::Matrix3d &pixelFromBoard, const Vector2d &middle)
         pixelByBoard.col(column) =
             (pixelFromBoard.col(column).head<2>() - image.head<2>() / w * pixelFromBoard(2, column)) / w;
     const Eigen::JacobiSVD<Matrix2d> svd(pixelByBoard, Eigen::ComputeFullU);
-    const Vector2d scales = svd.singularValues();
+    const Vector2d &scales = svd.singularValues();
     if (!(scales.y() > 0))
         return Vector2d::Zero();
     const double angle = std::acos(std::clamp(scales.y() / scales.x(), 0.0, 1.0)) * degreesPerRadian / fullSlopeDegrees;

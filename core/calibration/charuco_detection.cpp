@@ -142,7 +142,7 @@ BoardView refined(const cv::Mat &luma, const std::vector<ForetoldCorner> &corner
         if ((pixel - corner.pixel).norm() > half)
             continue;
         view.pixels.push_back(pixel);
-        view.pointsOnBoard.push_back(spec.squareM * (corner.pointInSquares - Vector2d(1, 1)));
+        view.pointsOnBoard.emplace_back(spec.squareM * (corner.pointInSquares - Vector2d(1, 1)));
     }
     return view;
 }
@@ -158,7 +158,7 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
     cv::Mat inverted;
     cv::bitwise_not(luma, inverted);
     std::size_t mostMarkers = 0;
-    for (const cv::Mat *picture : {&luma, static_cast<const cv::Mat *>(&inverted)}) {
+    for (const cv::Mat *picture : {&luma, &std::as_const(inverted)}) {
         for (const NamedDictionary &dictionary : dictionaries) {
             const std::vector<ReadMarker> markers = readMarkers(*picture, dictionary);
             mostMarkers = std::max(mostMarkers, markers.size());

@@ -86,7 +86,7 @@ std::vector<Vector2d> edgePoints(const cv::Mat &luma, const EllipseOutline &abou
         if (from.x() < reach + 1 || from.y() < reach + 1 || from.x() > luma.cols - reach - 2 || from.y() > luma.rows - reach - 2)
             continue;
         if (const auto edge = edgeAhead(luma, from, outwards, reach, brighterOutside))
-            points.push_back(from + *edge * outwards);
+            points.emplace_back(from + *edge * outwards);
     }
     return points;
 }

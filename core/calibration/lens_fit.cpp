@@ -92,9 +92,9 @@ class Fit
 {
 public:
     Fit(const std::vector<BoardView> &views, const LensStart &start)
-        : m_views(views), m_intrinsics(start.intrinsics)
+        : m_views(views), m_intrinsics(start.intrinsics),
+          m_lens{start.intrinsics.fxPx, start.intrinsics.fyPx, start.intrinsics.cxPx, start.intrinsics.cyPx}
     {
-        m_lens = {start.intrinsics.fxPx, start.intrinsics.fyPx, start.intrinsics.cxPx, start.intrinsics.cyPx};
         std::copy(start.intrinsics.distortion.begin(), start.intrinsics.distortion.end(), m_lens.begin() + 4);
         for (const RigidTransform &pose : start.cameraFromBoard)
             m_poses.push_back(parametersOf(pose));

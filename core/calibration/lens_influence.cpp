@@ -56,7 +56,7 @@ std::vector<Eigen::Vector2d> usedPixels(const FloorRegistration &registration,
 FloorView floorViewOf(const FloorRegistration &registration, const CameraModel &camera,
                       const std::vector<MarkerPixel> &pixels)
 {
-    const FloorView exact(camera, registration.worldFromCamera, registration.poseCovariance);
+    FloorView exact(camera, registration.worldFromCamera, registration.poseCovariance);
     if (camera.intrinsics().covariance.size() == 0)
         return exact;
     std::vector<Eigen::Vector2d> places;

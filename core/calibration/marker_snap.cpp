@@ -242,7 +242,7 @@ std::optional<SnappedMarker> nearestOfEdges(const Frame &frame, const Vector2d &
 
 SnappedMarker snapToMarker(const Frame &frame, const Vector2d &near, double reachPx)
 {
-    const SnappedMarker click{SnappedMarker::Kind::None, near, clickSigmaPx};
+    SnappedMarker click{SnappedMarker::Kind::None, near, clickSigmaPx};
     if (frame.y.data == nullptr || !near.allFinite() || near.x() < 0 || near.y() < 0 ||
         near.x() > frame.y.width - 1 || near.y() > frame.y.height - 1)
         return click;

@@ -109,7 +109,7 @@ std::optional<StraightEdge> measured(const cv::Mat &picture, const std::vector<V
     for (const Vector2d &point : rough) {
         const Vector2d onLine = point - normal.dot(point - middle) * normal;
         if (const auto edge = edgeAhead(picture, onLine, normal, 2.5, true); edge && std::abs(*edge) < 1.5)
-            points.push_back(onLine + *edge * normal);
+            points.emplace_back(onLine + *edge * normal);
     }
     points = awayFromEnds(std::move(points), {-normal.y(), normal.x()});
     for (int pass = 0; pass < 2 && points.size() >= leastPoints; ++pass) {

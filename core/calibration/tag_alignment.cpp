@@ -115,9 +115,9 @@ struct TagState
 
 struct Sample
 {
-    double error; ///< seen less foretold
+    double error = 0; ///< seen less foretold
     Row by;
-    double foretold, seen;
+    double foretold = 0, seen = 0;
 };
 
 class Alignment

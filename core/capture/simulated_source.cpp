@@ -53,7 +53,7 @@ private:
 class BoardSource : public SimulatedSource
 {
 public:
-    BoardSource(CameraDescription description, CameraModel camera, SimulatedBoard board, std::vector<RigidTransform> poses,
+    BoardSource(CameraDescription description, CameraModel camera, const SimulatedBoard &board, std::vector<RigidTransform> poses,
                 Pace::Kind pace)
         : SimulatedSource(std::move(description), pace), m_camera(std::move(camera)), m_board(board), m_poses(std::move(poses))
     {
@@ -92,7 +92,8 @@ private:
     double timeOf(std::uint64_t sequence) const override
     {
         const auto frames = static_cast<std::uint64_t>(m_renderer.frameCount());
-        return static_cast<double>(sequence / frames) * m_scene.durationS +
+        const std::uint64_t rounds = sequence / frames;
+        return static_cast<double>(rounds) * m_scene.durationS +
                frameSceneTime(m_scene, m_camera, static_cast<std::int64_t>(sequence % frames));
     }
 
@@ -103,7 +104,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<CameraSource> simulatedBoardSource(CameraDescription description, CameraModel camera, SimulatedBoard board,
+std::unique_ptr<CameraSource> simulatedBoardSource(CameraDescription description, CameraModel camera, const SimulatedBoard &board,
                                                    std::vector<RigidTransform> cameraFromBoard, Pace::Kind pace)
 {
     return std::make_unique<BoardSource>(std::move(description), std::move(camera), board, std::move(cameraFromBoard), pace);

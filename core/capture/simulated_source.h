@@ -9,7 +9,7 @@ namespace odo {
 
 /// A camera before which somebody holds a board: in each pose for a second, then moving on to the next within half a
 /// second; from the start again after the last.
-std::unique_ptr<CameraSource> simulatedBoardSource(CameraDescription description, CameraModel camera, SimulatedBoard board,
+std::unique_ptr<CameraSource> simulatedBoardSource(CameraDescription description, CameraModel camera, const SimulatedBoard &board,
                                                    std::vector<RigidTransform> cameraFromBoard, Pace::Kind pace);
 
 /// A camera of a scene, which begins anew when it is over. Cameras that are told one start see it at one time.

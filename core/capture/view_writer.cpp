@@ -180,7 +180,7 @@ Result<void> ViewWriter::checkDisk(bool isBegun)
                      "make room, or move the project to another disk; what was recorded so far is kept");
 }
 
-Result<void> ViewWriter::write(Output &output, const CodedFrame &frame)
+Result<void> ViewWriter::write(Output &output, const CodedFrame &frame) const
 {
     if (!output.writer) {
         auto writer = RecordingWriter::create(m_recording.file, frame.format, m_nominalFramesPerSecond);

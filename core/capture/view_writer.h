@@ -70,7 +70,7 @@ private:
         Nanoseconds since;
     };
     void write();
-    Result<void> write(Output &output, const CodedFrame &frame);
+    Result<void> write(Output &output, const CodedFrame &frame) const;
     void note(const CodedFrame &frame);
     void leaveOutWhatIsNotInTheFile();
     std::optional<Waiting> waitForNext();

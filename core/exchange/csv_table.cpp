@@ -161,7 +161,7 @@ Result<double> csvNumber(const std::filesystem::path &file, const CsvRow &row, s
 
 std::string csvText(const std::string &text, char delimiter)
 {
-    const std::string safe = isToBeMarked(text) ? "'" + text : text;
+    std::string safe = isToBeMarked(text) ? "'" + text : text;
     const bool plain = safe.find_first_of(std::string("\"\r\n") + delimiter) == std::string::npos;
     if (plain)
         return safe;

@@ -99,7 +99,7 @@ private:
         const auto node = entry(parent, key);
         if (!node)
             return tl::unexpected(node.error());
-        const auto value = number(**node, key);
+        auto value = number(**node, key);
         if (!value)
             return value;
         const double metres = fromMillimetres(*value); // which may be zero where the millimetres are not

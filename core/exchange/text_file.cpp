@@ -18,7 +18,7 @@ Result<void> checkEncoding(const std::string &what, const QByteArray &bytes)
         return fail(ErrorCode::InvalidInput, what, "it is written in UTF-16",
                     "save it again as \"CSV UTF-8\" or as a UTF-8 text");
     QStringDecoder decoder(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
-    const QString decoded = decoder(bytes);
+    static_cast<void>(QString(decoder(bytes)));
     if (decoder.hasError() || bytes.contains('\0'))
         return fail(ErrorCode::InvalidInput, what, "it is not a UTF-8 text file",
                     "save it again as UTF-8 text");

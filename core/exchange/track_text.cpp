@@ -25,7 +25,7 @@ std::string javaNumber(double value)
 {
     char text[64];
     const auto [end, problem] = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific);
-    const std::string number(text, problem == std::errc() ? end : text);
+    std::string number(text, problem == std::errc() ? end : text);
     const std::size_t e = number.find('e');
     if (e == std::string::npos)
         return number;

@@ -23,7 +23,7 @@ public:
     /// bisection.
     double limit() const;
     /// The argument whose value is given, in [0, limit]; nullopt where the curve does not reach it.
-    std::optional<double> inverse(double value, double limit) const;
+    std::optional<double> inverse(double wanted, double limit) const;
 
 private:
     std::array<double, 8> m_k;

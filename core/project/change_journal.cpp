@@ -163,9 +163,9 @@ Result<void> ChangeJournal::apply(const Bytes &rows, const std::string &what, co
                                   ChangeEntry::Kind kind)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        const int code =
-            sqlite3changeset_apply(m_connection.handle(), static_cast<int>(rows.size()),
-                                   const_cast<std::byte *>(rows.data()), nullptr, abortOnConflict, nullptr);
+        // SQLite reads them only, whatever it asks for.
+        auto *bytes = const_cast<std::byte *>(rows.data()); // NOLINT(cppcoreguidelines-pro-type-const-cast): see above
+        const int code = sqlite3changeset_apply(m_connection.handle(), static_cast<int>(rows.size()), bytes, nullptr, abortOnConflict, nullptr);
         if (code == SQLITE_ABORT || code == SQLITE_CONSTRAINT)
             return fail(ErrorCode::InvalidInput, what + " '" + words + "'",
                         "what it concerns has been changed or used since",

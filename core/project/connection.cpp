@@ -179,17 +179,16 @@ Result<std::int64_t> ProjectConnection::number(const QString &sql) const
     return *found ? statement.integer(0) : 0;
 }
 
-void ProjectConnection::checkpoint()
+void ProjectConnection::checkpoint() const
 {
     const std::lock_guard turn(writeTurn());
     sqlite3_wal_checkpoint_v2(handle(), nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
 }
 
 Statement::Statement(const ProjectConnection &connection, const QString &sql)
-    : m_connection(connection), m_query(connection.database())
+    : m_connection(connection), m_query(connection.database()), m_prepared(m_query.prepare(sql))
 {
     m_query.setForwardOnly(true);
-    m_prepared = m_query.prepare(sql);
 }
 
 Statement &Statement::bind(std::int64_t value)

@@ -49,7 +49,7 @@ struct ProjectConnection
     Result<std::int64_t> number(const QString &sql) const;
 
     /// Writes the log back into the file, so that the closed project is one file again.
-    void checkpoint();
+    void checkpoint() const;
 
 private:
     friend class Transaction;

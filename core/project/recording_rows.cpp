@@ -177,7 +177,7 @@ std::string storedPath(const std::filesystem::path &projectFile, const std::file
 
 std::filesystem::path absolutePath(const std::filesystem::path &projectFile, const std::string &path)
 {
-    const std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
+    std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
     if (normal.is_absolute())
         return normal;
     return folderOf(projectFile) / (climbsOut(normal) ? normal.filename() : normal);

@@ -151,7 +151,7 @@ Result<void> TaskRepository::moveAll(RecordId from, RecordId to)
 Result<TaskRecord> TaskRepository::change(const TaskRecord &task)
 {
     return transact(m_connection, [&]() -> Result<TaskRecord> {
-        const auto before = get(task.id);
+        auto before = get(task.id);
         if (!before || isSameCourse(before->task, task.task))
             return before;
         const auto version = versionName(m_connection, before->name);
@@ -159,7 +159,7 @@ Result<TaskRecord> TaskRepository::change(const TaskRecord &task)
             return tl::unexpected(version.error());
         if (auto named = setName(m_connection, before->id, *version); !named)
             return tl::unexpected(named.error());
-        const auto added = add({0, before->name, task.task, before->archived});
+        auto added = add({0, before->name, task.task, before->archived});
         if (!added)
             return added;
         if (auto moved = moveAll(before->id, added->id); !moved)

@@ -40,7 +40,7 @@ Result<TrialRecord> TrialRepository::begin(const TrialRecord &trial,
                                            const std::vector<RecordingRecord> &recordings)
 {
     return transact(m_connection, [&]() -> Result<TrialRecord> {
-        const auto added = add(trial, recordings);
+        auto added = add(trial, recordings);
         if (!added)
             return added;
         Statement update(m_connection, QStringLiteral("UPDATE trial SET state='recording' WHERE id=?"));

@@ -19,7 +19,7 @@ double headingOf(const Eigen::Vector2d &direction)
 class LineMotion : public Motion
 {
 public:
-    LineMotion(Eigen::Vector2d start, Eigen::Vector2d end, double startS, double durationS)
+    LineMotion(Eigen::Vector2d start, const Eigen::Vector2d &end, double startS, double durationS)
         : m_start(std::move(start)), m_way(end - m_start), m_startS(startS), m_durationS(durationS)
     {
         assert(durationS > 0);
@@ -254,8 +254,7 @@ std::shared_ptr<const Motion> makeVelocityMotion(Eigen::Vector2d start, double h
     return std::make_shared<VelocityMotion>(std::move(start), headingRad, std::move(changes));
 }
 
-std::shared_ptr<const Motion> makeStopAndGoMotion(std::vector<Eigen::Vector2d> points, double legS,
-                                                  double pauseS)
+std::shared_ptr<const Motion> makeStopAndGoMotion(const std::vector<Eigen::Vector2d> &points, double legS, double pauseS)
 {
     return std::make_shared<StopAndGoMotion>(points, legS, pauseS);
 }

@@ -41,8 +41,7 @@ std::shared_ptr<const Motion> makeEllipseMotion(Eigen::Vector2d centre, double h
                                                 double periodS, double phaseRad, double rampS);
 /// Legs between way points, each a smooth ramp of legS after a stop of pauseS; while it stops between two
 /// legs it turns on the spot towards the next.
-std::shared_ptr<const Motion> makeStopAndGoMotion(std::vector<Eigen::Vector2d> points, double legS,
-                                                  double pauseS);
+std::shared_ptr<const Motion> makeStopAndGoMotion(const std::vector<Eigen::Vector2d> &points, double legS, double pauseS);
 /// Twice continuously differentiable spline through points at equal time steps, at rest at both ends: knot
 /// velocities and accelerations of the clamped cubic spline, joined by quintics.
 std::shared_ptr<const Motion> makeSplineMotion(std::vector<Eigen::Vector2d> points, double stepS);

@@ -66,7 +66,7 @@ std::vector<Eigen::Vector3d> PictureOutline::clipped(std::vector<Eigen::Vector3d
             if (da >= 0)
                 kept.push_back(a);
             if ((da >= 0) != (db >= 0))
-                kept.push_back(a + (b - a) * (da / (da - db)));
+                kept.emplace_back(a + (b - a) * (da / (da - db)));
         }
         polygon = std::move(kept);
     }

@@ -37,7 +37,7 @@ std::vector<Eigen::Vector2d> grown(const std::vector<Eigen::Vector2d> &outline, 
         const int steps = outline.size() > 8 ? 0 : arcSteps;
         for (int k = 0; k <= steps; ++k) {
             const double angle = from + (steps > 0 ? turn * k / steps : turn / 2);
-            result.push_back(corner + marginM * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+            result.emplace_back(corner + marginM * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
         }
     }
     return result;

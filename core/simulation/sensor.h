@@ -50,7 +50,7 @@ private:
     int m_width, m_height, m_chromaWidth, m_chromaHeight;
     std::uint64_t m_key;
     FrameFormat m_format;
-    Kernel m_across, m_down;
+    Kernel m_across{}, m_down{};
     Planes m_now, m_still;
     std::vector<std::int16_t> m_lumaNoise,
         m_chromaNoise; ///< empty without noise; chroma's is filtered across

@@ -73,7 +73,7 @@ void ChromaDensity::blur(int times)
     const auto mixed = [](float before, float here, float after) {
         return 0.25f * before + 0.5f * here + 0.25f * after;
     };
-    std::array<float, binCount> once;
+    std::array<float, binCount> once{};
     for (int pass = 0; pass < times; ++pass) {
         for (std::size_t row = 0; row < binCount; row += n) {
             const float *from = &m_bins[row];
@@ -149,8 +149,8 @@ float ChromaDensity::interpolated(const Chroma &chroma, const Support &support) 
 
 ChromaDensity ChromaDensity::underOtherLight(double low, double high) const
 {
-    std::array<double, lightSteps> light;
-    std::array<float, lightSteps> trust;
+    std::array<double, lightSteps> light{};
+    std::array<float, lightSteps> trust{};
     for (int i = 0; i < lightSteps; ++i) {
         const double part = static_cast<double>(i) / (lightSteps - 1);
         light[i] = std::exp(std::log(low) + part * std::log(high / low));

@@ -84,7 +84,7 @@ void EdgeFinder::begin(const Frame &frame, const ChromaGrid &grid, const Outline
 
 EdgeFinder::Lines EdgeFinder::gather(const ScanLine *lines, int count) const
 {
-    Lines all;
+    Lines all{};
     for (int k = 0; k < EdgeProfiles::lines; ++k) {
         const ScanLine *line = lines + std::min(k, count - 1);
         all.line[static_cast<std::size_t>(k)] = line;

@@ -30,7 +30,7 @@ inline Float4 magnitudeOf(Float4 values)
 
 /// The samples of a plane along four scan lines, as running sums: the mean over any stretch of them costs
 /// nothing. Places are luma pixels along the line.
-class EdgeProfiles
+class EdgeProfiles // NOLINT(cppcoreguidelines-pro-type-member-init): each edge makes one, and sets what it reads
 {
 public:
     static constexpr int lines = 4, mostSamples = 24;

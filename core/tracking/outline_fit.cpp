@@ -98,7 +98,7 @@ void OutlineFit::putOutliersAside()
         // No edge strays from the median of such as lie closer together, whatever it is.
         if (!m_edges[own].good || m_most[own] + m_least[own] < stray)
             continue;
-        std::array<float, 2 * reach + 1> around;
+        std::array<float, 2 * reach + 1> around{};
         int count = 0;
         for (int k = 0; k <= 2 * reach; ++k) {
             const float outward = m_outwards[own + static_cast<std::size_t>(k)];

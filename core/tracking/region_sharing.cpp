@@ -131,8 +131,8 @@ public:
         }
         std::vector<Eigen::Vector2d> centres;
         for (std::size_t i = 0; i < m_shifts.size(); ++i)
-            centres.push_back(m_silhouettes[i].predicted +
-                              Eigen::Vector2d(m_shifts[i].x - m_start[i].x, m_shifts[i].y - m_start[i].y));
+            centres.emplace_back(m_silhouettes[i].predicted +
+                                 Eigen::Vector2d(m_shifts[i].x - m_start[i].x, m_shifts[i].y - m_start[i].y));
         return centres;
     }
 

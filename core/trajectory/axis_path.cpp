@@ -16,7 +16,7 @@ constexpr double binRad = std::numbers::pi / axisBins;
 /// Cost of a turn by so many bins within a time.
 std::array<float, axisBins> turnCosts(double dt)
 {
-    std::array<float, axisBins> costs;
+    std::array<float, axisBins> costs{};
     const double sigma = turnSigmaRadPerS * dt + leastStepSigmaRad;
     for (std::size_t turn = 0; turn < axisBins; ++turn) {
         const auto bins = static_cast<double>(std::min(turn, axisBins - turn));

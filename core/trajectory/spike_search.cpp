@@ -280,12 +280,12 @@ private:
 
 } // namespace
 
-SpikeSearch searchSpikes(std::span<const TrackNode> measured, MotionNoise noise, double maxSpeedMps)
+SpikeSearch searchSpikes(std::span<const TrackNode> track, MotionNoise noise, double maxSpeedMps)
 {
-    std::vector<TrackNode> track(measured.begin(), measured.end());
-    for (TrackNode &node : track)
+    std::vector<TrackNode> widened(track.begin(), track.end());
+    for (TrackNode &node : widened)
         node.covariance.diagonal().array() += leastSigmaM * leastSigmaM / noise.measurementScale;
-    return Search(track, noise, maxSpeedMps).run();
+    return Search(widened, noise, maxSpeedMps).run();
 }
 
 } // namespace odo

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/h264_siting.h"
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace odo {
@@ -103,10 +105,8 @@ void skipHighProfileFields(BitReader &reader)
 
 bool isHighProfile(unsigned profile)
 {
-    for (const unsigned high : {100U, 110U, 122U, 244U, 44U, 83U, 86U, 118U, 128U, 138U, 139U, 134U, 135U})
-        if (profile == high)
-            return true;
-    return false;
+    constexpr std::array high{100U, 110U, 122U, 244U, 44U, 83U, 86U, 118U, 128U, 138U, 139U, 134U, 135U};
+    return std::ranges::find(high, profile) != high.end();
 }
 
 /// Everything of the parameter set before vui_parameters_present_flag.

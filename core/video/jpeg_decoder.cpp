@@ -124,7 +124,7 @@ void JpegDecoder::Impl::decodeWhole(std::uint8_t *memory)
 {
     decoder.raw_data_out = TRUE;
     jpeg_start_decompress(&decoder);
-    std::array<std::array<JSAMPROW, mostBlockPixels>, 3> rows;
+    std::array<std::array<JSAMPROW, mostBlockPixels>, 3> rows{};
     std::array<JSAMPARRAY, 3> image{rows[0].data(), rows[1].data(), rows[2].data()};
     const int unitRows = decoder.max_v_samp_factor * DCTSIZE;
     while (decoder.output_scanline < decoder.output_height) {

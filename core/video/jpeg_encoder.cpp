@@ -46,7 +46,7 @@ std::optional<TJSAMP> samplingOf(const FrameFormat &format)
 
 struct JpegEncoder::Impl
 {
-    int quality;
+    int quality = 0;
     tjhandle handle = tjInitCompress();
     std::array<std::vector<std::uint8_t>, 3> stretched;
     std::vector<std::uint8_t> coded;

@@ -163,7 +163,7 @@ bool hasItsEnd(const FileContent &jpeg)
 {
     const std::string_view text(reinterpret_cast<const char *>(jpeg.data()), jpeg.size());
     const std::size_t scan = text.rfind("\xff\xda"), end = text.rfind("\xff\xd9");
-    return scan != text.npos && end != text.npos && scan < end;
+    return scan != std::string_view::npos && end != std::string_view::npos && scan < end;
 }
 
 /// As the pictures of a video: what is suitable by libjpeg-turbo, which tells what is damaged.

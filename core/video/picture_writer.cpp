@@ -38,7 +38,7 @@ Result<PackedPicture> packed(const PlaneView &rows, AVPixelFormat pixels)
     picture->width = rows.width;
     picture->height = rows.height;
     picture->format = pixels;
-    picture->data[0] = const_cast<std::uint8_t *>(rows.data); // is only read
+    picture->data[0] = const_cast<std::uint8_t *>(rows.data); // NOLINT(cppcoreguidelines-pro-type-const-cast): is only read
     picture->linesize[0] = static_cast<int>(rows.stride);
     const libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
     if (!codec || libav::checked(avcodec_open2(encoder.get(), codec, options.get())) < 0 ||

@@ -113,7 +113,8 @@ Result<void> RecordingWriter::write(std::span<const std::uint8_t> jpeg, Nanoseco
     if (!d.container)
         return d.problem("writing has failed before");
     const libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
-    packet->data = const_cast<std::uint8_t *>(jpeg.data()); // not owned, so that the muxer only reads it
+    // Not owned, so that the muxer only reads it.
+    packet->data = const_cast<std::uint8_t *>(jpeg.data()); // NOLINT(cppcoreguidelines-pro-type-const-cast): see above
     packet->size = static_cast<int>(jpeg.size());
     packet->flags = AV_PKT_FLAG_KEY;
     packet->stream_index = d.stream->index;

@@ -67,7 +67,7 @@ struct VideoWriter::Impl
     Result<void> openContainer();
     Result<void> addStream();
     Result<void> encode(const AVFrame *picture);
-    Result<void> mux(AVPacket *packet);
+    Result<void> mux(AVPacket *packet) const;
     Result<void> muxThroughFilter(AVPacket *packet);
     int closeFile();
     Nanoseconds duration() const;
@@ -126,7 +126,7 @@ Result<void> VideoWriter::Impl::addStream()
     return {};
 }
 
-Result<void> VideoWriter::Impl::mux(AVPacket *packet)
+Result<void> VideoWriter::Impl::mux(AVPacket *packet) const
 {
     packet->stream_index = stream->index;
     if (packet->duration == 0)

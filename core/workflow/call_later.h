@@ -19,6 +19,7 @@ template <class Call> class CallOnItsWay
 {
 public:
     explicit CallOnItsWay(Call call) : m_call(std::move(call)) {}
+    // NOLINTNEXTLINE(performance-noexcept-move-constructor): may throw what the call's own may
     CallOnItsWay(CallOnItsWay &&other) noexcept(std::is_nothrow_move_constructible_v<Call>)
         : m_call(std::move(other.m_call))
     {

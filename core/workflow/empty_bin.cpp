@@ -46,7 +46,7 @@ Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial)
     if (!known || !known->binned) // another window has removed it, or taken it out of the bin
         return {};
     std::vector<std::string> paths;
-    const auto removed = project.note("remove " + trial.name + " for good", [&]() -> Result<void> {
+    auto removed = project.note("remove " + trial.name + " for good", [&]() -> Result<void> {
         auto files = project.trials().removeForGood(trial.id);
         if (!files)
             return tl::unexpected(files.error());

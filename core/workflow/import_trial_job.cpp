@@ -251,7 +251,7 @@ Result<void> ImportTrialJob::copyVideo(std::size_t view, const JobControl &contr
 
 Result<void> ImportTrialJob::commit(Project &project)
 {
-    const auto committed = project.note("import trial " + m_settings.trial, [&]() -> Result<void> {
+    auto committed = project.note("import trial " + m_settings.trial, [&]() -> Result<void> {
         for (RecordingRecord &recording : m_recordings) {
             const auto camera = findOrAddCamera(project, recording.cameraName);
             if (!camera)

@@ -49,7 +49,7 @@ public:
     /// or else the one that was driven last.
     NextRun run(const std::string &className, const std::string &team) const;
     /// The run of who comes after the team in its class, from the first again after the last; the task stays.
-    NextRun next(const NextRun &run) const;
+    NextRun next(const NextRun &before) const;
     /// Who is up when the sitting begins: after the team of the newest trial; with no team at all a run
     /// without one.
     NextRun first() const;

@@ -122,7 +122,7 @@ Result<void> LiveTrial::appendPending(Project &project) const
 /// What is pending, in one transaction.
 Result<void> LiveTrial::store(Project &project)
 {
-    const auto stored = project.inTransaction([&]() -> Result<void> {
+    auto stored = project.inTransaction([&]() -> Result<void> {
         if (auto appended = appendPending(project); !appended)
             return appended;
         Nanoseconds longest{0};
@@ -190,7 +190,7 @@ Result<void> LiveTrial::commit(Project &project)
                     problem ? problem->advice
                             : "check that they are connected and not used by another program");
     }
-    const auto completed = project.note("record " + m_trial.name, [&]() -> Result<void> {
+    auto completed = project.note("record " + m_trial.name, [&]() -> Result<void> {
         if (auto appended = appendPending(project); !appended)
             return appended;
         describeTrial(m_trial, m_recordings);
@@ -211,7 +211,7 @@ Result<void> LiveTrial::discard(Project &project)
     if (m_recording)
         m_session.stopRecording();
     m_recording = false;
-    const auto removed = project.inTransaction([&]() -> Result<void> {
+    auto removed = project.inTransaction([&]() -> Result<void> {
         if (auto done = project.trials().removeUnfinished(m_trial.id); !done)
             return done;
         for (const RecordId camera : m_newCameras) {

@@ -18,8 +18,9 @@ constexpr const char *roomAdvice = "check the free space and the rights of the p
 /// Of what files may be called letters and digits of any script, '-' and '_' stay; the rest could mean something to a shell.
 QString safeName(const std::string &name)
 {
+    const QString whole = QString::fromStdString(fileNameOf(name)).left(80);
     QString safe;
-    for (const QChar c : QString::fromStdString(fileNameOf(name)).left(80))
+    for (const QChar c : whole)
         safe += c.isLetterOrNumber() || c == u'-' || c == u'_' ? c : QChar(u'_');
     return safe;
 }

@@ -115,7 +115,7 @@ Result<void> RegisterJob::findInPictures(const JobControl &control)
     }
     tl::unexpected<Error> lastProblem = fail(ErrorCode::Undetermined, what, "the video has no picture", "give another file");
     int looked = 0;
-    const auto visited = visitPictures(m_settings.pictureFile, videoStep, [&](const Frame &frame, const std::string &name) {
+    auto visited = visitPictures(m_settings.pictureFile, videoStep, [&](const Frame &frame, const std::string &name) {
         control.report(double(looked) / mostPictures, "looking for the markers in " + name);
         if (!m_intrinsicsKnown) {
             m_intrinsics.widthPx = frame.format.width;
@@ -194,7 +194,7 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
 
 Result<void> RegisterJob::commit(Project &project)
 {
-    const auto committed = project.note("register camera " + m_settings.camera, [&]() -> Result<void> {
+    auto committed = project.note("register camera " + m_settings.camera, [&]() -> Result<void> {
         const auto stored = storeRegistration(project, m_settings.camera, m_record);
         if (!stored)
             return tl::unexpected(stored.error());

@@ -22,7 +22,7 @@ Result<RegistrationRecord> storeRegistration(Project &project, const std::string
 Result<RegistrationRecord> storeFromOldMarkers(Project &project, const std::string &camera, RegistrationRecord record,
                                                const std::optional<RegistrationCheck> &lastCheck)
 {
-    const auto stored = storeRegistration(project, camera, std::move(record));
+    auto stored = storeRegistration(project, camera, std::move(record));
     if (!stored || !lastCheck)
         return stored;
     if (auto added = project.cameras().addCheck(stored->id, *lastCheck); !added)

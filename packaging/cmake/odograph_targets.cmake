@@ -8,7 +8,7 @@ target_compile_options(odograph_options INTERFACE -Wall -Wextra -Wpedantic -Wnon
 if(CMAKE_UNITY_BUILD)
   # Sources that are compiled as one see one another's names: what is local to a file is not warned of here, but in the presets
   # that compile each by itself.
-  target_compile_options(odograph_options INTERFACE -Wshadow=local -Wno-subobject-linkage)
+  target_compile_options(odograph_options INTERFACE "$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local;-Wno-subobject-linkage>")
 else()
   target_compile_options(odograph_options INTERFACE -Wshadow)
 endif()

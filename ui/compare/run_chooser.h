@@ -24,7 +24,7 @@ public:
 
     void setChoices(QList<RunChoice> choices);
     /// Emits nothing. Runs that are not among the choices are left out.
-    void setRuns(const std::vector<CompareSettings::Run> &runs);
+    void setRuns(const std::vector<CompareSettings::Run> &wanted);
     std::vector<CompareSettings::Run> runs() const;
     std::optional<AlignBy> alignBy() const;
     double shiftS() const;

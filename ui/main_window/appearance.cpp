@@ -67,8 +67,8 @@ QString styleSheetOf(const QPalette &palette)
 bool desktopIsDark(QApplication &application)
 {
     // Without a palette of ours the application shows the desktop's (Qt 6.4 has no other way to ask for it).
-    application.setPalette(QPalette());
-    return isDark(application.palette());
+    QApplication::setPalette(QPalette());
+    return isDark(QApplication::palette());
 }
 
 } // namespace
@@ -97,12 +97,12 @@ void applyAppearance(QApplication &application, Theme theme)
 {
     // Under a style sheet the style's name is empty, so the first call is told by the sheet.
     if (application.styleSheet().isEmpty()) {
-        application.setStyle(new FramedStyle);
-        application.setWindowIcon(themeIcon(QStringLiteral("odograph")));
+        QApplication::setStyle(new FramedStyle);
+        QApplication::setWindowIcon(themeIcon(QStringLiteral("odograph")));
     }
     const bool dark = theme == Theme::System ? desktopIsDark(application) : theme == Theme::Dark;
     const QPalette palette = dark ? darkPalette() : lightPalette();
-    application.setPalette(palette);
+    QApplication::setPalette(palette);
     application.setStyleSheet(styleSheetOf(palette));
 }
 

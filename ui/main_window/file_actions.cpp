@@ -129,7 +129,7 @@ void FileActions::beginRestoring(const std::filesystem::path &file)
 
 Result<void> FileActions::open(const std::filesystem::path &file)
 {
-    const Result<void> opened = m_workspace.open(file);
+    Result<void> opened = m_workspace.open(file);
     if (opened)
         m_recent.add(file);
     return opened;

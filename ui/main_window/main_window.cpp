@@ -320,7 +320,7 @@ void MainWindow::beginOpening(const std::filesystem::path &file)
 
 Result<void> MainWindow::openProject(const std::filesystem::path &file)
 {
-    const Result<void> opened = m_files->open(file);
+    Result<void> opened = m_files->open(file);
     if (opened)
         m_pages->makeAll();
     return opened;

@@ -228,7 +228,7 @@ void ProjectPages::show(Mode mode)
 
 Result<void> ProjectPages::showTrial(const std::string &name)
 {
-    const Result<void> done = review().showTrial(QString::fromStdString(name));
+    Result<void> done = review().showTrial(QString::fromStdString(name));
     if (done)
         show(Mode::Review);
     return done;

@@ -89,7 +89,7 @@ ReportChoices ReportActions::choices() const
     for (const TaskRecord &task : project.tasks().current().value_or(std::vector<TaskRecord>()))
         choices.tasks << QString::fromStdString(task.name);
     if (const auto scorings = project.tasks().scorings(); scorings && !scorings->empty())
-        choices.figures.push_back(scoreMetric);
+        choices.figures.emplace_back(scoreMetric);
     for (std::string &name : tellingNames(project.analyses().metricNames().value_or(std::vector<std::string>())))
         choices.figures.push_back(std::move(name));
     return choices;

@@ -52,7 +52,7 @@ QStringList namesOf(const Result<std::vector<Record>> &records)
 QString freeTrialName(const QStringList &taken)
 {
     for (int number = static_cast<int>(taken.size()) + 1;; ++number) {
-        const QString name = TrialActions::tr("Trial %1").arg(number);
+        QString name = TrialActions::tr("Trial %1").arg(number);
         if (!taken.contains(name))
             return name;
     }

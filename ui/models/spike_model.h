@@ -32,9 +32,9 @@ private:
     QVariant heading(int column, int role) const override;
     struct Row
     {
-        int robot;
+        int robot = 0;
         Spike spike;
-        bool restored;
+        bool restored = false;
     };
     void addUsedByHand(int robot, const Profile &profile);
     QVariant display(const Row &row, int column) const;

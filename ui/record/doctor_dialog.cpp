@@ -32,7 +32,7 @@ Badge badgeOf(SetupFinding::Verdict verdict)
 } // namespace
 
 DoctorDialog::DoctorDialog(const RunningCameras &cameras, QWidget *parent)
-    : QDialog(parent), m_cameras(cameras), m_facts(new FactList), m_words(new QLabel), m_again(nullptr)
+    : QDialog(parent), m_cameras(cameras), m_facts(new FactList), m_words(new QLabel)
 {
     setWindowTitle(tr("Set-up doctor"));
     m_words->setWordWrap(true);

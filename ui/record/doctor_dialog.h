@@ -31,7 +31,7 @@ private:
     const RunningCameras &m_cameras;
     FactList *m_facts;
     QLabel *m_words;
-    QPushButton *m_again;
+    QPushButton *m_again = nullptr;
     BackgroundTask m_task;
 };
 

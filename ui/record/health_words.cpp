@@ -155,11 +155,11 @@ QString troubleWords(const CaptureHealth &health, const std::vector<WantedCamera
         }
         return QString();
     };
-    if (const QString words = firstOf(&ViewHealth::trouble); !words.isEmpty())
+    if (QString words = firstOf(&ViewHealth::trouble); !words.isEmpty())
         return words;
     if (health.sleep)
         return errorSentence(health.sleep->error);
-    if (const QString words = firstOf(&ViewHealth::slow); !words.isEmpty())
+    if (QString words = firstOf(&ViewHealth::slow); !words.isEmpty())
         return words;
     if (health.disk.recording && health.disk.waiting >= 0.5)
         return RecordHealthWords::tr(

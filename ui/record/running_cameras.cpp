@@ -168,7 +168,7 @@ void RunningCameras::showPictures()
     }
 }
 
-void RunningCameras::deliver(LivePicture picture)
+void RunningCameras::deliver(const LivePicture &picture)
 {
     m_onItsWay[picture.view] = false;
     if (m_session && picture.view < m_cameras.size())

@@ -81,7 +81,7 @@ private:
     void adopt(quint64 generation, const std::shared_ptr<Sources> &opened);
     void onWorker(std::function<void()> work);
     void showPictures();
-    void deliver(LivePicture picture);
+    void deliver(const LivePicture &picture);
 
     const Open m_open;
     QThread m_thread;

@@ -56,12 +56,11 @@ QString trialFacts(const TrialScene &scene)
 } // namespace
 
 AnnotatedPicture::AnnotatedPicture(TrialScenePtr scene, AnnotatedLook look)
-    : m_scene(std::move(scene)), m_look(std::move(look))
+    : m_scene(std::move(scene)), m_look(std::move(look)), m_topSpeedMps(topSpeedMps(*m_scene))
 {
     m_scale = std::min(m_look.sizePx.width() / leastWidth, m_look.sizePx.height() / leastHeight);
     layOut();
     m_plan = {m_scene->floorBounds(), m_map.size()};
-    m_topSpeedMps = topSpeedMps(*m_scene);
     if (m_chart.isEmpty())
         return;
     std::vector<std::vector<double>> places;
@@ -129,7 +128,8 @@ void AnnotatedPicture::layOutViews(const QRectF &room)
     const double width = (room.width() - pictureGap * double(inARow - 1)) / double(inARow),
                  height = (room.height() - pictureGap * double(rows - 1)) / double(rows);
     for (std::size_t view = 0; view < count; ++view) {
-        const double column = double(view % inARow), row = double(view / inARow);
+        const std::size_t above = view / inARow;
+        const double column = double(view % inARow), row = double(above);
         m_views.push_back(snapped(QRectF(room.left() + column * (width + pictureGap),
                                          room.top() + row * (height + pictureGap), width, height),
                                   m_scale));

@@ -98,7 +98,7 @@ public:
     {
     }
     void paintRanking(const QRectF &sheet, const RankingPart &part);
-    void paintTeam(const QRectF &sheet, std::size_t team);
+    void paintTeam(const QRectF &sheet, std::size_t index);
 
 private:
     QRectF paintFrame(const QRectF &sheet, const QString &title, const QStringList &facts, int page, int pages);

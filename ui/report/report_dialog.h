@@ -68,7 +68,7 @@ private:
     const QList<ReportSubject> m_subjects;
     const ReportChoices m_choices;
     ReportSettings m_settings;
-    QComboBox *m_subject, *m_class, *m_task, *m_figure, *m_paper;
+    QComboBox *m_subject = nullptr, *m_class = nullptr, *m_task = nullptr, *m_figure = nullptr, *m_paper = nullptr;
     QCheckBox *m_teams, *m_method;
     QLabel *m_remark;
     QPushButton *m_save, *m_print;

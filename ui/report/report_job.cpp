@@ -22,7 +22,7 @@ Result<void> ReportJob::run(const JobControl &control)
     if (!project)
         return tl::unexpected(project.error());
     const std::unique_ptr<PageOutput> output = std::move(m_output); // gone with what it holds, however this ends
-    const auto made = m_maker(**project, control, [&](const ReportPage &page) -> Result<void> {
+    auto made = m_maker(**project, control, [&](const ReportPage &page) -> Result<void> {
         ++m_pageCount;
         return output->add(page);
     });

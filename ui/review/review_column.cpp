@@ -72,7 +72,7 @@ Card *ReviewColumn::makeTrackCard()
     return card;
 }
 
-void ReviewColumn::setScene(TrialScenePtr scene)
+void ReviewColumn::setScene(const TrialScenePtr &scene)
 {
     const bool tracked = scene && isTracked(*scene);
     m_track->setVisible(scene && !tracked);

@@ -22,7 +22,7 @@ class ReviewColumn : public QWidget
 public:
     /// chooser: stands at the top.
     ReviewColumn(Timeline &timeline, QWidget *chooser, QWidget *parent = nullptr);
-    void setScene(TrialScenePtr scene);
+    void setScene(const TrialScenePtr &scene);
     RangeCard &range() const { return *m_range; }
 
     SpikeList &spikes() const { return *m_spikes; }

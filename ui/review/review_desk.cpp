@@ -71,7 +71,7 @@ void ReviewDesk::setViewCount(std::size_t count)
     }
 }
 
-void ReviewDesk::setScene(TrialScenePtr scene)
+void ReviewDesk::setScene(const TrialScenePtr &scene)
 {
     const std::size_t viewCount = scene ? scene->views.size() : 0;
     const bool changed = viewCount != m_views.size();

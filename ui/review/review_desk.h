@@ -28,7 +28,7 @@ public:
     explicit ReviewDesk(Timeline &timeline, QWidget *parent = nullptr);
 
     /// A null scene clears.
-    void setScene(TrialScenePtr scene);
+    void setScene(const TrialScenePtr &scene);
     bool isSettled() const;
     /// What charts and map show: more, less, all, against time or distance; the views' disagreement.
     QList<QAction *> chartActions() const;

@@ -25,7 +25,7 @@ class TrialFactsWords
 
 QString robotText(const SceneRobot &robot)
 {
-    const QString name = QString::fromStdString(robot.robot.name);
+    QString name = QString::fromStdString(robot.robot.name);
     if (!robot.analysis || robot.analysis->views.empty()) // an imported track tells no height
         return name;
     const QString height = lengthText(robot.analysis->profile.heightM);

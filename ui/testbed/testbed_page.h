@@ -74,7 +74,7 @@ private:
     QListWidget *m_layoutList;
     CameraView *m_view;
     FactList *m_facts;
-    Card *m_factCard;
+    Card *m_factCard = nullptr;
     FloorSketch *m_sketch;
     Card *m_sketchCard;
     QCheckBox *m_showAccuracy;

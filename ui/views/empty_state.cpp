@@ -50,7 +50,7 @@ QLabel *wrapped(const QString &text, const QString &name, QWidget *parent)
 } // namespace
 
 EmptyState::EmptyState(const QString &icon, const QString &headline, const QString &text, QWidget *parent)
-    : QWidget(parent), m_layout(nullptr), m_buttons(new QVBoxLayout)
+    : QWidget(parent), m_buttons(new QVBoxLayout)
 {
     // A column of fixed width, in which wrapped labels get the height that they need.
     auto *column = new QWidget(this);

@@ -22,7 +22,7 @@ public:
     void addWidget(QWidget *widget);
 
 private:
-    QVBoxLayout *m_layout;
+    QVBoxLayout *m_layout = nullptr;
     QVBoxLayout *m_buttons;
     bool m_hasButton = false;
 };

@@ -38,7 +38,7 @@ public:
     double framesPerSecond() const { return m_framesPerSecond; } ///< as the driver has set it
     /// The oldest full buffer, or the errno: EAGAIN where none is full, ENODEV unplugged, EIO the stream has
     /// broken.
-    int take(Buffer &buffer);
+    int take(Buffer &taken);
     /// 0 or the errno.
     int giveBack(unsigned index);
 

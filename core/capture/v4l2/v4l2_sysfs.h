@@ -5,10 +5,8 @@
 #include <string>
 #include <vector>
 
-namespace odo {
-
 /// What the kernel tells of a V4L2 node without its being opened; by its number, as in /dev/video0.
-namespace v4l2Sysfs {
+namespace odo::v4l2Sysfs {
 
 /// Of all nodes there are, in their order.
 std::vector<int> nodeNumbers();
@@ -21,6 +19,4 @@ std::string indexOf(const std::filesystem::path &node);
 /// Of the USB device that the node belongs to; empty where it has none.
 std::string serialOf(const std::filesystem::path &node);
 
-} // namespace v4l2Sysfs
-
-} // namespace odo
+} // namespace odo::v4l2Sysfs

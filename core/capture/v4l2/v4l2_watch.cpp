@@ -34,7 +34,7 @@ void V4l2Watch::stop()
 
 void V4l2Watch::forgetChanges() const
 {
-    std::array<char, 4096> events;
+    std::array<char, 4096> events{};
     while (read(m_nodes, events.data(), events.size()) > 0) {
     }
 }

@@ -88,7 +88,7 @@ void addContour(const SketchedAccuracy &accuracy, int column, int row, double le
         if (std::isnan(a) || std::isnan(b))
             return;
         if ((a < levelM) != (b < levelM))
-            crossings.push_back(grid.at(c0, r0) + (levelM - a) / (b - a) * (grid.at(c1, r1) - grid.at(c0, r0)));
+            crossings.emplace_back(grid.at(c0, r0) + (levelM - a) / (b - a) * (grid.at(c1, r1) - grid.at(c0, r0)));
     }
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
         lines.emplace_back(crossings[i], crossings[i + 1]);

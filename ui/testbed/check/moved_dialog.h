@@ -56,7 +56,7 @@ private:
     void addRow(int row);
     void offerLive(const LiveCameras &live);
     void offerLive(int row, const CameraDescription &live);
-    void choosePicture(int row, int choice);
+    void choosePicture(int row, int index);
     void checkAll();
     void checkNext();
     void finishOne(const std::shared_ptr<Job> &job, const std::optional<Error> &error);

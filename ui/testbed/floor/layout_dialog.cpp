@@ -41,7 +41,7 @@ QString freeName(QString name, const QStringList &taken)
     if (!taken.contains(name))
         return name;
     for (int number = 2;; ++number)
-        if (const QString next = QStringLiteral("%1 (%2)").arg(name).arg(number); !taken.contains(next))
+        if (QString next = QStringLiteral("%1 (%2)").arg(name).arg(number); !taken.contains(next))
             return next;
 }
 

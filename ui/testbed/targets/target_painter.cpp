@@ -149,7 +149,7 @@ Result<void> writeTargetPdf(const TargetSpec &spec, const QString &file)
     pdf.setResolution(printResolution);
     pdf.setCreator(QStringLiteral("Odograph"));
     pdf.setTitle(title(spec, sheets->front()));
-    if (const auto printed = printTarget(pdf, spec, *sheets); !printed)
+    if (auto printed = printTarget(pdf, spec, *sheets); !printed)
         return printed;
     if (!output.commit())
         return failed();

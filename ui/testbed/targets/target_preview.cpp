@@ -58,7 +58,8 @@ void TargetPreview::paintEvent(QPaintEvent *)
     const QPointF start(0.5 * (width() - columns * sheetPx.width() - (columns - 1) * gapPx),
                         0.5 * (height() - rows * sheetPx.height() - (rows - 1) * gapPx));
     for (int i = 0; i < count; ++i) {
-        const QPointF corner = start + QPointF((i % columns) * (sheetPx.width() + gapPx), (i / columns) * (sheetPx.height() + gapPx));
+        const int row = i / columns;
+        const QPointF corner = start + QPointF((i % columns) * (sheetPx.width() + gapPx), row * (sheetPx.height() + gapPx));
         painter.save();
         painter.translate(corner);
         painter.setPen(colours.border);

@@ -39,7 +39,7 @@ QString templateName(TaskTemplate kind)
 }
 
 TemplateForm::TemplateForm(QWidget *parent)
-    : QWidget(parent), m_form(new QFormLayout(this)), m_kind(new QComboBox), m_poles(new QSpinBox)
+    : QWidget(parent), m_form(new QFormLayout(this)), m_kind(new QComboBox), m_direction(new NumberBox), m_poles(new QSpinBox)
 {
     m_form->setContentsMargins(0, 0, 0, 0);
     m_form->setVerticalSpacing(5);
@@ -52,7 +52,6 @@ TemplateForm::TemplateForm(QWidget *parent)
         place->setMinimum(-mostMm);
     m_length = addLength(tr("&Length"));
     m_width = addLength(tr("&Width"));
-    m_direction = new NumberBox;
     m_direction->setRange(-360, 360);
     m_direction->setDecimals(0);
     m_direction->setSuffix(QStringLiteral("°"));
