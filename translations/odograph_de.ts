@@ -7381,6 +7381,10 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
 <context>
     <name>ReportStills</name>
     <message>
+        <source>no picture: the video cannot be read</source>
+        <translation>kein Bild: Das Video kann nicht gelesen werden</translation>
+    </message>
+    <message>
         <source>no picture: the video is missing</source>
         <translation>kein Bild: Das Video fehlt</translation>
     </message>

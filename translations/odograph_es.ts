@@ -7381,6 +7381,10 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
 <context>
     <name>ReportStills</name>
     <message>
+        <source>no picture: the video cannot be read</source>
+        <translation>sin imagen: no se puede leer el video</translation>
+    </message>
+    <message>
         <source>no picture: the video is missing</source>
         <translation>sin imagen: falta el video</translation>
     </message>

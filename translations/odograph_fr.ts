@@ -7381,6 +7381,10 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
 <context>
     <name>ReportStills</name>
     <message>
+        <source>no picture: the video cannot be read</source>
+        <translation>pas d’image&#xa0;: la vidéo ne peut pas être lue</translation>
+    </message>
+    <message>
         <source>no picture: the video is missing</source>
         <translation>pas d’image&#xa0;: la vidéo manque</translation>
     </message>

@@ -7376,6 +7376,10 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
 <context>
     <name>ReportStills</name>
     <message>
+        <source>no picture: the video cannot be read</source>
+        <translation>사진 없음: 동영상을 읽을 수 없음</translation>
+    </message>
+    <message>
         <source>no picture: the video is missing</source>
         <translation>사진 없음: 동영상을 찾을 수 없음</translation>
     </message>

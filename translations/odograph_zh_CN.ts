@@ -7376,6 +7376,10 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 <context>
     <name>ReportStills</name>
     <message>
+        <source>no picture: the video cannot be read</source>
+        <translation>无画面：视频无法读取</translation>
+    </message>
+    <message>
         <source>no picture: the video is missing</source>
         <translation>无画面：视频缺失</translation>
     </message>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/sound_backup.h"
 
+#include "core/base/folder_names.h"
 #include "core/project/connection.h"
 #include "core/project/file_header.h"
 #include "core/project/quick_check.h"
@@ -32,11 +33,12 @@ std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &
     const std::filesystem::path folder = project.has_parent_path() ? project.parent_path() : std::filesystem::path(".");
     std::vector<std::pair<std::filesystem::file_time_type, std::filesystem::path>> backups;
     std::error_code problem;
-    for (auto file = std::filesystem::directory_iterator(folder, problem); !problem && file != std::filesystem::directory_iterator();
-         file.increment(problem)) {
-        const auto written = std::filesystem::last_write_time(file->path(), problem);
-        if (!problem && file->path().filename().string().starts_with(start))
-            backups.emplace_back(written, file->path());
+    for (const std::string &name : namesIn(folder, problem)) {
+        if (!name.starts_with(start))
+            continue;
+        const auto written = std::filesystem::last_write_time(folder / name, problem);
+        if (!problem)
+            backups.emplace_back(written, folder / name);
     }
     std::ranges::sort(backups, std::greater());
     const auto sound = std::ranges::find_if(backups, [](const auto &backup) { return isSound(backup.second); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/pack_job.h"
 
+#include "core/base/folder_names.h"
 #include "core/project/own_media.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
@@ -21,18 +22,27 @@ bool belongs(const std::filesystem::path &file)
     return file.extension() != ".lock" && file.extension() != ".part";
 }
 
+void addFilesBelow(const std::filesystem::path &folder, const std::filesystem::path &media, std::vector<std::filesystem::path> &files,
+                   std::error_code &problem)
+{
+    const std::vector<std::string> names = namesIn(folder, problem);
+    for (auto name = names.begin(); !problem && name != names.end(); ++name) {
+        const std::filesystem::path file = folder / *name;
+        std::error_code leadsNowhere; // of a link
+        if (std::filesystem::is_directory(std::filesystem::symlink_status(file, problem)))
+            addFilesBelow(file, media, files, problem);
+        else if (std::filesystem::is_regular_file(file, leadsNowhere) && belongs(file) && isOwnMedia(file, media))
+            files.push_back(file);
+    }
+}
+
 /// All that belongs to a project's media; none where there is no folder. Links that lead out of it are left. A folder that
 /// cannot be read is an error, for what lies in it would be missing.
 Result<std::vector<std::filesystem::path>> filesIn(const std::filesystem::path &folder)
 {
     std::vector<std::filesystem::path> files;
     std::error_code problem;
-    for (std::filesystem::recursive_directory_iterator file(folder, problem), end; !problem && file != end; file.increment(problem)) {
-        if (file->is_regular_file(problem) && belongs(file->path()) && isOwnMedia(file->path(), folder))
-            files.push_back(file->path());
-        if (problem)
-            break;
-    }
+    addFilesBelow(folder, folder, files, problem);
     if (problem && problem != std::errc::no_such_file_or_directory)
         return fail(ErrorCode::Io, "pack '" + folder.string() + "'", problem.message(), "check that it is there and may be read");
     return files;

@@ -169,11 +169,24 @@ void TestPackJob::aLinkOutOfTheMediaFolderIsLeftOut()
 {
     write("elsewhere/diary.txt", "private");
     QVERIFY(QFile::link(path("elsewhere/diary.txt"), path("school/lesson.media/diary.txt")));
+    QVERIFY(QFile::link(path("elsewhere"), path("school/lesson.media/elsewhere")));
+    QVERIFY(QFile::link(path("nowhere"), path("school/lesson.media/nowhere")));
+    QVERIFY(QDir(path("school/lesson.media")).mkpath(QStringLiteral("below")));
+    write("school/lesson.media/below/a.txt", "a");
+    QStringList many; // in whatever order they are found, some come after the link
+    for (int i = 0; i < 20; ++i)
+        many += QStringLiteral("lesson.media/%1.txt").arg(i);
+    for (const QString &name : many)
+        write(qPrintable(QStringLiteral("school/") + name), "z");
     PackJob job(file("lesson.zip"));
     QVERIFY(runToEnd(job, *m_project, {}));
     QVERIFY(unpackArchive(file("lesson.zip"), file("home"), {}));
     QVERIFY(QFile::exists(path("home/lesson.media/run_2.mkv"))); // its video, and of the same content
-    QVERIFY(!QFile::exists(path("home/lesson.media/diary.txt")));
+    QVERIFY(QFile::exists(path("home/lesson.media/below/a.txt")));
+    for (const QString &name : many)
+        QVERIFY2(QFile::exists(path("home/") + name), qPrintable(name));
+    for (const char *left : {"diary.txt", "elsewhere", "nowhere"})
+        QVERIFY2(!QFile::exists(path("home/lesson.media/") + QString::fromLatin1(left)), left);
 }
 
 void TestPackJob::notWhileATrialIsRecorded()

@@ -34,8 +34,9 @@ QRectF drawStill(QPainter &painter, const QRectF &rect, const TrialScene &scene,
     painter.setClipRect(box);
     if (still.picture.isNull()) {
         painter.fillRect(box, colours.pictureGround);
-        drawLine(painter, box, ReportStillsWords::tr("no picture: the video is missing"),
-                 reportFont(smallSize), colours.muted, Qt::AlignCenter);
+        const QString why = still.isVideoThere ? ReportStillsWords::tr("no picture: the video cannot be read")
+                                               : ReportStillsWords::tr("no picture: the video is missing");
+        drawLine(painter, box, why, reportFont(smallSize), colours.muted, Qt::AlignCenter);
     } else {
         painter.drawImage(box, still.picture);
         const double scale = box.width() / recording.widthPx;

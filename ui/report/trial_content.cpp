@@ -50,6 +50,8 @@ std::vector<Still> takeStills(const TrialScene &scene, const Readers &readers, N
 {
     std::vector<Still> stills(scene.views.size());
     forEachView(scene, [&](std::size_t view) {
+        std::error_code problem;
+        stills[view].isVideoThere = std::filesystem::exists(scene.views[view].file, problem);
         const auto frame = scene.frameAt(view, time);
         if (!frame)
             return;

@@ -21,7 +21,8 @@ class Project;
 struct Still
 {
     std::int64_t frame = 0;
-    QImage picture; ///< null: it cannot be had
+    QImage picture;            ///< null: it cannot be had
+    bool isVideoThere = false; ///< whatever of it can be read
 };
 
 /// The views of a trial at a moment, at this width. Any thread; slow (decodes, the views beside one another).

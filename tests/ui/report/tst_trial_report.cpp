@@ -124,6 +124,17 @@ private Q_SLOTS:
         QVERIFY(text.contains(QStringLiteral("has not been tracked yet")));
         QVERIFY(text.contains(QStringLiteral("the video is missing")));
     }
+    void whyAPictureIsLackingIsSaid()
+    {
+        auto scene = exampleCopy();
+        QVERIFY(scene->views.size() == 2);
+        QFile damaged(m_folder.filePath(QStringLiteral("damaged.mkv")));
+        QVERIFY(damaged.open(QIODevice::WriteOnly) && damaged.write("no video") > 0 && damaged.flush());
+        scene->views.front().file = damaged.fileName().toStdString();
+        const QString text = printedText(printed(trialPages(contentOf(scene), {})));
+        QCOMPARE(text.count(QStringLiteral("no picture: the video cannot be read")), 1);
+        QCOMPARE(text.count(QStringLiteral("no picture: the video is missing")), 1);
+    }
     void viewsCanBeOneOrNone()
     {
         auto scene = exampleCopy();
