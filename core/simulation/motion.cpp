@@ -223,10 +223,10 @@ private:
 
 } // namespace
 
-std::shared_ptr<const Motion> makeLineMotion(Eigen::Vector2d start, Eigen::Vector2d end, double startS,
+std::shared_ptr<const Motion> makeLineMotion(Eigen::Vector2d start, const Eigen::Vector2d &end, double startS,
                                              double durationS)
 {
-    return std::make_shared<LineMotion>(std::move(start), std::move(end), startS, durationS);
+    return std::make_shared<LineMotion>(std::move(start), end, startS, durationS);
 }
 
 std::shared_ptr<const Motion> makeCircleMotion(Eigen::Vector2d centre, double radiusM, double speedMps,

@@ -27,7 +27,7 @@ public:
 };
 
 /// Stands, then runs from start to end with a smooth (quintic) ramp, then stands.
-std::shared_ptr<const Motion> makeLineMotion(Eigen::Vector2d start, Eigen::Vector2d end, double startS,
+std::shared_ptr<const Motion> makeLineMotion(Eigen::Vector2d start, const Eigen::Vector2d &end, double startS,
                                              double durationS);
 /// Circles anticlockwise from centre + (radius, 0), starting from rest over rampS to the steady angular
 /// speed.

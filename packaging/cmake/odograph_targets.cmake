@@ -59,6 +59,7 @@ function(odograph_precompiled kind)
 endfunction()
 
 function(odograph_precompile target kind)
+  target_link_libraries(${target} PRIVATE Eigen3::Eigen tl::expected) # where clang finds what plain_headers names
   target_precompile_headers(${target} REUSE_FROM odograph_pch_${kind})
 endfunction()
 

@@ -66,7 +66,7 @@ private Q_SLOTS:
         QVERIFY(requests > 0);
         for (std::uint64_t nth = 1; nth <= requests; ++nth) {
             const FailingRequest one(Scarce::Memory, nth);
-            QVERIFY_EXCEPTION_THROWN(namesIn(folder, problem), std::bad_alloc);
+            QVERIFY_THROWS_EXCEPTION(std::bad_alloc, namesIn(folder, problem));
         }
     }
 };

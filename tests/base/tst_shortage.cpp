@@ -45,8 +45,8 @@ private Q_SLOTS:
     {
         QCOMPARE(orShortage("", []() -> Result<int> { return 7; }).value(), 7);
         QCOMPARE(orShortage("", []() -> Result<int> { return fail(ErrorCode::Io, "a", "b", "c"); }).error().what, std::string("a"));
-        QVERIFY_EXCEPTION_THROWN(orShortage("", []() -> Result<int> { throw std::logic_error("x"); }), std::logic_error);
-        QVERIFY_EXCEPTION_THROWN(orShortage("", []() -> Result<int> { throw std::system_error(EACCES, std::generic_category()); }), std::system_error);
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, orShortage("", []() -> Result<int> { throw std::logic_error("x"); }));
+        QVERIFY_THROWS_EXCEPTION(std::system_error, orShortage("", []() -> Result<int> { throw std::system_error(EACCES, std::generic_category()); }));
     }
 
     void aThreadThatIsNotToBeHadIsAnError()
@@ -84,7 +84,7 @@ private Q_SLOTS:
                 throw std::bad_alloc();
             ++done;
         };
-        QVERIFY_EXCEPTION_THROWN(sideBySide(4, work), std::bad_alloc);
+        QVERIFY_THROWS_EXCEPTION(std::bad_alloc, sideBySide(4, work));
         QCOMPARE(done.load(), 3);
     }
 };

@@ -40,10 +40,10 @@ std::vector<BoardView> seenBoards()
     for (const RigidTransform &pose : heldBoardPoses(camera, board, pictures, 3)) {
         views.push_back({"picture" + std::to_string(views.size()), board.columns, board.rows, {}, {}});
         for (int i = 0; i < board.columns * board.rows; ++i) {
-            const Eigen::Vector2d point(board.squareM * (i % board.columns),
-                                        board.squareM * (i / board.columns));
+            const int row = i / board.columns;
+            const Eigen::Vector2d point(board.squareM * (i % board.columns), board.squareM * row);
             const auto pixel = camera.project(pose * Eigen::Vector3d(point.x(), point.y(), 0));
-            views.back().pixels.push_back(*pixel + Eigen::Vector2d(noise(random), noise(random)));
+            views.back().pixels.emplace_back(*pixel + Eigen::Vector2d(noise(random), noise(random)));
             views.back().pointsOnBoard.push_back(point);
         }
     }

@@ -120,11 +120,11 @@ private Q_SLOTS:
         QCOMPARE(view->rows, rows);
         QCOMPARE(view->pixels.size(), std::size_t(columns * rows));
         double squares = 0;
-        for (std::size_t i = 0; i < view->pixels.size(); ++i) {
+        for (const auto &pixel : view->pixels) {
             double nearest = 1e9; // whatever corner it starts from
             for (int y = 0; y < rows; ++y) {
                 for (int x = 0; x < columns; ++x)
-                    nearest = std::min(nearest, (view->pixels[i] - warped(someWarp, x, y)).norm());
+                    nearest = std::min(nearest, (pixel - warped(someWarp, x, y)).norm());
             }
             squares += nearest * nearest;
         }

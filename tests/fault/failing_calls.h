@@ -32,6 +32,6 @@ struct FailingCalls
 constexpr const char *failingCallsVariable = "ODOGRAPH_FAILING_CALLS";
 
 /// From now on calls of this process fail so; null: none. Of the library, which a test links or preloads.
-extern "C" void odographSetFailingCalls(FailingCalls *calls);
+extern "C" void odographSetFailingCalls(FailingCalls *set);
 
 } // namespace odo::test

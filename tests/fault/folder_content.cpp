@@ -15,7 +15,7 @@ namespace {
 QStringList contentOfFile(const std::filesystem::path &file)
 {
     const QString name = QString::fromStdString(file.filename().string());
-    const QStringList damaged(QStringLiteral("damaged"));
+    QStringList damaged(QStringLiteral("damaged"));
     if (name.endsWith(QStringLiteral(".odo")) || name.contains(QStringLiteral(".odo.bak-"))) {
         const QStringList rows = storedRows(file);
         return rows.isEmpty() ? damaged : rows;

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <dlfcn.h>
@@ -144,7 +145,6 @@ void operator delete(void *memory, std::size_t, std::align_val_t) noexcept
     std::free(memory);
 }
 
-#ifndef __SANITIZE_ADDRESS__ // which has a heap of its own
 /// libav's only way to memory.
 extern "C" int posix_memalign(void **memory, std::size_t alignment, std::size_t size) noexcept
 {
@@ -153,7 +153,6 @@ extern "C" int posix_memalign(void **memory, std::size_t alignment, std::size_t 
     *memory = ::memalign(alignment, size);
     return *memory || size == 0 ? 0 : ENOMEM;
 }
-#endif
 
 extern "C" int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*work)(void *), void *of) noexcept
 {

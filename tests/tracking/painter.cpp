@@ -61,15 +61,16 @@ void Painter::shape(const Distance &distance, const Eigen::Vector2d &low, const 
     for (int y = y0; y <= y1; ++y) {
         for (int x = x0; x <= x1; ++x) {
             int inside = 0, corners = 0;
-            for (int k = 0; k < 4; ++k)
-                corners += distance({x + (k % 2) - 0.5, y + (k / 2) - 0.5}) < 0;
+            for (const double down : {-0.5, 0.5})
+                for (const double across : {-0.5, 0.5})
+                    corners += distance({x + across, y + down}) < 0;
             if (corners == 4) { // shapes are convex
                 at(x, y) = paint;
                 continue;
             }
             for (int k = 0; k < parts * parts; ++k) {
-                const Eigen::Vector2d sub(x + (k % parts + 0.5) / parts - 0.5,
-                                          y + (k / parts + 0.5) / parts - 0.5);
+                const int row = k / parts;
+                const Eigen::Vector2d sub(x + (k % parts + 0.5) / parts - 0.5, y + (row + 0.5) / parts - 0.5);
                 inside += distance(sub) < 0;
             }
             const double part = inside / double(parts * parts);

@@ -33,6 +33,7 @@ CameraChoiceDialog::CameraChoiceDialog(std::vector<ChosenCamera> cameras, LiveCa
         auto *box = new QComboBox;
         box->setAccessibleName(tr("Device that is camera %1").arg(QString::fromStdString(name)));
         box->setMinimumContentsLength(36);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         connect(box, &QComboBox::currentIndexChanged, this, &CameraChoiceDialog::check);
         auto *settings = plainButton(tr("Settings…"));
         settings->setAccessibleName(tr("Settings of camera %1").arg(QString::fromStdString(name)));
@@ -88,6 +89,10 @@ void CameraChoiceDialog::fill()
         box.setCurrentIndex(std::max(0, box.findData(now)));
     }
     check();
+    if (isVisible()) { // cameras are found when it is shown already
+        layout()->activate();
+        resize(size().expandedTo(sizeHint()));
+    }
 }
 
 void CameraChoiceDialog::check()

@@ -68,7 +68,7 @@ SharedMotion drawnWander(SeededDraw &draw, int points, double stepS)
         while (static_cast<int>(way.size()) < points) {
             direction += draw.between(-1.3, 1.3);
             const double stepM = stepS * draw.between(0.4, 1.1);
-            way.push_back(way.back() + stepM * Eigen::Vector2d(std::cos(direction), std::sin(direction)));
+            way.emplace_back(way.back() + stepM * Eigen::Vector2d(std::cos(direction), std::sin(direction)));
         }
         SharedMotion motion = makeSplineMotion(std::move(way), stepS);
         if (isDrivable(*motion, stepS * (points - 1)))

@@ -78,7 +78,7 @@ std::vector<double> searchMs(const MainWindow &window)
     std::vector<double> times;
     for (const char *words : {"run 1234", "team 7 wet", "nobody", "class 2 final 99", "battery 50"}) {
         QString typed;
-        for (const char letter : QByteArray(words)) {
+        for (const char letter : std::string_view(words)) {
             typed += QLatin1Char(letter);
             QElapsedTimer timer;
             timer.start();

@@ -14,6 +14,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 
 using namespace odo;
@@ -212,13 +214,10 @@ bool measureAll(const Order &order, std::vector<Figure> &figures)
                   {true, true, false, isShown ? std::nullopt : std::optional(mostCoresOfWebcams)}))
             return false;
     }
-    for (const double rate : {30.0, 40.0, 50.0, 60.0}) {
-        if (order.parts.contains(QStringLiteral("full-hd")) &&
-            !take(QStringLiteral("GigE, 1920x1080, %1/s").arg(rate),
-                  measureGige(fullHdWidthPx, rate, order.shortS, order.folder), {}))
-            return false;
-    }
-    return true;
+    constexpr std::array rates{30.0, 40.0, 50.0, 60.0};
+    return !order.parts.contains(QStringLiteral("full-hd")) || std::ranges::all_of(rates, [&](double rate) {
+        return take(QStringLiteral("GigE, 1920x1080, %1/s").arg(rate), measureGige(fullHdWidthPx, rate, order.shortS, order.folder), {});
+    });
 }
 
 } // namespace

@@ -150,11 +150,10 @@ QStringList saidBy(Tokens expression)
     }
     QStringList said{QString()};
     for (const Tokens term : parted(expression, QStringLiteral("+"))) {
-        QStringList longer;
-        for (const QString &before : std::as_const(said))
-            for (const QString &after : saidByTerm(term))
-                longer << before + after;
-        said = longer;
+        const QStringList before = std::exchange(said, {});
+        for (const QString &start : before)
+            for (const QString &end : saidByTerm(term))
+                said << start + end;
     }
     return said;
 }

@@ -25,7 +25,7 @@ QByteArray outputOf(const QString &program, const QStringList &arguments)
 QString printed(const ReportPages &pages, const QTemporaryDir &folder)
 {
     static int count = 0;
-    const QString file = folder.filePath(QStringLiteral("%1.pdf").arg(++count));
+    QString file = folder.filePath(QStringLiteral("%1.pdf").arg(++count));
     PdfFile pdf(file.toStdString(), QStringLiteral("Test"));
     for (const ReportPage &page : pages)
         if (const auto added = pdf.add(page); !added)

@@ -69,7 +69,7 @@ bool isKnown(const QString &text, const QStringList &known)
     QString left = withoutKeys(outside(text)).remove(date).remove(path);
     for (const QString &name : known) {
         left.replace(name, QStringLiteral(" "));
-        if (const qsizetype elided = left.indexOf(u'…'); elided >= 0 && name.endsWith(left.mid(elided + 1)))
+        if (const qsizetype elided = left.indexOf(u'…'); elided >= 0 && name.endsWith(QStringView(left).mid(elided + 1)))
             left.truncate(elided); // a name whose middle was left out
     }
     auto each = word.globalMatch(left);
@@ -122,10 +122,11 @@ int roomForText(const QComboBox &box)
 
 QString PseudoWords::translate(const char *context, const char *source, const char *, int) const
 {
+    static const QRegularExpression placeholder(QStringLiteral("%([1-9])"));
     QString words = QString::fromUtf8(source);
     // What a pattern of core's sentences holds is known by itself, or a name.
     if (qstrcmp(context, "CoreWords") == 0)
-        words.replace(QRegularExpression(QStringLiteral("%([1-9])")), closing + QStringLiteral("%\\1") + opening);
+        words.replace(placeholder, closing + QStringLiteral("%\\1") + opening);
     const QString ellipsis = words.endsWith(u'…') ? QStringLiteral("…") : QString();
     return opening + words.chopped(ellipsis.size()) + closing + ellipsis;
 }

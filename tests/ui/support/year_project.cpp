@@ -145,7 +145,7 @@ Result<Source> addLists(const std::filesystem::path &file)
 
 Result<std::filesystem::path> makeYearProject(const std::filesystem::path &folder, int trials)
 {
-    const auto made = storeExample(folder, {.frames = samplesOfATrial, .widthPx = 320, .heightPx = 180});
+    auto made = storeExample(folder, {.frames = samplesOfATrial, .widthPx = 320, .heightPx = 180});
     if (!made)
         return made;
     const std::filesystem::path file = folder / yearProjectName;
